@@ -142,7 +142,7 @@ public:
 
   ///@{
   /**
-   * Close darts and other cuts as far as their banks would lie over each other, which they do where
+   * Close darts and other cuts where their banks would lie over each other, which they do where
    * the surface is saddle-like: the closed parts of the two banks then lie on each other, at the
    * price of more distortion, and do not count as `Boundary`; patterns are whole there. Off: they
    * overlap, and the status is OVERLAP. Default: off.
@@ -156,10 +156,9 @@ public:
   /**
    * What the pieces are cut from: the name of a material that ListMaterials() knows, or a JSON file
    * with its numbers (see Documentation/materials.md). ISOMETRIC then minimizes the energy of its
-   * threads, in the place of DistortionEnergy, and keeps their strains within its limits as far as
-   * lengths allow; other schemes, the conformal map, and the
-   * material "isotropic" only measure what the threads would
-   * have to do. A material that is unknown or without meaning is refused (INVALID_OPTION); strains
+   * threads instead of DistortionEnergy, and keeps their strains within its limits where lengths
+   * allow; other schemes, the conformal map, and the material "isotropic" only measure what the
+   * threads would have to do. A material that is unknown or without meaning is refused (INVALID_OPTION); strains
    * that stay beyond the limits on more than 5 % of a piece's area mark it BEYOND_LIMITS. Default:
    * empty, no material.
    */

@@ -6,7 +6,7 @@
 
 Each block is a piece with its curves as line cells (Examples/Python/make_collection.py writes such
 files). ParaView deals the blocks out to the processes. The pieces are taken a portion at a time, so that
-memory does not grow with the collection; flat.csv has a row a flat piece, with its status and measures.
+memory does not grow with the collection; flat.csv has one row for each flat piece, with its status and measures.
 
 What is done stays in the folder flat/. After a fault the same command goes on with what is missing: the
 portion in which a run died is taken again piece by piece, and a piece in which a run died alone gets the

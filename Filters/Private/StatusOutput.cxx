@@ -86,7 +86,7 @@ Status inInput(Status status, const std::vector<vtkIdType>& inputId)
   ids.kind = status.ids.kind;
   bool renumbered = false;
   std::unordered_set<std::int64_t> told;
-  // Of an edge both ends are told, or neither.
+  // An edge is named by both of its ends, or not at all.
   const std::size_t stride = ids.kind == ElementKind::Edges ? 2 : 1;
   for (std::size_t k = 0; k + stride <= status.ids.values.size(); k += stride)
   {

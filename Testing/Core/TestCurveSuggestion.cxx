@@ -229,6 +229,16 @@ TEST(CurveSuggestion, GivesNoiseUpAndSaysHowManyCutsItWouldTake)
   EXPECT_LT(suggestions.curves.size(), 8u);
 }
 
+TEST(CurveSuggestion, KeepsToTheMostCutsOnAClosedSurfaceThatWouldTakeManyMore)
+{
+  for (Index most : { 2, 4 })
+  {
+    const CurveSuggestions suggestions = suggestCurves(torus(16, 3.0), {}, optionsOf(0.002, most));
+    EXPECT_LE(static_cast<Index>(suggestions.curves.size()), most);
+    EXPECT_FALSE(suggestions.boundMet);
+  }
+}
+
 TEST(CurveSuggestion, EndsWhenItsWorkIsUsedUpWhateverTheThreads)
 {
   const TriangleMesh mesh = dome(0.6);

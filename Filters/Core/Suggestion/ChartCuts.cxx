@@ -5,6 +5,7 @@
 #include "Imprint/CurveImprint.h"
 #include "Paths/PlaneSection.h"
 #include "Suggestion/CutThinning.h"
+#include "Suggestion/OpeningCuts.h"
 #include "Suggestion/PieceSurface.h"
 #include "Suggestion/SeamDrawing.h"
 #include "Suggestion/SurfaceCoarsening.h"

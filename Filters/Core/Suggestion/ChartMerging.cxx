@@ -2,6 +2,7 @@
 #include "Suggestion/ChartMerging.h"
 
 #include "Base/CompressedRows.h"
+#include "Suggestion/OpeningCuts.h"
 #include "Surface/VertexFan.h"
 
 #include <algorithm>
@@ -32,30 +33,8 @@ constexpr std::size_t triedAtOnce = 4;
 constexpr Index numberedAtOnce = 16;
 /// Of bound^2, the rise of the mean square of the strain below which merging is free.
 constexpr double freeRise = 1e-2;
-/// Of a turn, what the edge of a hole turns by at least, the other way than an outer one; and of
-/// the longest boundary, up to which a loop is a hole in any case.
-constexpr double holeTurn = 0.95;
-constexpr double shortLoop = 0.2;
 /// Of a seam, what is sewn at once.
 constexpr std::array<double, 2> sewnShares{ 2.0 / 3.0, 1.0 / 3.0 };
-}
-
-std::vector<char> findHoles(const TriangleMesh& mesh, const std::vector<Indices>& loops)
-{
-  std::vector<double> lengths;
-  for (const Indices& loop : loops)
-  {
-    lengths.push_back(std::accumulate(
-      loop.begin(), loop.end(), 0.0, [&](double sum, Index h) { return sum + mesh.length(h); }));
-  }
-  std::vector<char> holes(loops.size(), 0);
-  for (std::size_t l = 1; l < loops.size(); ++l)
-  {
-    holes[l] =
-      lengths[l] <= shortLoop * lengths[0] || turnOf(mesh, loops[l]) <= -holeTurn * 2.0 * pi ? 1
-                                                                                             : 0;
-  }
-  return holes;
 }
 
 Charts::Charts(const TriangleMesh& mesh, std::vector<char> cut, Indices images,

@@ -20,10 +20,6 @@ struct ChartOptions
   FlatteningOptions flattening;
 };
 
-/// By boundary loop, whether a chart may surround it: it is short beside the longest, or turns as
-/// the edge of a hole in a flat piece does.
-std::vector<char> findHoles(const TriangleMesh& mesh, const std::vector<Indices>& loops);
-
 /// A mesh parted into charts by cut edges, which may be mirror images of each other.
 class Charts
 {

@@ -227,7 +227,7 @@ private:
     {
       found.push_back(this->chartSet(surface, uncut));
     }
-    if (found.empty() || !found.front().outcome.valid || !this->isFlat(found.front()))
+    if (found.empty() || !this->isFlat(found.front()))
     {
       this->addSets(found, this->neededCuts(surface));
     }
@@ -264,7 +264,6 @@ private:
   {
     const SearchOptions& wanted = this->Options.search;
     CutSet set;
-    set.outcome.valid = false;
     double needed = 0.0;
     bool spent = false;
     double bound = wanted.bound > 0.0 ? wanted.bound : chartBound;
@@ -278,13 +277,12 @@ private:
       set.cuts = this->chartsOf(surface, uncut, bound, budget);
       set.cutsNeeded = static_cast<double>(set.cuts.size());
       needed = k == 0 ? set.cutsNeeded : needed;
-      if (set.cutsNeeded > most)
-      {
-        set.end = SearchEnd::GivenUp; // noise is no nearer to flat with as many cuts
-        return set;
-      }
       spent = budget.spent();
       this->Budget.add(budget);
+      if (set.cutsNeeded > most)
+      {
+        return rejected(SearchEnd::GivenUp, needed); // noise is no nearer to flat with as many cuts
+      }
       set.outcome = this->Whole.run(linesOf(set.cuts), this->Budget, this->Run);
       if (!set.outcome.valid || this->allowed(set))
       {
@@ -294,17 +292,11 @@ private:
     if (uncut.outcome.valid && wanted.bound > 0.0 &&
       set.outcome.strainP95 > chartStrain * wanted.bound)
     {
-      set.cutsNeeded = needed;
-      set.end = SearchEnd::GivenUp; // noise is hardly nearer to flat with so few
-      set.outcome.valid = false;
-      return set;
+      return rejected(SearchEnd::GivenUp, needed); // noise is hardly nearer to flat with few cuts
     }
     if (!set.outcome.valid || !this->allowed(set))
     {
-      set.outcome.valid = false;
-      set.end = spent ? SearchEnd::WorkUsedUp : SearchEnd::CutsUsedUp;
-      set.cuts.clear();
-      return set;
+      return rejected(spent ? SearchEnd::WorkUsedUp : SearchEnd::CutsUsedUp, set.cutsNeeded);
     }
     set.end = this->isFlat(set) ? SearchEnd::BoundMet : SearchEnd::NothingHelps;
     if (set.end == SearchEnd::BoundMet || wanted.bound == 0.0)
@@ -320,6 +312,15 @@ private:
                        options, this->Result.mirror, this->Weights, SearchGoal::Strain },
       std::move(set), budget, this->Run);
     this->Budget.add(budget);
+    return set;
+  }
+
+  /// No cuts, and why.
+  static CutSet rejected(SearchEnd end, double needed)
+  {
+    CutSet set;
+    set.end = end;
+    set.cutsNeeded = needed;
     return set;
   }
 

@@ -172,15 +172,11 @@ private:
 std::vector<Polyline> joinLoops(const TriangleMesh& mesh, const std::vector<char>& barred)
 {
   const std::vector<Indices> loops = mesh.boundaryLoops();
-  const auto lengthOf = [&](const Indices& loop) {
-    return std::accumulate(
-      loop.begin(), loop.end(), 0.0, [&](double sum, Index h) { return sum + mesh.length(h); });
-  };
-  std::vector<Indices> joined{ loops.front() };
-  for (std::size_t l = 1; l < loops.size(); ++l)
+  const std::vector<char> holes = findHoles(mesh, loops);
+  std::vector<Indices> joined;
+  for (std::size_t l = 0; l < loops.size(); ++l)
   {
-    if (lengthOf(loops[l]) > leastJoined * lengthOf(loops[0]) &&
-      turnOf(mesh, loops[l]) > -leastHoleTurn * 2.0 * pi)
+    if (!holes[l])
     {
       joined.push_back(loops[l]);
     }
@@ -207,5 +203,21 @@ std::vector<Polyline> openingCuts(const TriangleMesh& mesh,
   }
   return loops == 0 ? sectionLoops(mesh, mirror ? *mirror : flattestPlane(mesh))
                     : joinLoops(mesh, barred);
+}
+
+std::vector<char> findHoles(const TriangleMesh& mesh, const std::vector<Indices>& loops)
+{
+  const auto lengthOf = [&](const Indices& loop) {
+    return std::accumulate(
+      loop.begin(), loop.end(), 0.0, [&](double sum, Index h) { return sum + mesh.length(h); });
+  };
+  std::vector<char> holes(loops.size(), 0);
+  for (std::size_t l = 1; l < loops.size(); ++l)
+  {
+    const bool hole = lengthOf(loops[l]) <= leastJoined * lengthOf(loops[0]) ||
+      turnOf(mesh, loops[l]) <= -leastHoleTurn * 2.0 * pi;
+    holes[l] = hole ? 1 : 0;
+  }
+  return holes;
 }
 }

@@ -22,4 +22,8 @@ namespace flattening
 /// meet; loops are left where there is no other way. Empty: none does
 std::vector<Polyline> openingCuts(const TriangleMesh& mesh,
   const std::optional<SymmetryPlane>& mirror = {}, const std::vector<char>& barred = {});
+
+/// By boundary loop, whether it is a hole, which a piece may surround: it is short beside the
+/// longest, the first, or turns as the edge of a hole in a flat piece does.
+std::vector<char> findHoles(const TriangleMesh& mesh, const std::vector<Indices>& loops);
 }

@@ -15,7 +15,7 @@ bool isCrease(const TriangleMesh& mesh, Index halfedge);
 class SeamDrawing
 {
 public:
-  /// How near to its chain a line stays: drawn tight; within so many steps of the chain; not
+  /// How near to its chain a line stays: drawn tight; within some steps of the chain; not
   /// smoothed at all.
   static constexpr int levels = 5;
 

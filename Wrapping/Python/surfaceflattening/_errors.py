@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run that does not give a sound result is told with; all errors are a FlatteningError."""
+"""The errors and warnings of runs without a sound result; all errors are a FlatteningError."""
 
 from typing import List, Sequence, Tuple
 
