@@ -158,9 +158,9 @@ public:
    * with its numbers (see Documentation/materials.md). ISOMETRIC then minimizes the energy of its
    * threads instead of DistortionEnergy, and keeps their strains within its limits where lengths
    * allow; other schemes, the conformal map, and the material "isotropic" only measure what the
-   * threads would have to do. A material that is unknown or without meaning is refused (INVALID_OPTION); strains
-   * that stay beyond the limits on more than 5 % of a piece's area mark it BEYOND_LIMITS. Default:
-   * empty, no material.
+   * threads would have to do. A material that is unknown or without meaning is refused
+   * (INVALID_OPTION); strains that stay beyond the limits on more than 5 % of a piece's area mark
+   * it BEYOND_LIMITS. Default: empty, no material.
    */
   void SetMaterial(const char* text) { this->SetText(this->Material, text); }
   vtkGetCharFromStdStringMacro(Material);
