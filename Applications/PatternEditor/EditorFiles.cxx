@@ -8,6 +8,7 @@
 #include "InputError.h"
 #include "ReadCurves.h"
 #include "ReadSurface.h"
+#include "Units.h"
 #include "WindowWords.h"
 
 #include <vtkFeatureCurveEditor.h>
@@ -124,6 +125,7 @@ bool EditorWindow::openSurface(const std::string& path)
     {
       this->showCurves(contents.curves);
     }
+    this->proposeUnit();
     this->askForPieces(Care::Full);
     this->expectPieces();
     this->followChoice();
@@ -183,6 +185,21 @@ void EditorWindow::takeUnit(const std::string& stated)
     this->tell("the curves were saved in " + stated + ", the surface is in " +
         this->Unit->currentText().toStdString() + "; check the unit",
       true);
+  }
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::proposeUnit()
+{
+  if (!this->UnitStated)
+  {
+    const wirewarp::LikelyUnit likely = wirewarp::likelyUnit(this->Surface);
+    this->Unit->setCurrentText(QString::fromStdString(likely.unit));
+    this->UnitStated = false; // the list was not changed by the user
+    const std::string before = this->message().toStdString();
+    this->tell("the surface " + describe(likely) + "; if that is wrong, choose another unit" +
+        (before.empty() ? "" : "; " + before),
+      !before.empty());
   }
 }
 

@@ -145,6 +145,8 @@ private:
   void showCurves(vtkPolyData* lines, const std::string& note = {});
   /// Takes the unit that a file states, "" for none, unless the user or the surface has stated one.
   void takeUnit(const std::string& stated);
+  /// Takes and shows the likely unit where none is stated.
+  void proposeUnit();
 
   void followCurves();
   void followChoice();

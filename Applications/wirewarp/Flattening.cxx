@@ -387,14 +387,7 @@ MendedSurface mendedSurface(
 
 std::string unitTaken(const std::string& surface, const LikelyUnit& taken)
 {
-  std::ostringstream text;
-  text << std::setprecision(4) << surface << " states no unit: " << taken.unit << " is taken";
-  if (taken.size > 0.0)
-  {
-    text << ", in which it is " << taken.size << ' ' << taken.unit << " large";
-  }
-  text << "; state it with --unit mm, cm, m or inch";
-  return text.str();
+  return surface + ' ' + describe(taken) + "; state it with --unit mm, cm, m or inch";
 }
 
 Flattening outOfMemory(const std::string& surface, const std::string& limit)

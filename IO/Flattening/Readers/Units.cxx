@@ -11,6 +11,8 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace wirewarp
 {
@@ -125,5 +127,16 @@ LikelyUnit likelyUnit(vtkPolyData* surface)
     }
   }
   return likely;
+}
+//------------------------------------------------------------------------------
+std::string describe(const LikelyUnit& taken)
+{
+  std::ostringstream text;
+  text << std::setprecision(4) << "states no unit: " << taken.unit << " is taken";
+  if (taken.size > 0.0)
+  {
+    text << ", in which it is " << taken.size << ' ' << taken.unit << " large";
+  }
+  return text.str();
 }
 }

@@ -28,4 +28,7 @@ struct LikelyUnit
 
 /// The unit in which a surface is nearest to the size of what people wear and sit on: mm, cm or m.
 LikelyUnit likelyUnit(vtkPolyData* surface);
+
+/// "states no unit: cm is taken, in which it is 74.5 cm large", behind the name of a surface.
+std::string describe(const LikelyUnit& taken);
 }
