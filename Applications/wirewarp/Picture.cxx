@@ -23,8 +23,6 @@ namespace wirewarp
 {
 namespace
 {
-constexpr int pictureWidth = 1600;
-constexpr int height = 1000;
 constexpr int samples = 8;
 
 std::vector<std::string> coloringNames()
@@ -76,6 +74,10 @@ void addPicture(CLI::App& app, PictureRequest& request)
     ->expected(2)
     ->check(number(-1e9, 1e9, "[-1e9, 1e9]"))
     ->type_name("LOW HIGH");
+  app.add_option("--size", request.size, "Width and height of the picture, in pixels")
+    ->check(CLI::Range(400, 10000).description(""))
+    ->type_name("WIDTH HEIGHT")
+    ->default_str("1600 1000");
 }
 
 void checkPicture(const PictureRequest& request)
@@ -134,7 +136,8 @@ void addPicture(const Options& options, const Flattening& result, OutputFiles& f
   scene.warning = result.exitCode == Flawed;
   scene.message = scene.warning ? result.message : "";
   const VtkMessages messages;
-  figures::PatternPicture picture(pictureWidth, height, samples);
+  const auto [width, height] = options.picture.size;
+  figures::PatternPicture picture(width, height, samples);
   picture.window()->SetOffScreenRendering(1);
   picture.show(scene);
   const auto write = [&picture](const std::string& path) {

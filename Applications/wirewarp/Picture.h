@@ -20,7 +20,8 @@ struct PictureRequest
 {
   std::string path; ///< empty: none is asked for
   std::string coloring = "strain";
-  std::array<double, 2> range{}; ///< of the colors; equal: by what is shown
+  std::array<double, 2> range{};         ///< of the colors; equal: by what is shown
+  std::array<int, 2> size{ 1600, 1000 }; ///< pixels
 
   bool any() const { return !this->path.empty(); }
 };

@@ -63,6 +63,9 @@ class Picture(CommandTest):
         self.assertEqual(run.returncode, 2)
         self.assertIn("--range", run.stderr)
 
+    def test_its_size_may_be_chosen(self):
+        self.assertEqual(self.draw("shirt.png", "--size", "800", "500").shape, (500, 800, 3))
+
     def test_its_folder_is_made_and_nothing_else_is_left_there(self):
         self.draw(os.path.join("a folder", "shirt.PNG"))
         self.assertEqual(os.listdir(self.path("a folder")), ["shirt.PNG"])
