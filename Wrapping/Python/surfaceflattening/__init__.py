@@ -57,7 +57,8 @@ except ImportError as _error:
 from ._calls import (
     flatten, flatten_polydata, make_flattenable, make_flattenable_polydata, price_keys, suggest, suggest_polydata)
 from ._curves import Curve, make_curves, make_surface
-from ._errors import FileError, FlatteningError, FlatteningWarning, MissingFileError, OutOfMemoryError
+from ._errors import (
+    ArgumentError, ArgumentTypeError, FileError, FlatteningError, FlatteningWarning, MissingFileError, OutOfMemoryError)
 from ._garment import GarmentPattern, Panel, PanelEdge, Stitch, read_garmentcode
 from ._grading import GradeRule, Grading, grade
 from ._keys import KeyPrice, KeyPrices, KeyTrial
@@ -73,8 +74,8 @@ from ._types import (
 
 # Without the filters, of whose methods help() would print 31,000 lines.
 __all__ = [
-    "ClothReport", "CoincidentPoints", "Coloring", "Curve", "CurveReport", "CurveType", "CutChoice",
-    "DartLegs", "Energy", "FileError", "Flattenable", "Flattening", "FlatteningError", "FlatteningWarning",
+    "ArgumentError", "ArgumentTypeError", "ClothReport", "CoincidentPoints", "Coloring", "Curve", "CurveReport",
+    "CurveType", "CutChoice", "DartLegs", "Energy", "FileError", "Flattenable", "Flattening", "FlatteningError", "FlatteningWarning",
     "GarmentPattern", "GradeRule", "Grading", "Interior", "KeyPrice", "KeyPrices", "KeyShape", "KeyTrial",
     "LeftOutLine", "MirrorAxis", "MirrorPlane", "MissingFileError", "Options", "OutOfMemoryError", "Panel",
     "PanelEdge", "Paper", "Part", "PieceReport", "Report", "Resewn", "ResewnShape", "Scheme", "SeamSource",

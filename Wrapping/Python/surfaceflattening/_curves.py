@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyData
 
 from ._equality import ComparedByValue
+from ._errors import ArgumentError, ArgumentTypeError
 from ._options import index_of
 from ._types import CurveType, KeyShape
 from ._vtk import coordinates_of, make_cells, make_points, make_triangles, named, strings, text_of, to_vtk
@@ -80,29 +81,29 @@ def _is_masked(values: Any) -> bool:
 def _as_array(values: Any, what: str) -> NDArray[Any]:
     """An array of any type, with no value hidden behind a mask."""
     if _is_masked(values):
-        raise ValueError(f"{what}: some values are masked, and a masked value is none; remove what is "
-                         "masked, or give the values with .filled() or .data")
+        raise ArgumentError(f"{what}: some values are masked, and a masked value is none; remove what is "
+                            "masked, or give the values with .filled() or .data")
     try:
         return np.asarray(values)
     except ValueError as error:
-        raise ValueError(f"{what} must be an array with rows of one length: {error}") from None
+        raise ArgumentError(f"{what} must be an array with rows of one length: {error}") from None
 
 
 def _as_numbers(values: Any, what: str) -> NDArray[np.float64]:
     array = _as_array(values, what)
     if np.iscomplexobj(array):
-        raise ValueError(f"{what} must be real numbers, not {array.dtype}")
+        raise ArgumentError(f"{what} must be real numbers, not {array.dtype}")
     if array.dtype == np.bool_:
-        raise ValueError(f"{what} must be numbers, not {array.dtype}")
+        raise ArgumentError(f"{what} must be numbers, not {array.dtype}")
     if array.dtype.kind in "iu":
         inexact = array[(array > _EXACT) | (array < -_EXACT)]
         if inexact.size:
-            raise ValueError(f"{what} hold the whole number {inexact[0]}; coordinates are exact up to "
-                             "2**53; take a larger unit")
+            raise ArgumentError(f"{what} hold the whole number {inexact[0]}; coordinates are exact up to "
+                                "2**53; take a larger unit")
     try:
         return array.astype(np.float64)
     except (TypeError, ValueError) as error:
-        raise ValueError(f"{what} must be numbers: {error}") from None
+        raise ArgumentError(f"{what} must be numbers: {error}") from None
 
 
 def _as_ids(values: Any, what: str) -> NDArray[np.int64]:
@@ -115,11 +116,11 @@ def _as_ids(values: Any, what: str) -> NDArray[np.int64]:
         too_large = [value for value in array.flat if not -2**63 <= value < 2**63]
     elif array.size and not np.issubdtype(array.dtype, np.integer):
         hint = "; .astype(int) makes ids of floats that are whole" if kind.kind == "f" else ""
-        raise ValueError(f"{what} must be whole numbers, not {kind}{hint}")
+        raise ArgumentError(f"{what} must be whole numbers, not {kind}{hint}")
     else:
         too_large = array[array >= 2**63].tolist() if array.dtype == np.uint64 else []
     if too_large:
-        raise ValueError(f"{what} hold {too_large[0]}; ids are below 2**63")
+        raise ArgumentError(f"{what} hold {too_large[0]}; ids are below 2**63")
     return array.astype(np.int64)
 
 
@@ -127,7 +128,7 @@ def _name_of(curve: "Curve", place: int) -> str:
     """The name as VTK can take it; files end at NUL."""
     name = text_of(f"the name of curve {place}", curve.name)
     if "\0" in name:
-        raise ValueError(f"the name of curve {place}, {name!r}, holds the character NUL")
+        raise ArgumentError(f"the name of curve {place}, {name!r}, holds the character NUL")
     return name
 
 
@@ -137,7 +138,7 @@ def _polygons(faces: NDArray[np.int64]) -> Iterator[NDArray[np.int64]]:
     while at < len(faces):
         count = int(faces[at])
         if count < 3 or at + count >= len(faces):
-            raise ValueError(
+            raise ArgumentError(
                 f"triangles as a flat list must be polygons, each the number of its corners and then "
                 f"their ids; at {at} there are {count} corners, with {len(faces) - at - 1} values left")
         yield faces[at + 1:at + 1 + count]
@@ -163,19 +164,19 @@ def make_surface(points: ArrayLike, triangles: Optional[ArrayLike]) -> vtkPolyDa
             coordinates beyond 2**53.
     """
     if isinstance(points, vtkDataObject):
-        raise TypeError(f"points is {type(points).__name__}; it must be an array of positions. Meshes are taken by "
-                        "flatten_polydata(), suggest_polydata() and make_flattenable_polydata()")
+        raise ArgumentTypeError(f"points is {type(points).__name__}; it must be an array of positions. Meshes are taken by "
+                                "flatten_polydata(), suggest_polydata() and make_flattenable_polydata()")
     if triangles is None:
-        raise TypeError("triangles are missing; give the ids of their corners, shape (m, 3)")
+        raise ArgumentTypeError("triangles are missing; give the ids of their corners, shape (m, 3)")
     coordinates = _as_numbers(points, "points")
     if coordinates.ndim != 2 or coordinates.shape[1] != 3:
         hint = "; add a column of zeros for z" if coordinates.shape[1:] == (2,) else ""
-        raise ValueError(f"points must have the shape (n, 3), not {coordinates.shape}{hint}")
+        raise ArgumentError(f"points must have the shape (n, 3), not {coordinates.shape}{hint}")
     corners = _as_ids(triangles, "triangles")
     flat = corners.ndim == 1 and corners.size > 0
     if not flat and (corners.ndim != 2 or corners.shape[1] != 3):
         hint = "; quads are taken as a flat list" if corners.shape[1:] == (4,) else ""
-        raise ValueError(
+        raise ArgumentError(
             f"triangles must have the shape (m, 3), or be a flat list, not {corners.shape}{hint}")
     surface = vtkPolyData()
     surface.SetPoints(make_points(coordinates))
@@ -191,14 +192,14 @@ def _positions_of(curve: Curve, what: str, surface: NDArray[np.float64]) -> NDAr
         ids = _as_ids(curve.points, f"the point ids of {what}")
         outside = ids[(ids < 0) | (ids >= len(surface))]
         if outside.size:
-            raise ValueError(
+            raise ArgumentError(
                 f"{what} names point {outside[0]}; the surface has points 0 to {len(surface) - 1}"
             )
         positions = surface[ids]
     else:
-        raise ValueError(f"{what} must have the shape (k,) or (k, 3), not {values.shape}")
+        raise ArgumentError(f"{what} must have the shape (k,) or (k, 3), not {values.shape}")
     if len(positions) < 2:
-        raise ValueError(f"{what} has {len(positions)} points; give it at least 2")
+        raise ArgumentError(f"{what} has {len(positions)} points; give it at least 2")
     return positions
 
 
@@ -210,8 +211,8 @@ def _small(word: Any) -> Any:
 def _type_of(curve: Curve, what: str) -> int:
     kind = _small(curve.type)
     if isinstance(kind, str) and kind in _WORDS_OF_FILES:
-        raise ValueError(f"the type of {what} is {curve.type!r}, a word of the command's text files; here "
-                         f"{_WORDS_OF_FILES[kind]}")
+        raise ArgumentError(f"the type of {what} is {curve.type!r}, a word of the command's text files; here "
+                            f"{_WORDS_OF_FILES[kind]}")
     return index_of(kind, CURVE_TYPES, f"the type of {what}")
 
 
@@ -219,7 +220,7 @@ def _tolerance_of(curve: Curve, what: str) -> float:
     try:
         return float(curve.length_tolerance)
     except (TypeError, ValueError):
-        raise ValueError(
+        raise ArgumentError(
             f"the length_tolerance of {what} is {curve.length_tolerance!r}; it must be a number"
         ) from None
 
@@ -228,7 +229,7 @@ def add_weights(surface: vtkPolyData, weights: ArrayLike) -> str:
     """Adds a number a cell to the surface; the name of the array."""
     numbers = _as_numbers(weights, "weights")
     if numbers.shape != (surface.GetNumberOfCells(),):
-        raise ValueError(
+        raise ArgumentError(
             f"weights must have the shape ({surface.GetNumberOfCells()},), a number for each triangle, "
             f"not {numbers.shape}")
     surface.GetCellData().AddArray(named("Weight", to_vtk(np.ascontiguousarray(numbers))))
@@ -241,11 +242,11 @@ def _demand_list(curves: Any) -> None:
     if isinstance(curves, np.ndarray) and curves.dtype != object:
         alone = curves.ndim == 1 and curves.size > 0 or curves.ndim == 2 and curves.dtype.kind == "f"
     elif isinstance(curves, tuple) and any(isinstance(value, str) for value in curves):
-        raise TypeError(f"curves is {curves!r}; put a curve with a type into brackets: [sf.Curve(points, \"dart\")]")
+        raise ArgumentTypeError(f"curves is {curves!r}; put a curve with a type into brackets: [sf.Curve(points, \"dart\")]")
     elif isinstance(curves, (list, tuple, range)) and len(curves) > 0:
         alone = isinstance(curves[0], (Integral, float))
     if alone:
-        raise TypeError("curves must be a list of curves; put a single one into brackets: [curve]")
+        raise ArgumentTypeError("curves must be a list of curves; put a single one into brackets: [curve]")
 
 
 def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) -> vtkPolyData:
@@ -267,7 +268,7 @@ def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) ->
     names, types, key_shapes, tolerances = [], [], [], []
     for place, given in enumerate(curves):
         if isinstance(given, (tuple, list)) and any(isinstance(value, str) for value in given):
-            raise TypeError(f"curve {place} is {given!r}; a curve with a type is sf.Curve(points, \"dart\")")
+            raise ArgumentTypeError(f"curve {place} is {given!r}; a curve with a type is sf.Curve(points, \"dart\")")
         curve = given if isinstance(given, Curve) else Curve(given)
         # Its name also keeps a curve of two points apart from the next.
         name = _name_of(curve, place) or f"curve {place}"
@@ -281,7 +282,7 @@ def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) ->
         if curve.planar_shape is not None:
             planar = _as_numbers(curve.planar_shape, f"the planar_shape of {what}")
             if planar.shape != shape.shape:
-                raise ValueError(
+                raise ArgumentError(
                     f"the planar_shape of {what} must have the shape {shape.shape}, not {planar.shape}"
                 )
             shape = planar
@@ -312,7 +313,7 @@ def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) ->
 def demand_polydata(data: Any, what: str, hint: str = "") -> None:
     """TypeError where the pipeline would print an error and give no result."""
     if not isinstance(data, vtkPolyData):
-        raise TypeError(f"{what} is {type(data).__name__}; it must be a vtkPolyData{hint}")
+        raise ArgumentTypeError(f"{what} is {type(data).__name__}; it must be a vtkPolyData{hint}")
 
 
 def curves_on(

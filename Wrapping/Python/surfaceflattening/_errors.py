@@ -34,6 +34,18 @@ class FlatteningError(ValueError):
         return f"{self.name}: {self.message}" if self.code >= 0 else self.message
 
 
+class ArgumentError(FlatteningError):
+    """An argument of a function has a value that it cannot have; code is -1."""
+
+    def __init__(self, message: str) -> None:
+        super().__init__(-1, "InvalidArgument", [], message)
+        self.args = (message,)
+
+
+class ArgumentTypeError(ArgumentError, TypeError):
+    """An argument of a function has another type than it needs, or is missing or unknown."""
+
+
 class FileError(FlatteningError, OSError):
     """A file cannot be written."""
 

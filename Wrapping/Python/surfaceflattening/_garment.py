@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._equality import ComparedByValue
+from ._errors import ArgumentTypeError
 from ._pattern import write_parts
 from ._result import Wire, _wires
 from ._types import Part
@@ -111,7 +112,7 @@ class GarmentPattern:
                  if parameter.kind is parameter.KEYWORD_ONLY and name != "unit"}
         for name in options:
             if name not in known:
-                raise TypeError(f"write_pattern() has no option {name!r}; there are {', '.join(known)}")
+                raise ArgumentTypeError(f"write_pattern() has no option {name!r}; there are {', '.join(known)}")
         if "fair" in options:
             # Panels are made smooth curve by curve.
             names = {wire.name for wire in self.wires} | {"boundary"}

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._equality import ComparedByValue
+from ._errors import ArgumentError
 from ._options import index_of
 from ._pattern import write_sizes
 from ._result import Flattening
@@ -124,7 +125,7 @@ def grade(
         if value is not None:
             set_text(text_of(what, value))
     if len(sizes) < 2:
-        raise ValueError(f"there are {len(sizes)} sizes; grading needs two")
+        raise ArgumentError(f"there are {len(sizes)} sizes; grading needs two")
     for size, result in sizes.items():
         filter_.AddSize(text_of("a size", size), result._parts.flat, result._parts.wires)
     update(filter_)

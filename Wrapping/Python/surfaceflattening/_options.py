@@ -13,6 +13,7 @@ from typing import Any, Callable, Dict, Iterable, Mapping, Optional, Sequence, S
 
 import numpy as np
 
+from ._errors import ArgumentError, ArgumentTypeError
 from ._materials import materials
 from ._option_table import TABLE, Option, Options, Scheme
 from .vtkFiltersFlattening import vtkLeastSquaresConformalFilter, vtkWireWarpingFilter
@@ -68,12 +69,12 @@ def set_property(filter_: Any, option: str, property_: str, value: Any) -> None:
     try:
         getattr(filter_, "Set" + property_)(value)
     except TypeError as error:
-        raise TypeError(f"{option} = {value!r}: {error}") from None
+        raise ArgumentTypeError(f"{option} = {value!r}: {error}") from None
     except OverflowError as error:
-        raise ValueError(f"{option} = {value!r} is out of range: {error}") from None
+        raise ArgumentError(f"{option} = {value!r} is out of range: {error}") from None
     kept = getattr(filter_, "Get" + property_)()
     if kept != value:
-        raise ValueError(f"{option} = {value!r} is out of range; the nearest value is {kept!r}")
+        raise ArgumentError(f"{option} = {value!r} is out of range; the nearest value is {kept!r}")
 
 
 def word_of(value: Any, words: Sequence[Word], what: str) -> Word:
@@ -81,7 +82,7 @@ def word_of(value: Any, words: Sequence[Word], what: str) -> Word:
     for word in words:
         if isinstance(value, str) and value.lower() == word.lower():
             return word
-    raise ValueError(f"{what} is {value!r}; it must be one of {', '.join(words)}")
+    raise ArgumentError(f"{what} is {value!r}; it must be one of {', '.join(words)}")
 
 
 def index_of(value: Any, words: Sequence[str], what: str) -> int:
@@ -92,7 +93,7 @@ def index_of(value: Any, words: Sequence[str], what: str) -> int:
 def flag(value: Any, what: str) -> bool:
     """Texts such as "no" would count as True."""
     if not isinstance(value, (bool, np.bool_)):
-        raise TypeError(f"{what} = {value!r} must be True or False")
+        raise ArgumentTypeError(f"{what} = {value!r} must be True or False")
     return bool(value)
 
 
@@ -101,7 +102,7 @@ def _refuse_unknown(names: Iterable[str], known: Mapping[str, Any], function: st
         if name not in known:
             near = difflib.get_close_matches(name.replace("-", "_"), known, 1)
             hint = f"; did you mean {near[0]!r}?" if near else ""
-            raise TypeError(f"{function}() got an unexpected keyword argument {name!r}{hint}")
+            raise ArgumentTypeError(f"{function}() got an unexpected keyword argument {name!r}{hint}")
 
 
 def _given(options: Mapping[str, Any], defaults: Mapping[str, Any]) -> Set[str]:
@@ -116,40 +117,40 @@ def _set_tolerances(filter_: Any, tolerances: Optional[Mapping[str, float]]) -> 
     if tolerances is None:
         return
     if not isinstance(tolerances, Mapping):
-        raise TypeError(f"tolerance = {tolerances!r} must be a dict of curves' names and fractions")
+        raise ArgumentTypeError(f"tolerance = {tolerances!r} must be a dict of curves' names and fractions")
     for name, value in tolerances.items():
         try:
             filter_.AddCurveTolerance(name, value)
         except TypeError as error:
-            raise TypeError(f"tolerance of {name!r} = {value!r}: {error}") from None
+            raise ArgumentTypeError(f"tolerance of {name!r} = {value!r}: {error}") from None
 
 
 def _set_eases(filter_: Any, eases: Optional[Mapping[Any, float]]) -> None:
     if eases is None:
         return
     if not isinstance(eases, Mapping):
-        raise TypeError(f"ease = {eases!r} must be a dict of fractions by a curve's name or by (name, piece)")
+        raise ArgumentTypeError(f"ease = {eases!r} must be a dict of fractions by a curve's name or by (name, piece)")
     for key, value in eases.items():
         name, piece = key if isinstance(key, tuple) and len(key) == 2 else (key, -1)
         if isinstance(piece, bool) or not isinstance(piece, (int, np.integer)) or piece < -1:
-            raise ValueError(f"ease of {key!r}: {piece!r} is no number of a piece, from 0")
+            raise ArgumentError(f"ease of {key!r}: {piece!r} is no number of a piece, from 0")
         try:
             filter_.AddCurveEase(name, int(piece), value)
         except TypeError as error:
-            raise TypeError(f"ease of {key!r} = {value!r}: {error}") from None
+            raise ArgumentTypeError(f"ease of {key!r} = {value!r}: {error}") from None
 
 
 def material_text(material: object) -> str:
     """The name or path that the filter reads a material by; empty: none."""
     if not isinstance(material, (str, os.PathLike)) and material is not None:
-        raise TypeError(f"material = {material!r} must be a name or the path of a JSON file")
+        raise ArgumentTypeError(f"material = {material!r} must be a name or the path of a JSON file")
     name = "" if material is None else os.fspath(material)
     known = [preset["name"] for preset in materials()]
     if name and name.lower() not in known and not os.path.exists(name):
         near = difflib.get_close_matches(name.lower(), known, 1)
         hint = f"; did you mean {near[0]!r}?" if near else ""
-        raise ValueError(f"material is {material!r}; it must be one of {', '.join(known)}, or the path of a JSON file"
-                         f"{hint}")
+        raise ArgumentError(f"material is {material!r}; it must be one of {', '.join(known)}, or the path of a JSON file"
+                            f"{hint}")
     return name
 
 
@@ -162,19 +163,19 @@ def _texts(options: Mapping[str, Any]) -> Dict[str, str]:
     if "grain" in options:
         if isinstance(grain, Real) and not isinstance(grain, bool):
             if not abs(grain) <= sys.float_info.max:  # an int may be beyond any float
-                raise ValueError(f"grain = {grain!r} must be a finite angle in degrees")
+                raise ArgumentError(f"grain = {grain!r} must be a finite angle in degrees")
             grain = repr(float(grain))
         elif grain is None:
             grain = ""
         elif isinstance(grain, Iterable) and not isinstance(grain, (str, bytes)):
             names = list(grain)
             if not all(isinstance(name, str) for name in names):
-                raise TypeError(
+                raise ArgumentTypeError(
                     f"grain = {grain!r} must be a list of curves, each \"NAME\" or \"NAME:DEGREES\"")
             grain = ";".join(names)
         elif not isinstance(grain, str):
-            raise TypeError(f"grain = {grain!r} must be an angle in degrees, the name of a curve or "
-                            "a list of them, or 'free'")
+            raise ArgumentTypeError(f"grain = {grain!r} must be an angle in degrees, the name of a curve or "
+                                    "a list of them, or 'free'")
         texts["grain"] = grain
     return texts
 
@@ -186,7 +187,7 @@ def _set_preferences(filter_: Any, preferences: Optional[Mapping[str, float]]) -
 
 def _keep_curves(filter_: Any, names: Sequence[str]) -> None:
     if isinstance(names, str):
-        raise TypeError(f"keep is {names!r}; it must be a sequence of names")
+        raise ArgumentTypeError(f"keep is {names!r}; it must be a sequence of names")
     for name in names:
         filter_.AddKeptCurve(name)
 
@@ -224,13 +225,13 @@ def make_filter(
     if flag(values["paper_method"], "paper_method"):
         for name, chosen in (("scheme", "global"), ("interior", "laplacian")):
             if name in given:
-                raise ValueError(f"{name} = {values[name]!r} and paper_method=True, which is "
-                                 f"{name}={chosen!r}, exclude each other; leave one of them out")
+                raise ArgumentError(f"{name} = {values[name]!r} and paper_method=True, which is "
+                                    f"{name}={chosen!r}, exclude each other; leave one of them out")
             values[name] = chosen
             given.add(name)
     if word_of(values["scheme"], get_args(Scheme), "scheme") == "lscm":
         if filter_class is not vtkWireWarpingFilter:
-            raise ValueError(f"scheme is 'lscm', which keeps no length; {function}() needs another")
+            raise ArgumentError(f"scheme is 'lscm', which keeps no length; {function}() needs another")
         filter_class = vtkLeastSquaresConformalFilter
     filter_ = filter_class()
     filter_.CachingOff()  # it runs once
@@ -241,5 +242,5 @@ def make_filter(
     idle = filter_.DescribeIdleOption(
         " ".join(option.property for name, option in table.items() if name in given), filter_.PYTHON)
     if idle:
-        raise ValueError(idle)
+        raise ArgumentError(idle)
     return filter_

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Optional, get_args
 import numpy as np
 
 from ._colors import PLAIN, WIRE_COLORS
+from ._errors import ArgumentError
 from ._options import word_of
 from ._types import Coloring
 
@@ -47,7 +48,7 @@ def _draw_triangles(result: "Flattening", color_by: Optional[Coloring], ax: Any)
     name, of_points, title, first, last, colors = _COLORINGS[color_by]
     arrays = result.point_arrays if of_points else result.cell_arrays
     if name not in arrays:
-        raise ValueError(f"color_by is {color_by!r}, which a result without a material does not have")
+        raise ArgumentError(f"color_by is {color_by!r}, which a result without a material does not have")
     values = arrays[name]
     if last is None:
         last = max(float(values.max(initial=0.0)), 1e-3)

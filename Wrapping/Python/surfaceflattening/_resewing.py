@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._equality import ComparedByValue
+from ._errors import ArgumentError, ArgumentTypeError
 from ._options import material_text, options_of, set_option
 from ._result import Flattening
 from ._types import SewingTest
@@ -161,15 +162,15 @@ def resew(
         FlatteningWarning: the cloth is not at rest, has several shapes, or lies in the body.
     """
     if not isinstance(flattening, Flattening):
-        raise TypeError(f"flattening is {type(flattening).__name__}; it must be what flatten() gave")
+        raise ArgumentTypeError(f"flattening is {type(flattening).__name__}; it must be what flatten() gave")
     try:
         pull = tuple(float(component) for component in gravity)
     except (TypeError, ValueError):
         pull = ()
     if len(pull) != 3:
-        raise TypeError(f"gravity = {gravity!r} must be three numbers")
+        raise ArgumentTypeError(f"gravity = {gravity!r} must be three numbers")
     if not math.hypot(*pull) <= 1.0:
-        raise ValueError(f"gravity = {gravity!r} is out of range; it must be at most 1 long")
+        raise ArgumentError(f"gravity = {gravity!r} is out of range; it must be at most 1 long")
     filter_ = vtkSewnShape()
     values = {"test": test, "thickness": thickness, "area_bias": area_bias, "max_iterations": max_iterations,
               "pressure": pressure, "gravity": pull, "material": material_text(material), "second_start": second_start}
@@ -177,7 +178,7 @@ def resew(
         set_option(filter_, option, values[name])
     if body is not None:
         if not isinstance(body, vtkPolyData):
-            raise TypeError(f"body is {type(body).__name__}; it must be a vtkPolyData")
+            raise ArgumentTypeError(f"body is {type(body).__name__}; it must be a vtkPolyData")
         filter_.SetBodyData(body)
     filter_.SetInputData(flattening._parts.flat)
     filter_.SetDesignData(flattening._parts.cut)

@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonCore import (
     VTK_CHAR, vtkBitArray, vtkCharArray, vtkPoints, vtkStringArray, vtkUnsignedCharArray)
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from ._errors import FileError, FlatteningError, FlatteningWarning, MissingFileError, OutOfMemoryError
+from ._errors import ArgumentError, ArgumentTypeError, FileError, FlatteningError, FlatteningWarning, MissingFileError, OutOfMemoryError
 from ._options import word_of
 from ._remedies import make_message
 from ._types import Part
@@ -150,11 +150,11 @@ def strings(name: str, values: Sequence[str]) -> vtkStringArray:
 def text_of(what: str, value: Any) -> str:
     """A string that VTK can hold, or an error that names what it is."""
     if not isinstance(value, str):
-        raise TypeError(f"{what} = {value!r} must be a string")
+        raise ArgumentTypeError(f"{what} = {value!r} must be a string")
     try:
         value.encode()  # VTK ends the interpreter on a lone surrogate
     except UnicodeEncodeError as error:
-        raise ValueError(f"{what} = {value!r} is no text that UTF-8 can hold: {error.reason}") from None
+        raise ArgumentError(f"{what} = {value!r} is no text that UTF-8 can hold: {error.reason}") from None
     return value
 
 
