@@ -114,6 +114,7 @@ FlatPiece flatten(const Piece& piece, Method method, Interior interior)
   filter->SetScheme(method == Method::Progressive ? vtkWireWarpingFilter::PROGRESSIVE
       : method == Method::Global                  ? vtkWireWarpingFilter::GLOBAL
                                                   : vtkWireWarpingFilter::ISOMETRIC);
+  filter->SetDartLegsToFree(); // as in the paper
   filter->SetInterior(interior == Interior::Paper ? vtkWireWarpingFilter::LAPLACIAN
                                                   : vtkWireWarpingFilter::AS_RIGID_AS_POSSIBLE);
   return run(filter, piece);

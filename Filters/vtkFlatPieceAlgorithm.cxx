@@ -319,6 +319,7 @@ int vtkFlatPieceAlgorithm::RequestData(vtkInformation* vtkNotUsed(request),
       this->Warn(flattening::bridge::describeVerdicts(*source, result));
       const std::string unit = this->LengthUnitOf(inputVector);
       this->WriteFlattening(*source, result, unit, outputVector);
+      flattening::bridge::writeSheetMaterial(options, vtkPolyData::GetData(outputVector, 0));
       if (!unit.empty() && !this->SizeWarning.empty())
       {
         this->Warn({ this->SizeWarning });

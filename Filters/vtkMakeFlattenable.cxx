@@ -234,6 +234,7 @@ int vtkMakeFlattenable::RequestData(vtkInformation* vtkNotUsed(request),
       bridge::CurvedSurface moved = *source;
       moved.imprinted.mesh = result.mesh;
       this->WriteFlattening(moved, result.after, unit, outputVector);
+      bridge::writeSheetMaterial(options.flattening, output(0));
       output(2)->GetPointData()->SetNormals(nullptr); // those of the design
       bridge::writeMovedSurface(
         *source, moved, result, output(surfacePort), output(surfacePort + 1), warnings);

@@ -165,7 +165,7 @@ public:
    * but may miss each other when folded; STRAIGHT, both straight; MIRRORED, both the mean of the
    * curves that free legs are. Legs that are not free are exact mirror images and fold on each
    * other, which costs distortion; a dart with two tips is MIRRORED, since straight legs would
-   * close it. Darts whose legs cannot be so keep free ones (`Fallbacks`). Default: FREE.
+   * close it. Darts whose legs cannot be so keep free ones (`Fallbacks`). Default: MIRRORED.
    */
   vtkSetClampMacro(DartLegs, int, FREE, MIRRORED);
   vtkGetMacro(DartLegs, int);

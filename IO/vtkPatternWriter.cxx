@@ -99,6 +99,18 @@ vtkPatternWriter::vtkPatternWriter()
   , StatusRemedySubjects(vtkSmartPointer<vtkStringArray>::New())
 {
   this->SetNumberOfInputPorts(4);
+  const pattern::FileOptions defaults;
+  this->PatternName = defaults.pattern.name;
+  this->Quantity = defaults.pattern.quantity;
+  this->Allowance = defaults.pattern.allowance;
+  this->MitreLimit = defaults.pattern.mitreLimit;
+  this->NotchSpacing = defaults.pattern.notchSpacing;
+  this->NotchLength = defaults.pattern.notchLength;
+  this->FairTolerance = defaults.pattern.fairTolerance;
+  this->Paper = static_cast<int>(defaults.pages.paper);
+  this->PageOverlap = defaults.pages.overlap;
+  this->MaximumPages = defaults.pages.maximumPages;
+  this->FabricGap = defaults.fabric.gap;
 }
 
 //------------------------------------------------------------------------------
@@ -286,7 +298,6 @@ bool vtkPatternWriter::CheckCurveNames(vtkPolyData* curves, bool proposals)
       add(name);
     }
   };
-  std::for_each(this->Folds.begin(), this->Folds.end(), addProposed);
   const auto named = this->GetCurvesWithOptions();
   for (vtkIdType k = 0; k < named->GetNumberOfValues(); ++k)
   {
@@ -562,6 +573,7 @@ void vtkPatternWriter::RemoveAllCurveDartTips()
 vtkSmartPointer<vtkStringArray> vtkPatternWriter::GetCurvesWithOptions() const
 {
   std::set<std::string> names = this->DoubleNotches;
+  names.insert(this->Folds.begin(), this->Folds.end());
   for (const auto* const ofCurve :
     { &this->CurveAllowances, &this->CurveDartTips, &this->CurveFairTolerances })
   {

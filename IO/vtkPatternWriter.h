@@ -336,9 +336,10 @@ public:
 
   ///@{
   /**
-   * Seam allowance, in millimetres, where no curve has its own. Default: 10. Range: from 0.
+   * Seam allowance, in millimetres, where no curve has its own; -1: 10, and 0 of a material whose
+   * edges do not fray. Default: -1. Range: from 0, or -1.
    */
-  vtkSetClampMacro(Allowance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(Allowance, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Allowance, double);
   ///@}
 
@@ -369,9 +370,10 @@ public:
    * Notches lie at multiples of this length on the surface from the start of each stretch of a seam
    * or dart, on both sides, but not within a quarter of it before the end; in the middle of a
    * stretch where there is none of these. In millimetres; 0: only the mouths of darts are notched.
-   * Default: 100. Range: from 0; so small that a stretch would get 10000 notches is refused.
+   * -1: about a sixth of the largest piece. Default: -1. Range: from 0, or -1; so small that a
+   * stretch would get 10000 notches is refused.
    */
-  vtkSetClampMacro(NotchSpacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(NotchSpacing, double, -1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NotchSpacing, double);
   ///@}
 
@@ -555,7 +557,7 @@ public:
 
   /**
    * The names of all curves that have an allowance, notches, a dart tip or a FairTolerance of their
-   * own, each once, in alphabetical order.
+   * own or are folds, each once, in alphabetical order.
    */
   vtkSmartPointer<vtkStringArray> GetCurvesWithOptions() const;
 
@@ -667,38 +669,39 @@ private:
 
   char* FileName = nullptr;
   int FileFormat = AUTOMATIC;
+  // These are first as pattern::FileOptions has them.
   bool LaserColors = false;
-  int Paper = A4;
-  double PageOverlap = 10.0;
-  int MaximumPages = 200;
+  int Paper = 0;
+  double PageOverlap = 0.0;
+  int MaximumPages = 0;
   bool WalkTable = false;
   int Unit = UNSPECIFIED;
-  std::string PatternName = "pattern";
+  std::string PatternName;
   std::string PatternSize;
-  int Quantity = 1;
+  int Quantity = 0;
   std::vector<int> PieceQuantities;
   std::vector<std::string> PieceNames;
-  double Allowance = 10.0;
+  double Allowance = 0.0;
   std::map<std::string, double> CurveAllowances;
   std::map<std::string, std::vector<double>> CurveNotches;
-  double MitreLimit = 2.0;
+  double MitreLimit = 0.0;
   std::set<std::string> DoubleNotches;
-  double NotchSpacing = 100.0;
+  double NotchSpacing = 0.0;
   bool NotchCorners = false;
   bool NotchCurveEnds = false;
-  double NotchLength = 5.0;
+  double NotchLength = 0.0;
   bool CutDartsOut = false;
   bool CutOnFold = false;
   std::set<std::string> Folds;
   double DartTip = 0.0;
   std::map<std::string, double> CurveDartTips;
   bool CutPairs = false;
-  double FairTolerance = 0.2;
+  double FairTolerance = 0.0;
   bool Symmetrize = false;
   std::map<std::string, double> CurveFairTolerances;
   double FabricWidth = 0.0;
   bool FabricNap = false;
-  double FabricGap = 5.0;
+  double FabricGap = 0.0;
   double FabricLength = 0.0;
   double FabricEfficiency = 0.0;
   bool FollowPipeline = false;

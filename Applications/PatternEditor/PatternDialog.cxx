@@ -34,11 +34,14 @@ PatternDialog::PatternDialog(vtkPatternWriter* writer, const PieceEases& eases,
   this->addRow("Quantity", "Quantity", "How many of each piece are cut.", quantity);
   this->Take.emplace_back([writer, quantity] { writer->SetQuantity(quantity->value()); });
 
-  this->addLength("Allowance", "Seam allowance", "Between the sew line and the cut line.",
-    writer->GetAllowance(), 1e3, [writer](double mm) { writer->SetAllowance(mm); });
-  this->addLength("NotchSpacing", "Notches every",
+  this->addLength(
+    "Allowance", "Seam allowance", "Between the sew line and the cut line.", writer->GetAllowance(),
+    1e3, [writer](double mm) { writer->SetAllowance(mm); }, "10 mm, sheets 0");
+  this->addLength(
+    "NotchSpacing", "Notches every",
     "Along seams and darts, measured on the surface. 0: at the mouths of darts alone.",
-    writer->GetNotchSpacing(), 1e5, [writer](double mm) { writer->SetNotchSpacing(mm); });
+    writer->GetNotchSpacing(), 1e5, [writer](double mm) { writer->SetNotchSpacing(mm); },
+    "a sixth of the largest piece");
   this->addChoice("NotchCorners", "Notches at corners",
     "On the cut line, where the sew lines, drawn on, meet it.", writer->GetNotchCorners(),
     [writer](bool on) { writer->SetNotchCorners(on); });
@@ -117,10 +120,11 @@ void PatternDialog::addRow(const char* property, const char* words, const char* 
 
 //------------------------------------------------------------------------------
 void PatternDialog::addLength(const char* property, const char* words, const char* tip,
-  double value, double most, std::function<void(double)> take)
+  double value, double most, std::function<void(double)> take, const char* byPieces)
 {
   auto* const field = new QDoubleSpinBox;
-  field->setRange(0.0, most);
+  field->setRange(byPieces ? -1.0 : 0.0, most);
+  field->setSpecialValueText(byPieces ? byPieces : "");
   field->setDecimals(2);
   field->setSuffix(" mm");
   field->setValue(value);

@@ -31,8 +31,9 @@ public:
   PieceEases eases() const { return this->OfCurves->eases(); }
 
 private:
+  /// \param byPieces what is shown where the pieces determine the length; null: they do not
   void addLength(const char* property, const char* words, const char* tip, double value,
-    double most, std::function<void(double)> take);
+    double most, std::function<void(double)> take, const char* byPieces = nullptr);
   void addChoice(const char* property, const char* words, const char* tip, bool value,
     std::function<void(bool)> take);
   void addText(const char* property, const char* words, const char* tip, const std::string& value,

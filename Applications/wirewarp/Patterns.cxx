@@ -9,185 +9,40 @@
 #include "PlainText.h"
 #include "TableOptions.h"
 #include "TextFile.h"
-#include "Units.h"
 #include "VtkMessages.h"
 
 #include <vtkFeatureCurveAlgorithm.h>
 #include <vtkFeatureCurveImprinter.h>
-#include <vtkFlatPieceAlgorithm.h>
 #include <vtkNew.h>
-#include <vtkPatternWriter.h>
 #include <vtkStringArray.h>
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
-#include <vtkTable.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <new>
 #include <set>
-#include <system_error>
 #include <utility>
 
 namespace wirewarp
 {
 namespace
 {
-int paperValue(const std::string& name)
+void configure(const PatternRequest& request, const std::string& surface, const std::string& unit)
 {
-  return name == "letter" ? vtkPatternWriter::LETTER
-    : name == "A3"        ? vtkPatternWriter::A3
-    : name == "A0"        ? vtkPatternWriter::A0
-    : name == "sheet"     ? vtkPatternWriter::SHEET
-                          : vtkPatternWriter::A4;
-}
-
-/// Calls with name and number of each NAME=NUMBER.
-template <typename Call>
-void forEach(const std::vector<std::string>& entries, const Call& call)
-{
-  for (const std::string& entry : entries)
-  {
-    std::string name;
-    double number = 0.0;
-    splitNameAndNumber(entry, name, number);
-    call(name, number);
-  }
-}
-
-void configure(vtkPatternWriter* writer, const PatternRequest& request, const std::string& surface,
-  const std::string& unit)
-{
-  writer->SetUnitByName(unit);
-  writer->SetPatternName(
+  request.writer->SetUnitByName(unit);
+  request.writer->SetPatternName(
     request.name.empty() ? std::filesystem::path(surface).stem().string() : request.name);
-  writer->SetPatternSize(request.size);
-  writer->SetQuantity(request.quantity);
-  for (std::size_t p = 0; p < request.pieceQuantities.size(); ++p)
-  {
-    if (request.pieceQuantities[p] > 0)
-    {
-      writer->SetPieceQuantity(static_cast<int>(p), request.pieceQuantities[p]);
-    }
-  }
-  for (std::size_t p = 0; p < request.pieceNames.size(); ++p)
-  {
-    if (!request.pieceNames[p].empty())
-    {
-      writer->SetPieceName(static_cast<int>(p), request.pieceNames[p]);
-    }
-  }
-  writer->SetAllowance(request.allowance);
-  forEach(request.curveAllowances, [writer](const std::string& name, double allowance) {
-    writer->SetCurveAllowance(name, allowance);
-  });
-  forEach(request.curveNotches,
-    [writer](const std::string& name, double distance) { writer->AddCurveNotch(name, distance); });
-  for (const std::string& name : request.doubleNotches)
-  {
-    writer->AddDoubleNotches(name);
-  }
-  writer->SetNotchCorners(request.notchCorners);
-  writer->SetNotchCurveEnds(request.notchCurveEnds);
-  forEach(request.curveFairs, [writer](const std::string& name, double tolerance) {
-    writer->SetCurveFairTolerance(name, tolerance);
-  });
-  writer->SetMitreLimit(request.mitreLimit);
-  writer->SetNotchSpacing(request.notchSpacing);
-  writer->SetCutDartsOut(request.cutDartsOut);
-  writer->SetCutOnFold(request.cutOnFold);
-  for (const std::string& name : request.folds)
-  {
-    writer->AddFold(name);
-  }
-  writer->SetDartTip(request.dartTip);
-  forEach(request.curveDartTips, [writer](const std::string& name, double distance) {
-    writer->SetCurveDartTip(name, distance);
-  });
-  writer->SetWalkTable(request.seamTable);
-  writer->SetCutPairs(request.cutPairs);
-  writer->SetFairTolerance(request.fairTolerance);
-  writer->SetSymmetrize(request.symmetrize);
-  writer->SetLaserColors(request.laserColours);
-  writer->SetFabricNap(request.nap);
-  writer->SetFabricGap(request.fabricGap);
-  writer->SetPaper(paperValue(request.paper));
-  writer->SetPageOverlap(request.overlap);
-  writer->SetMaximumPages(request.maximumPages);
-}
-
-/// Whether the material is known, or said by its file, not to fray.
-bool isSheet(const std::string& material)
-{
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(material, ignored))
-  {
-    const auto file = nlohmann::json::parse(readWholeFile(material), nullptr, false, true);
-    return file.is_object() && file.contains("sheet") && file["sheet"] == true;
-  }
-  const vtkNew<vtkTable> known;
-  vtkFlatPieceAlgorithm::ListMaterials(known);
-  for (vtkIdType row = 0; row < known->GetNumberOfRows(); ++row)
-  {
-    const std::string name = textIn(known, row, "Name");
-    const bool same = std::equal(name.begin(), name.end(), material.begin(), material.end(),
-      [](char one, char given) { return one == std::tolower(static_cast<unsigned char>(given)); });
-    if (same)
-    {
-      return integerIn(known, row, "Sheet") != 0;
-    }
-  }
-  return false;
-}
-
-/// About a sixth of the largest piece, as 1, 2 or 5 times a power of ten, in mm.
-double notchSpacingOf(const Flattening& result)
-{
-  double largest = 0.0;
-  vtkTable* const pieces = result.tables.pieces;
-  for (vtkIdType piece = 0; piece < pieces->GetNumberOfRows(); ++piece)
-  {
-    largest = std::max(
-      { largest, numberIn(pieces, piece, "FlatWidth"), numberIn(pieces, piece, "FlatHeight") });
-  }
-  const double wanted = largest * millimetresOf(result.unit) / 6.0;
-  if (!(wanted > 0.0) || !std::isfinite(wanted))
-  {
-    return 100.0;
-  }
-  const double power = std::pow(10.0, std::floor(std::log10(wanted)));
-  const double first = wanted / power;
-  return power *
-    (first < std::sqrt(2.0)       ? 1.0
-        : first < std::sqrt(10.0) ? 2.0
-        : first < std::sqrt(50.0) ? 5.0
-                                  : 10.0);
-}
-
-/// The request with what it leaves to material and pieces.
-PatternRequest completed(const Options& options, const Flattening& result)
-{
-  PatternRequest request = options.pattern;
-  if (request.allowance < 0.0)
-  {
-    request.allowance = isSheet(options.values.text("Material")) ? 0.0 : 10.0;
-  }
-  if (request.notchSpacing < 0.0)
-  {
-    request.notchSpacing = notchSpacingOf(result);
-  }
-  return request;
+  request.writer->SetPatternSize(request.size);
 }
 
 bool isNews(int kind, const PatternRequest& request, bool quiet)
 {
-  const bool asked = request.fairGiven || !request.curveFairs.empty();
+  const bool asked = request.smoothAsked;
   switch (kind)
   {
     case vtkPatternWriter::SMOOTHED:
@@ -231,10 +86,9 @@ void checkCurveNames(const PatternRequest& request, const std::string& surface,
   vtkFeatureCurveAlgorithm* filter, Flattening& result)
 {
   const VtkMessages messages;
-  vtkNew<vtkPatternWriter> writer;
-  configure(writer, request, surface, result.unit);
-  if (!request.any() ||
-    (request.folds.empty() && writer->GetCurvesWithOptions()->GetNumberOfValues() == 0))
+  vtkPatternWriter* const writer = request.writer;
+  configure(request, surface, result.unit);
+  if (!request.any() || writer->GetCurvesWithOptions()->GetNumberOfValues() == 0)
   {
     return;
   }
@@ -260,13 +114,13 @@ void checkCurveNames(const PatternRequest& request, const std::string& surface,
 
 std::vector<std::string> addPatterns(const Options& options, Flattening& result, OutputFiles& files)
 {
-  const PatternRequest request = completed(options, result);
+  const PatternRequest& request = options.pattern;
   std::vector<std::string> names;
   std::set<std::string> warnings;              // of all formats alike
   std::map<std::string, int> notes;            // with their kinds
   std::map<std::string, std::string> failures; // files by what is wrong with them
-  vtkNew<vtkPatternWriter> writer;
-  configure(writer, request, options.surface, result.unit);
+  vtkPatternWriter* const writer = request.writer;
+  configure(request, options.surface, result.unit);
   writer->SetInputData(0, result.flat);
   writer->SetInputData(1, result.wires);
   writer->SetInputData(2, result.cut);
@@ -327,15 +181,22 @@ namespace
 {
 constexpr double largestLength = 1e6;
 
+using SetLength = std::function<void(double)>;
+using SetLengthOfCurve = std::function<void(const std::string&, double)>;
+
+std::string shown(double value)
+{
+  return CLI::detail::to_string(value);
+}
+
 /// Lengths of all curves, or NAME=MM of one.
-void addLengths(CLI::App& app, const std::string& name, double& length,
-  std::vector<std::string>& ofCurves, const std::string& text, const std::string& byDefault)
+void addLengths(CLI::App& app, const std::string& name, const SetLength& set,
+  const SetLengthOfCurve& setOfCurve, const std::string& text, const std::string& byDefault)
 {
   app
     .add_option_function<std::vector<std::string>>(
       name,
-      [name, &length, &ofCurves](const std::vector<std::string>& entries) {
-        ofCurves.clear();
+      [name, set, setOfCurve](const std::vector<std::string>& entries) {
         for (const std::string& entry : entries)
         {
           std::string curve;
@@ -346,11 +207,7 @@ void addLengths(CLI::App& app, const std::string& name, double& length,
             throw CLI::ValidationError(name,
               inQuotes(entry) + " is neither a length in mm from 0 to 1e6 nor NAME=MM of a curve");
           }
-          length = named ? length : given;
-          if (named)
-          {
-            ofCurves.push_back(entry);
-          }
+          named ? setOfCurve(curve, given) : set(given);
         }
       },
       text)
@@ -359,15 +216,30 @@ void addLengths(CLI::App& app, const std::string& name, double& length,
     ->allow_extra_args(false);
 }
 
+/// Names of curves, one at a time.
+void addNames(CLI::App& app, const std::string& name,
+  const std::function<void(const std::string&)>& add, const std::string& form,
+  const std::string& text)
+{
+  app
+    .add_option_function<std::vector<std::string>>(
+      name,
+      [add](const std::vector<std::string>& entries) {
+        std::for_each(entries.begin(), entries.end(), add);
+      },
+      text)
+    ->type_name(form)
+    ->allow_extra_args(false);
+}
+
 /// NAME, NAME:QUANTITY or :QUANTITY of the pieces in their order.
-void addPieces(CLI::App& app, PatternRequest& request)
+void addPieces(CLI::App& app, vtkPatternWriter* writer)
 {
   app
     .add_option_function<std::vector<std::string>>(
       "--piece",
-      [&request](const std::vector<std::string>& entries) {
-        request.pieceNames.clear();
-        request.pieceQuantities.clear();
+      [writer](const std::vector<std::string>& entries) {
+        int piece = 0;
         for (const std::string& entry : entries)
         {
           const std::size_t colon = entry.rfind(':');
@@ -379,8 +251,16 @@ void addPieces(CLI::App& app, PatternRequest& request)
             throw CLI::ValidationError(
               "--piece", inQuotes(entry) + " is not NAME:QUANTITY with 1 to 1000000 copies");
           }
-          request.pieceNames.push_back(counted ? entry.substr(0, colon) : entry);
-          request.pieceQuantities.push_back(static_cast<int>(quantity));
+          const std::string name = counted ? entry.substr(0, colon) : entry;
+          if (!name.empty())
+          {
+            writer->SetPieceName(piece, name);
+          }
+          if (counted)
+          {
+            writer->SetPieceQuantity(piece, static_cast<int>(quantity));
+          }
+          ++piece;
         }
       },
       "Name of a piece and how many are cut, from piece 1 on; repeat it for the next")
@@ -391,119 +271,153 @@ void addPieces(CLI::App& app, PatternRequest& request)
 
 void addDrawing(CLI::App& app, PatternRequest& request)
 {
-  addLengths(app, "--allowance", request.allowance, request.curveAllowances,
+  vtkPatternWriter* const writer = request.writer;
+  const auto set = [writer](void (vtkPatternWriter::*method)(double)) -> SetLength {
+    return [writer, method](double value) { (writer->*method)(value); };
+  };
+  const auto setOfCurve = [writer](void (vtkPatternWriter::*method)(const std::string&, double)) {
+    return
+      [writer, method](const std::string& curve, double value) { (writer->*method)(curve, value); };
+  };
+  const auto addFlag = [&app, writer](const std::string& name,
+                         void (vtkPatternWriter::*method)(bool), const std::string& text) {
+    app.add_flag_callback(
+      name, [writer, method] { (writer->*method)(true); }, text);
+  };
+  addLengths(app, "--allowance", set(&vtkPatternWriter::SetAllowance),
+    setOfCurve(&vtkPatternWriter::SetCurveAllowance),
     "Seam allowance; NAME=MM: along one curve, or along 'boundary'; repeat it for the next",
     "10, sheets 0");
   app
-    .add_option("--notch-spacing", request.notchSpacing,
+    .add_option_function<double>("--notch-spacing", set(&vtkPatternWriter::SetNotchSpacing),
       "Distance of notches along seams and darts (default: about a sixth of the largest piece). "
       "From their start, on the surface; the middle where they are shorter. 0: none but at the "
       "mouths of darts")
     ->check(number(0.0, largestLength, "[0, 1e6]"))
     ->type_name("MM");
   app
-    .add_option("--notch", request.curveNotches,
+    .add_option_function<std::vector<std::string>>(
+      "--notch",
+      [writer](const std::vector<std::string>& entries) {
+        for (const std::string& entry : entries)
+        {
+          std::string name;
+          double distance = 0.0;
+          splitNameAndNumber(entry, name, distance);
+          writer->AddCurveNotch(name, distance);
+        }
+      },
       "A notch at this distance from the start of a curve. It replaces those by --notch-spacing "
       "on a seam, a dart or an edge; repeat it for the next")
     ->allow_extra_args(false)
     ->check(nameAndMillimetres())
     ->type_name("NAME=MM");
-  app
-    .add_option("--double-notch", request.doubleNotches,
-      "A curve whose notches are double, as at the back. Two marks 6.35 mm apart; repeat it for "
-      "the next")
-    ->type_name("NAME")
-    ->allow_extra_args(false);
-  app.add_flag("--notch-corners", request.notchCorners,
+  addNames(
+    app, "--double-notch", [writer](const std::string& name) { writer->AddDoubleNotches(name); },
+    "NAME",
+    "A curve whose notches are double, as at the back. Two marks 6.35 mm apart; repeat it for "
+    "the next");
+  addFlag("--notch-corners", &vtkPatternWriter::SetNotchCorners,
     "Notch the cut line at corners, where the sew lines, drawn on, meet it");
-  app.add_flag("--notch-curve-ends", request.notchCurveEnds,
+  addFlag("--notch-curve-ends", &vtkPatternWriter::SetNotchCurveEnds,
     "Notch the border where feature curves and edges end on it, and opposite on what is sewn to "
     "it");
-  addLengths(app, "--smooth", request.fairTolerance, request.curveFairs,
+  addLengths(app, "--smooth", set(&vtkPatternWriter::SetFairTolerance),
+    setOfCurve(&vtkPatternWriter::SetCurveFairTolerance),
     "Draw borders as smooth splines at most this far from the mesh. They keep their lengths and "
     "are straight where nearly so; 0: raw, as the mesh has them; NAME=MM: along one curve, or "
     "along 'boundary'",
-    "0.2");
-  app.get_option("--smooth")->each([&request](const std::string&) { request.fairGiven = true; });
-  app
-    .add_option_function<std::vector<std::string>>(
-      "--fold",
-      [&request](const std::vector<std::string>& names) {
-        request.folds.clear();
-        for (const std::string& name : names)
-        {
-          if (name == "symmetric")
-          {
-            request.cutOnFold = true;
-            continue;
-          }
-          request.folds.push_back(name);
-        }
-      },
-      "Cut on the fold of the cloth along this curve, or every symmetric piece. A half of a piece "
-      "that is symmetric about the curve, or a piece that is a half and has it on its border; "
-      "repeat it for the next")
-    ->type_name("NAME|symmetric")
-    ->allow_extra_args(false);
-  app.add_flag("--pairs", request.cutPairs,
+    shown(writer->GetFairTolerance()));
+  app.get_option("--smooth")->each([&request](const std::string&) { request.smoothAsked = true; });
+  addNames(
+    app, "--fold",
+    [writer](const std::string& name) {
+      name == "symmetric" ? writer->SetCutOnFold(true) : writer->AddFold(name);
+    },
+    "NAME|symmetric",
+    "Cut on the fold of the cloth along this curve, or every symmetric piece. A half of a piece "
+    "that is symmetric about the curve, or a piece that is a half and has it on its border; "
+    "repeat it for the next");
+  addFlag("--pairs", &vtkPatternWriter::SetCutPairs,
     "Of two pieces that are mirror images draw the first. It is cut in pairs of which one is "
     "turned over");
-  addLengths(app, "--dart-tip", request.dartTip, request.curveDartTips,
+  addLengths(app, "--dart-tip", set(&vtkPatternWriter::SetDartTip),
+    setOfCurve(&vtkPatternWriter::SetCurveDartTip),
     "How far tips of folded darts are drawn back. Their legs with them, which are shorter then; "
     "NAME=MM: of one dart",
-    "0");
-  app.add_flag("--cut-darts-out", request.cutDartsOut,
+    shown(writer->GetDartTip()));
+  addFlag("--cut-darts-out", &vtkPatternWriter::SetCutDartsOut,
     "Cut darts out along their seam allowance instead of folding them");
-  addPieces(app, request);
-  app.add_option("--quantity", request.quantity, "How many of each piece are cut")
+  addPieces(app, writer);
+  app
+    .add_option_function<int>(
+      "--quantity", [writer](int quantity) { writer->SetQuantity(quantity); },
+      "How many of each piece are cut")
     ->check(CLI::Range(1, 1000000).description(""))
     ->type_name("N")
-    ->capture_default_str();
+    ->default_str(shown(writer->GetQuantity()));
   app.add_option("--name", request.name, "Name of the pattern (default: that of the surface)")
     ->type_name("NAME");
   app.add_option("--size", request.size, "Size that the pattern is for")->type_name("NAME");
-  app
-    .add_option("--paper", request.paper, "Paper of the PDF: A4, letter, A3, A0, sheet (one page)")
-    ->transform(
-      CLI::IsMember({ "A4", "letter", "A3", "A0", "sheet" }, CLI::ignore_case).description(""))
-    ->type_name("PAPER")
-    ->capture_default_str();
+  const std::vector<std::string> papers{ "A4", "letter", "A3", "A0", "sheet" };
   app
     .add_option_function<std::string>(
-      "--style", [&request](const std::string& style) { request.laserColours = style == "laser"; },
+      "--paper",
+      [papers, writer](const std::string& paper) {
+        const auto found = std::find(papers.begin(), papers.end(), paper);
+        writer->SetPaper(static_cast<int>(found - papers.begin()));
+      },
+      "Paper of the PDF: A4, letter, A3, A0, sheet (one page)")
+    ->transform(CLI::IsMember(papers, CLI::ignore_case).description(""))
+    ->type_name("PAPER")
+    ->default_str(papers[static_cast<std::size_t>(writer->GetPaper())]);
+  app
+    .add_option_function<std::string>(
+      "--style", [writer](const std::string& style) { writer->SetLaserColors(style == "laser"); },
       "Lines of the SVG: sewing, or laser (thin lines, a color for each role)")
     ->transform(CLI::IsMember({ "sewing", "laser" }, CLI::ignore_case).description(""))
     ->type_name("STYLE");
-  app.add_flag(
-    "--seam-table", request.seamTable, "Append the lengths of both sides of seams to the PDF");
-  app.add_option("--mitre-limit", request.mitreLimit, "Longest miter of a corner, in allowances")
+  addFlag("--seam-table", &vtkPatternWriter::SetWalkTable,
+    "Append the lengths of both sides of seams to the PDF");
+  app
+    .add_option_function<double>("--mitre-limit", set(&vtkPatternWriter::SetMitreLimit),
+      "Longest miter of a corner, in allowances")
     ->check(number(1.0, 100.0, "[1, 100]"))
-    ->capture_default_str();
-  app.add_flag("--symmetrize", request.symmetrize,
+    ->default_str(shown(writer->GetMitreLimit()));
+  addFlag("--symmetrize", &vtkPatternWriter::SetSymmetrize,
     "Draw the outline of each piece that is symmetric to 0.5 mm as exactly its own mirror image; "
     "sides whose lengths differ by up to 0.1 mm get "
     "their mean");
-  app.add_option("--page-overlap", request.overlap, "How far pages overlap, in mm")
-    ->check(number(0.0, 50.0, "[0, 50]"))
-    ->capture_default_str();
   app
-    .add_option("--max-pages", request.maximumPages,
+    .add_option_function<double>(
+      "--page-overlap", set(&vtkPatternWriter::SetPageOverlap), "How far pages overlap, in mm")
+    ->check(number(0.0, 50.0, "[0, 50]"))
+    ->default_str(shown(writer->GetPageOverlap()));
+  app
+    .add_option_function<int>(
+      "--max-pages", [writer](int pages) { writer->SetMaximumPages(pages); },
       "Most pages of a PDF; with more the unit is likely wrong")
     ->check(CLI::Range(1, 100000))
-    ->capture_default_str();
+    ->default_str(shown(writer->GetMaximumPages()));
 }
 
 void addNesting(CLI::App& app, PatternRequest& request)
 {
+  vtkPatternWriter* const writer = request.writer;
   app
     .add_option("--roll-width", request.fabricWidth, "Width of the cloth, with the grain along it")
     ->check(number(std::numeric_limits<double>::min(), 1e5, "(0, 1e5]"))
     ->type_name("MM")
     ->required();
-  app.add_flag("--nap", request.nap, "The cloth has an up and a down: no piece is turned round");
-  app.add_option("--gap", request.fabricGap, "Least distance of pieces on the cloth")
+  app.add_flag_callback(
+    "--nap", [writer] { writer->SetFabricNap(true); },
+    "The cloth has an up and a down: no piece is turned round");
+  app
+    .add_option_function<double>(
+      "--gap", [writer](double gap) { writer->SetFabricGap(gap); },
+      "Least distance of pieces on the cloth")
     ->check(number(0.0, 1000.0, "[0, 1000]"))
     ->type_name("MM")
-    ->capture_default_str();
+    ->default_str(shown(writer->GetFabricGap()));
 }
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vtkPatternWriter.h>
+#include <vtkSmartPointer.h>
+
 #include <string>
 #include <vector>
 
@@ -25,42 +28,15 @@ struct PatternFile
   bool onCloth = false; ///< its pieces are laid on cloth
 };
 
-/// Which patterns to write and how. Lengths are millimetres; defaults are those of
-/// vtkPatternWriter.
+/// Which patterns to write and how.
 struct PatternRequest
 {
   std::vector<PatternFile> files;
-  bool seamTable = false; ///< in the PDF
-  std::string name;       ///< empty: that of the surface's file
+  vtkSmartPointer<vtkPatternWriter> writer = vtkSmartPointer<vtkPatternWriter>::New();
+  std::string name; ///< empty: that of the surface's file
   std::string size;
-  int quantity = 1;
-  std::vector<int> pieceQuantities; ///< 0: that of all
-  std::vector<std::string> pieceNames;
-  double allowance = -1.0;                  ///< below 0: by the material
-  std::vector<std::string> curveAllowances; ///< NAME=MM
-  double mitreLimit = 2.0;
-  double notchSpacing = -1.0; ///< below 0: by the size of the pieces
-  bool cutDartsOut = false;
-  std::vector<std::string> curveNotches; ///< NAME=MM
-  std::vector<std::string> doubleNotches;
-  bool notchCorners = false;
-  bool notchCurveEnds = false;
-  bool cutOnFold = false;
-  std::vector<std::string> folds;
-  double dartTip = 0.0;
-  std::vector<std::string> curveDartTips; ///< NAME=MM
-  bool cutPairs = false;
-  double fairTolerance = 0.2;
-  bool fairGiven = false;
-  bool symmetrize = false;
-  std::vector<std::string> curveFairs; ///< NAME=MM
-  bool laserColours = false;
-  double fabricWidth = 0.0; ///< 0: no lay
-  bool nap = false;
-  double fabricGap = 5.0;
-  std::string paper = "A4";
-  double overlap = 10.0;
-  int maximumPages = 200;
+  bool smoothAsked = false; ///< and not by default
+  double fabricWidth = 0.0; ///< mm; 0: no lay
 
   bool any() const { return !this->files.empty(); }
 };

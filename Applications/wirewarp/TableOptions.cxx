@@ -319,7 +319,6 @@ CLI::Validator nameAndMillimetres()
 
 void addMethods(CLI::App& app, Options& options)
 {
-  options.values.setWord("DartLegs", "mirrored"); // as darts are sewn, leg on leg
   for (const char* const group :
     { "Method", "Material", "Ease", "Pieces", "Solver", "Surface and Curves" })
   {

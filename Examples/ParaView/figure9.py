@@ -69,7 +69,7 @@ def show_figure():
         else:
             inputs = {"registrationName": scheme, "Input": surface, "Curves": curves}
             flat = (pv.LeastSquaresConformalMap(**inputs) if scheme == "Least squares conformal"
-                    else pv.FlattenSurfaceWireWarping(**inputs, Scheme=scheme))
+                    else pv.FlattenSurfaceWireWarping(**inputs, Scheme=scheme, DartLegs="Free"))
             show_flat(flat, view, preset="Flattening: homogeneity as in Fig. 9e of the paper")
         view.InteractionMode = "2D"
         pv.ResetCamera(view)

@@ -3,6 +3,7 @@
 
 #include "Base/Types.h"
 #include "FieldArrays.h"
+#include "Flattening/FlatteningOptions.h"
 #include "Flattening/FlatteningResult.h"
 #include "SurfaceOutput.h"
 
@@ -244,6 +245,13 @@ void writeWires(const std::vector<Wire>& wires, const std::vector<FeatureCurve>&
     [&](std::size_t w) { return static_cast<unsigned char>(wires[w].boundary); });
   addRows<vtkDoubleArray>(
     cells, "RestLength", count, [&](std::size_t w) { return wires[w].restLength; });
+}
+
+void writeSheetMaterial(const FlatteningOptions& options, vtkPolyData* flat)
+{
+  const bool sheet = options.cloth && options.cloth->material.sheet;
+  addRows<vtkIntArray>(
+    flat->GetFieldData(), "SheetMaterial", sheet ? 1 : 0, [](std::size_t) { return 1; });
 }
 
 std::string describeLeftOut(const CurvedSurface& source, const FlatteningResult& result)

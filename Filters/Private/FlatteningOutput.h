@@ -12,6 +12,10 @@ namespace bridge
 void writeFlattening(const CurvedSurface& source, const FlatteningResult& result, vtkPolyData* flat,
   vtkPolyData* wires, vtkPolyData* cut);
 
+/// `SheetMaterial` among the field data of flat pieces, where the edges of their material do not
+/// fray.
+void writeSheetMaterial(const FlatteningOptions& options, vtkPolyData* flat);
+
 /// A sentence that names the pieces that were left out, by cells of the input.
 std::string describeLeftOut(const CurvedSurface& source, const FlatteningResult& result);
 

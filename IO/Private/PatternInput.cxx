@@ -300,6 +300,7 @@ Status readPattern(vtkPolyData* flat, vtkPolyData* wires, vtkPolyData* cut, Patt
   if (status.ok())
   {
     source.onCloth = flat->GetFieldData()->GetArray("GrainAngle") != nullptr;
+    source.isSheet = flat->GetFieldData()->GetArray("SheetMaterial") != nullptr;
     status = readSewnEdges(flat, source);
   }
   if (status.ok() && cut)

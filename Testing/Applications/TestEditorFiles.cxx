@@ -151,6 +151,11 @@ TEST_F(PatternEditor, TheUnitIsKeptWithCurvesAndSurface)
   EXPECT_EQ(this->window->unit()->currentText(), "inch");
   EXPECT_TRUE(this->window->message().contains("saved in cm, the surface is in inch"))
     << this->window->message().toStdString();
+  // Where a file states none, the likely one is taken.
+  ASSERT_TRUE(this->window->openSurface(FLATTENING_DATA "/quarter_sphere.vtp"));
+  EXPECT_EQ(this->window->unit()->currentText(), "m");
+  EXPECT_TRUE(this->window->message().contains("states no unit: m is taken, in which it is 2 m"))
+    << this->window->message().toStdString();
 }
 
 TEST_F(PatternEditor, ASearchForProposalsCanBeStopped)
@@ -216,8 +221,13 @@ TEST_F(PatternEditor, PatternsShowWhatTheirOptionsAskFor)
   const std::string plain = exported();
   const std::regex spline(" d=\"M[^\"]*C");
   EXPECT_TRUE(std::regex_search(plain, spline));
+  vtkPatternWriter* const pattern = this->window->pattern();
+  const double usual = pattern->GetFairTolerance();
+  pattern->SetFairTolerance(0.3);
+  exported();
   EXPECT_TRUE(this->window->message().contains(" of ")) // how many curves in place of edges
     << this->window->message().toStdString();
+  pattern->SetFairTolerance(usual);
   const auto answer = [&](bool yes) {
     QTimer::singleShot(300, [yes] {
       auto* const dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
@@ -236,7 +246,6 @@ TEST_F(PatternEditor, PatternsShowWhatTheirOptionsAskFor)
   answer(false);
   EXPECT_EQ(exported(), plain);
   answer(true);
-  vtkPatternWriter* const pattern = this->window->pattern();
   EXPECT_EQ(pattern->GetAllowance(), 12.5);
   EXPECT_EQ(pattern->GetQuantity(), 3);
   EXPECT_EQ(pattern->GetPaper(), static_cast<int>(vtkPatternWriter::A0));

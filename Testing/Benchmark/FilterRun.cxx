@@ -66,6 +66,7 @@ FilterRun::FilterRun(const RefinedPiece& piece, int interior, bool caching)
   this->Filter->SetInputData(surface);
   this->Filter->SetCurvesData(curvesOf(piece, surface->GetPoints()));
   this->Filter->SetSchemeToGlobal();
+  this->Filter->SetDartLegsToFree();
   this->Filter->SetInterior(interior);
   this->Filter->SetCaching(caching);
   this->Filter->ReleaseKeysOn();

@@ -55,7 +55,7 @@ class Pictures(unittest.TestCase):
 
     def screenshot(self, name, scheme):
         inputs = {"Input": read("shirt_front"), "Curves": read("shirt_front_curves")}
-        flattening = (pv.FlattenSurfaceWireWarping(**inputs, Scheme=scheme) if scheme
+        flattening = (pv.FlattenSurfaceWireWarping(**inputs, Scheme=scheme, DartLegs="Free") if scheme
                       else pv.LeastSquaresConformalMap(**inputs))
         view = pv.CreateView("RenderView")
         view.ViewSize = [500, 600]
@@ -100,7 +100,8 @@ class Pictures(unittest.TestCase):
         from flat_beside import show_beside
 
         flattening = pv.FlattenSurfaceWireWarping(
-            Input=read("shirt_front"), Curves=read("shirt_front_curves"), Scheme="Global")
+            Input=read("shirt_front"), Curves=read("shirt_front_curves"), Scheme="Global",
+            DartLegs="Free")
         pv.SetActiveView(pv.CreateView("RenderView"))
         pv.Show(flattening.Input)
         space, plane = show_beside(flattening)

@@ -38,6 +38,7 @@ PatternSource square(double width)
 PatternPiece drawn(const PatternSource& source)
 {
   PatternOptions options;
+  options.fairTolerance = 0.0;
   options.unit = Unit::Millimetre;
   options.allowance = 0.0;
   options.notchSpacing = 0.0;

@@ -50,6 +50,8 @@ PatternSource bentDart()
 PatternOptions millimetres(double allowance)
 {
   PatternOptions options;
+  options.fairTolerance = 0.0;
+  options.notchSpacing = 100.0;
   options.unit = Unit::Millimetre;
   options.allowance = allowance;
   return options;
@@ -248,7 +250,7 @@ TEST(PatternBuilder, RefusesWhatIsNoPattern)
   EXPECT_EQ(codeOf(source, options), StatusCode::InvalidPattern);
 
   PatternOptions wrong = options;
-  wrong.allowance = -1.0;
+  wrong.allowance = std::nan("");
   EXPECT_EQ(codeOf(dartedSquare(), wrong), StatusCode::InvalidOption);
   wrong = options;
   wrong.notchSpacing = 1e-6;

@@ -49,6 +49,8 @@ PatternSource trapezium(double askew)
 PatternPiece drawn(const PatternSource& source)
 {
   PatternOptions options;
+  options.fairTolerance = 0.0;
+  options.notchSpacing = 100.0;
   options.unit = Unit::Millimetre;
   options.cutOnFold = true;
   Pattern pattern;
@@ -113,6 +115,8 @@ TEST(HalfPiece, TheCutLineAndItsMirrorImageAreTheWholePiece)
   PatternSource source = trapezium(0.0);
   const double half = areaOf(lineOf(drawn(source), LineKind::CutLine)->points);
   PatternOptions options;
+  options.fairTolerance = 0.0;
+  options.notchSpacing = 100.0;
   options.unit = Unit::Millimetre;
   Pattern whole;
   ASSERT_TRUE(buildPattern(source, options, whole).ok());

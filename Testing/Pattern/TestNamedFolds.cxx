@@ -43,6 +43,8 @@ PatternSource halfOfIt()
 PatternOptions onFold(const std::string& curve)
 {
   PatternOptions options;
+  options.fairTolerance = 0.0;
+  options.notchSpacing = 100.0;
   options.unit = Unit::Millimetre;
   options.pieceNames = { "front" };
   options.foldsAlong = { curve };

@@ -55,6 +55,8 @@ PatternSource sewnSquares()
 PatternOptions hemOptions()
 {
   PatternOptions options;
+  options.fairTolerance = 0.0;
+  options.notchSpacing = 100.0;
   options.unit = Unit::Millimetre;
   options.allowanceOfCurve = { { "hem", 40.0 } };
   return options;

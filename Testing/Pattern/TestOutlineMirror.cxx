@@ -69,6 +69,7 @@ PatternSource shirt(int more, double longer = 1.0)
 PatternOptions symmetrized()
 {
   PatternOptions options;
+  options.notchSpacing = 100.0;
   options.symmetrize = true;
   return options;
 }

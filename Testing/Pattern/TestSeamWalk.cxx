@@ -45,6 +45,7 @@ PatternSource twoTriangles()
 PatternOptions withSpacing(double spacing)
 {
   PatternOptions options;
+  options.fairTolerance = 0.0;
   options.notchSpacing = spacing;
   return options;
 }

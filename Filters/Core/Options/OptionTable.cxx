@@ -55,6 +55,14 @@ public:
   /// What it means depends on the input of the filter.
   Row& byFilter() { return this->with(&Option::set, nullptr); }
   Row& repeats() { return this->with(&Option::repeats, true); }
+  /// Where the option's default is not the structure's.
+  Row& byDefault(const char* word)
+  {
+    const std::vector<OptionWord>& words = this->Kept->words;
+    const auto found = std::find_if(
+      words.begin(), words.end(), [word](const OptionWord& one) { return one.word == word; });
+    return this->with(&Option::byDefault, static_cast<double>(found - words.begin()));
+  }
   Row& expert() { return this->with(&Option::expert, true); }
 
   Row& range(double least, double most)
@@ -203,6 +211,7 @@ void addMethod(Table& table)
     .help("Treat key curves as accessory curves: their length is kept, their shape is free.");
   table.add("DartLegs", [](All& all) { return &all.flattening.dartLegs; })
     .words({ { "free", "Free" }, { "straight", "Straight" }, { "mirrored", "Mirrored" } })
+    .byDefault("mirrored") // as darts are sewn, leg on leg
     .where(keepsLengths)
     .help("How the legs of a dart lie: free (as the piece distorts least; sewn they fit, folded "
           "they may miss each other), straight, or mirrored (both the mean of free ones). Legs "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/PatternBuilder.h"
 
+#include "Base/LengthUnit.h"
 #include "Base/Status.h"
 #include "Base/Types.h"
 #include "Drawing/BorderMarks.h"
@@ -55,7 +56,7 @@ Status checkName(const PatternSource& source, const std::string& what, const std
 
 Status checkPatternOptions(const PatternSource& source, const PatternOptions& options)
 {
-  if (!isLength(options.allowance))
+  if (!std::isfinite(options.allowance))
   {
     return invalidOption("the seam allowance must be a number of millimetres from 0");
   }
@@ -63,7 +64,7 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
   {
     return invalidOption("the mitre limit must be a number from 1");
   }
-  if (!isLength(options.notchSpacing) || !isLength(options.notchLength))
+  if (!std::isfinite(options.notchSpacing) || !isLength(options.notchLength))
   {
     return invalidOption("notch spacing and length must be numbers of millimetres from 0");
   }
@@ -297,6 +298,38 @@ Status findFold(const DrawingSource& all, std::size_t piece, const std::string& 
   return status;
 }
 
+/// About a sixth of the largest piece, as 1, 2 or 5 times a power of ten, in mm.
+double notchSpacingOf(const PatternSource& source, double scale)
+{
+  std::vector<Eigen::AlignedBox2d> boxes;
+  for (std::size_t t = 0; t < source.triangles.size(); ++t)
+  {
+    const std::size_t piece = static_cast<std::size_t>(source.pieceOfTriangle[t]);
+    boxes.resize(std::max(boxes.size(), piece + 1));
+    for (const Index v : source.triangles[t])
+    {
+      boxes[piece].extend(source.positions[v]);
+    }
+  }
+  double largest = 0.0;
+  for (const Eigen::AlignedBox2d& box : boxes)
+  {
+    largest = box.isEmpty() ? largest : std::max(largest, box.sizes().maxCoeff());
+  }
+  const double wanted = largest * scale / 6.0;
+  if (!(wanted > 0.0) || !std::isfinite(wanted))
+  {
+    return 100.0;
+  }
+  const double power = std::pow(10.0, std::floor(std::log10(wanted)));
+  const double first = wanted / power;
+  return power *
+    (first < std::sqrt(2.0)       ? 1.0
+        : first < std::sqrt(10.0) ? 2.0
+        : first < std::sqrt(50.0) ? 5.0
+                                  : 10.0);
+}
+
 std::string plural(int count, const std::string& what)
 {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
@@ -309,9 +342,23 @@ bool isWire(LineKind kind)
     kind != LineKind::Fold;
 }
 
-Status buildPattern(
-  const PatternSource& source, const PatternOptions& options, Pattern& pattern, FairCache* cache)
+PatternOptions completed(PatternOptions options, const PatternSource& source)
 {
+  if (options.allowance < 0.0)
+  {
+    options.allowance = source.isSheet ? 0.0 : 10.0;
+  }
+  if (options.notchSpacing < 0.0)
+  {
+    options.notchSpacing = notchSpacingOf(source, millimetresPer(options.unit));
+  }
+  return options;
+}
+
+Status buildPattern(
+  const PatternSource& source, const PatternOptions& given, Pattern& pattern, FairCache* cache)
+{
+  const PatternOptions options = completed(given, source);
   std::size_t pieces = 0;
   Status status = checkSource(source, pieces);
   if (status.ok())

@@ -12,6 +12,9 @@ class FairCache;
 /// Errors: InvalidOption where a value is out of range, or a curve is named that is not there.
 Status checkPatternOptions(const PatternSource& source, const PatternOptions& options);
 
+/// The options with the lengths that they leave to the pieces.
+PatternOptions completed(PatternOptions options, const PatternSource& source);
+
 /// Draws a flattening as a pattern to cut at true scale. The lines that are wires have their points
 /// exactly where the flattening has them, scaled to millimetres and moved, or are smooth.
 /// \param cache of smooth borders, for other files of the same flattening; null: none

@@ -3,6 +3,7 @@
 
 #include "Base/Types.h"
 #include "Drawing/ClothOutline.h"
+#include "Drawing/PatternBuilder.h"
 #include "Fairing/FairBorders.h"
 #include "Outlines/ClosedCuts.h"
 #include "Outlines/Notches.h"
@@ -244,9 +245,10 @@ private:
 
 }
 
-Status walkSeams(const PatternSource& source, const PatternOptions& options,
+Status walkSeams(const PatternSource& source, const PatternOptions& given,
   std::vector<WalkInterval>& walk, FairCache* cache)
 {
+  const PatternOptions options = completed(given, source);
   walk.clear();
   const PatternSource whole = withoutClosedCuts(source);
   DrawingSource all{ whole, options, {}, {}, {}, {}, nullptr, nullptr };

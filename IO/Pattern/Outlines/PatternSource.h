@@ -83,6 +83,7 @@ struct PatternSource
   /// By piece, of what was flattened; empty where there is none.
   std::vector<std::string> pieceNames;
   bool onCloth = false; ///< the pieces lie on their cloth, its warp along y
+  bool isSheet = false; ///< the edges of that cloth do not fray
 };
 
 enum class DartStyle
@@ -101,10 +102,12 @@ struct PatternOptions
   int quantity = 1;
   std::vector<int> pieceQuantities;    ///< by piece; where missing or 0: quantity
   std::vector<std::string> pieceNames; ///< by piece; where missing: the name, numbered if need be
-  double allowance = 10.0;
+  double allowance = -1.0;             ///< below 0: 10, of a sheet 0
   std::map<std::string, double> allowanceOfCurve; ///< by curve name; "boundary" for the rest
   double mitreLimit = 2.0;                        ///< longest mitre, in allowances
-  double notchSpacing = 100.0; ///< along the curve, on the surface; 0: at mouths of darts alone
+  /// Along the curve, on the surface; 0: at mouths of darts alone; below 0: about a sixth of the
+  /// largest piece.
+  double notchSpacing = -1.0;
   std::map<std::string, std::vector<double>>
     notchesOfCurve; ///< by curve name, distances from its start in place of the spacing
   std::set<std::string> doubleNotches; ///< names of curves whose notches are two marks
@@ -114,7 +117,7 @@ struct PatternOptions
   DartStyle darts = DartStyle::Folded;
   /// Of smooth borders and curves from the flat pieces, but panels, which are smooth; 0: as these
   /// are.
-  double fairTolerance = 0.0;
+  double fairTolerance = 0.2;
   std::map<std::string, double> fairToleranceOfCurve; ///< by curve name; "boundary" for the rest
   bool symmetrize = false; ///< smooth outlines of symmetric pieces are their own mirror images
   double dartTip = 0.0;    ///< how far tips of folded darts are drawn back

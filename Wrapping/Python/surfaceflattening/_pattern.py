@@ -6,7 +6,7 @@ from __future__ import annotations  # hints name a class of a module that may be
 import warnings
 from typing import TYPE_CHECKING, Any, Mapping, Sequence, get_args
 
-from ._errors import FlatteningWarning
+from ._errors import ArgumentError, ArgumentTypeError, FlatteningWarning
 from ._options import flag, index_of
 from ._types import Paper, Unit
 from ._vtk import error_of, silence, text_of
@@ -39,19 +39,21 @@ def _in_range(what: str, value: Any, least: float, most: float) -> Any:
     try:
         inside = least <= value <= most
     except TypeError:
-        raise TypeError(f"{what} = {value!r} must be a number") from None
+        raise ArgumentTypeError(f"{what} = {value!r} must be a number") from None
     if not inside:
-        raise ValueError(f"{what} = {value!r} is out of range; it must be from {least:g} to {most:g}")
+        raise ArgumentError(f"{what} = {value!r} is out of range; it must be from {least:g} to {most:g}")
     return value
 
 
 def _set_options(writer: vtkPatternWriter, options: Mapping[str, Any]) -> None:
     for option, (property_, least, most) in _NUMBERS.items():
+        if options[option] is None and option in ("allowance", "notch_spacing"):
+            continue  # chosen by the pieces
         value = _in_range(option, options[option], least, most)
         try:
             getattr(writer, "Set" + property_)(value)
         except TypeError as error:
-            raise TypeError(f"{option} = {value!r}: {error}") from None
+            raise ArgumentTypeError(f"{option} = {value!r}: {error}") from None
     if options["unit"] is not None:
         writer.SetUnit(1 + index_of(options["unit"], get_args(Unit), "unit"))
     writer.SetPaper(index_of(options["paper"], get_args(Paper), "paper"))
@@ -61,13 +63,13 @@ def _set_options(writer: vtkPatternWriter, options: Mapping[str, Any]) -> None:
         set_text(text_of(option, options[option]))
     for option in ("piece_names", "double_notches", "folds"):
         if isinstance(options[option], str):
-            raise TypeError(f"{option} = {options[option]!r} must be a list of names")
+            raise ArgumentTypeError(f"{option} = {options[option]!r} must be a list of names")
     for piece, quantity in enumerate(options["piece_quantities"]):
         what = f"piece_quantities[{piece}]"
         try:
             writer.SetPieceQuantity(piece, _in_range(what, quantity, 1, 1_000_000))
         except TypeError as error:
-            raise TypeError(f"{what} = {quantity!r}: {error}") from None
+            raise ArgumentTypeError(f"{what} = {quantity!r}: {error}") from None
     for piece, name in enumerate(options["piece_names"]):
         writer.SetPieceName(piece, text_of(f"piece_names[{piece}]", name))
     for curve, allowance in (options["curve_allowances"] or {}).items():

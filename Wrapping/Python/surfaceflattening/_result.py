@@ -147,10 +147,10 @@ class Flattening(ComparedByValue):
         quantity: int = 1,
         piece_quantities: Sequence[int] = (),
         piece_names: Sequence[str] = (),
-        allowance: float = 10.0,
+        allowance: Optional[float] = None,
         curve_allowances: Optional[Mapping[str, float]] = None,
         mitre_limit: float = 2.0,
-        notch_spacing: float = 100.0,
+        notch_spacing: Optional[float] = None,
         curve_notches: Optional[Mapping[str, Sequence[float]]] = None,
         double_notches: Sequence[str] = (),
         notch_corners: bool = False,
@@ -190,11 +190,11 @@ class Flattening(ComparedByValue):
             piece_quantities: how many of each piece in place of quantity, in the order of the report's,
                 each 1 to 1,000,000; no more than there are pieces.
             piece_names: of the pieces, in the order of the report's.
-            allowance: seam allowance, in [0, 1e6].
+            allowance: seam allowance, in [0, 1e6]; None: 10, and 0 of a material whose edges do not fray.
             curve_allowances: by the name of a curve, or "boundary", where it is another.
             mitre_limit: longest mitre of a corner, in allowances, in [1, 100].
             notch_spacing: distance of notches along seams and darts, in [0, 1e6]; 0: none but at the
-                mouths of darts.
+                mouths of darts; None: about a sixth of the largest piece.
             curve_notches: by the name of a curve, a seam, a dart or one along the boundary, distances from
                 its start in place of notch_spacing, each in [0, 1e6].
             double_notches: names of curves whose notches are double, as at the back: two marks 6.35 mm apart.
