@@ -11,9 +11,6 @@ class App;
 
 namespace wirewarp
 {
-/// What replaces an option of the time before there were commands; empty: it is none of these.
-std::string successorOf(const std::string& option);
-
 /// "; is --scheme meant?" for the first of the arguments that no option took and that is nearly the
 /// name of one, by Levenshtein's distance; empty where none is.
 std::string nearestOption(const CLI::App& app, const std::vector<std::string>& unknown);

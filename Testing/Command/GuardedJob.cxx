@@ -3,12 +3,8 @@
 #include "GuardedProcess.h"
 
 #include <fcntl.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <csignal>
-#include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <new>
 #include <string>
@@ -30,35 +26,18 @@ std::string work(const std::vector<std::string>& arguments)
     }
     return text;
   }
-  if (task == "raise")
-  {
-    const int signal = std::stoi(amount);
-    std::signal(signal, SIG_DFL); // sanitizers have handlers of their own
-    std::raise(signal);
-  }
-  else if (task == "exit")
-  {
-    std::_Exit(std::stoi(amount));
-  }
-  else if (task == "loop")
-  {
-    for (volatile unsigned turn = 0;; turn = turn + 1)
-    {
-    }
-  }
-  else if (task == "take")
+  if (task == "take")
   {
     // Not by a new-expression, which a compiler may leave out.
     return ::operator new(std::stoul(amount), std::nothrow) ? "taken" : "refused";
   }
-  else if (task == "print")
+  if (task == "print")
   {
     std::cout << amount << std::endl;
     std::cerr << amount << std::endl;
   }
-  else if (task == "wait") // for ever, once it has written its number to a file
+  else if (task == "wait")
   {
-    std::ofstream(amount) << getpid() << std::endl;
     std::this_thread::sleep_for(std::chrono::seconds(600));
   }
   else if (task == "open") // how many files are open beside its own streams

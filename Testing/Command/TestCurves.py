@@ -350,38 +350,6 @@ class Curves(command.CommandTest):
                 self.assertIn(part, message)
                 self.assertRegex(message, name + r"\.dxf:(6|12):")
 
-    def test_curves_without_a_name_are_known_by_that_of_the_table(self):
-        with open(self.path("two.txt"), encoding="utf-8") as file:
-            chains = [[int(word) for word in line.split()[2:]] for line in file]
-        self.write("nameless.vtk", command.legacy(self.points, polylines=chains))
-        report = self.flatten("lune.obj", "nameless.vtk", "--tolerance", "curve 1=0.02")
-        self.assertEqual([curve["name"] for curve in report["curves"]], ["curve 0", "curve 1"])
-        self.assertEqual([curve["tolerance"] for curve in report["curves"]], [0.0, 0.02])
-        # The edges of one curve count once, also where they come one by one.
-        edges = [[a, b] for a, b in zip(chains[0], chains[0][1:])]
-        self.write("edges.vtk", command.legacy(self.points, polylines=[*edges, chains[1]]))
-        report = self.flatten("lune.obj", "edges.vtk", "--tolerance", "curve 1=0.02")
-        self.assertEqual([curve["tolerance"] for curve in report["curves"]], [0.0, 0.02])
-
-    def test_a_tolerance_holds_for_all_curves_of_the_name(self):
-        with open(self.path("two.txt"), encoding="utf-8") as file:
-            chains = [[int(word) for word in line.split()[2:]] for line in file]
-        lines = ["accessory c " + " ".join(map(str, chain)) + "\n" for chain in chains]
-        self.write("one.txt", lines[0])
-        self.write("other.txt", lines[1])
-        self.write("both.txt", "".join(lines))
-        self.write("both.vtk", command.legacy_curves(self.points, [(0, "c", c) for c in chains]))
-        for files in (("both.txt",), ("one.txt", "other.txt"), ("both.vtk",)):
-            with self.subTest(files):
-                report = self.flatten("lune.obj", *files, "--tolerance", "c=0.02")
-                self.assertEqual([curve["tolerance"] for curve in report["curves"]], [0.02, 0.02])
-
-    def test_a_curve_that_is_not_there_has_no_tolerance(self):
-        run = self.run_command("lune.obj", "arc.txt", "--tolerance", "belt=0.1", "--output", "out")
-        self.assertEqual(run.returncode, 3)
-        self.assertIn('"belt"', run.stderr)
-        self.assertIn("arc", run.stderr)
-
     def test_a_tolerance_is_a_fraction(self):
         for text in ("arc=1", "arc=-0.1", "arc=nan", "arc=", "=0.1", "arc", "arc=2%"):
             with self.subTest(text):

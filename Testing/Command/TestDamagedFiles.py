@@ -58,29 +58,6 @@ class Damaged(command.CommandTest):
                     self.assertIn(run.returncode, (1, 3), run.stdout + run.stderr)
                     self.assertEqual(len(command.error_lines(run)), 1, run.stderr)
 
-    def test_an_array_of_fewer_rows_than_there_are_points_is_left_out_and_named(self):
-        whole = " ".join(map(str, range(25)))
-        for rows, count in (("0 double\n\n", "0 values"), ("2 double\n1 2\n", "2 values")):
-            data = f"POINT_DATA 25\nFIELD FieldData 2\nheat 1 {rows}load 1 25 double\n{whole}\n"
-            name = self.write("short.vtk", self.legacy + data)
-            run = self.run_command(name, "--output", "out", "--unit", "m")
-            self.assertEqual(run.returncode, 0, run.stderr)
-            for word in ("wirewarp: warning: ", "heat", count, "25 points", "left out"):
-                self.assertIn(word, run.stderr)
-            report = self.report("out")
-            self.assertEqual((report["status"], len(report["warnings"])), ("Ok", 1))
-            self.assertEqual(sorted(self.array("out/flat.vtp", "load")), list(range(25)))
-            with self.assertRaises(KeyError):
-                self.array("out/flat.vtp", "heat")
-
-    def test_an_array_that_says_what_curves_are_must_have_a_row_for_each(self):
-        types = "CELL_DATA 2\nFIELD FieldData 1\nCurveType 1 1 int\n1\n"
-        curves = command.legacy(self.points, polylines=[(0, 1), (5, 6)], cell_data=types)
-        run = self.run_command("good.obj", self.write("curves.vtk", curves), "--output", "out")
-        self.assertEqual(run.returncode, 3, run.stderr)
-        self.assertIn("CurveType", command.error_lines(run)[0])
-        self.assertEqual(self.report("out")["status"], "InvalidCurve")
-
     def test_points_of_more_components_than_memory_holds(self):
         for count in ("300000000", "-1"):  # -1: as many as a container could never hold
             text = self.xml.replace('NumberOfComponents="3"', f'NumberOfComponents="{count}"')

@@ -130,16 +130,6 @@ class Refusals(command.CommandTest):
 
     # Surfaces
 
-    def test_no_triangle(self):
-        self.refuse_surface(self.points, [], "EmptySurface")
-
-    def test_coordinates_that_are_no_numbers(self):
-        for value in (float("nan"), float("inf")):
-            points = [*self.points]
-            points[7] = (value, 0.0, 0.0)
-            report = self.refuse_surface(points, self.triangles, "NonFinitePoint", "7")
-            self.assertEqual(report["ids"], [7])
-
     def test_zero_area(self):
         points = [*self.points]
         points.append(tuple((a + b) / 2 for a, b in zip(points[0], points[1])))
@@ -155,22 +145,6 @@ class Refusals(command.CommandTest):
             points = [tuple(size * x for x in point) for point in self.points]
             self.refuse_surface(points, self.triangles, status, "1e")
 
-    def test_three_triangles_at_an_edge(self):
-        points = [*self.points, (9.0, 9.0, 9.0)]
-        diagonal = (self.triangles[8][0], self.triangles[8][2])  # shared with triangle 9
-        self.refuse_surface(
-            points, [*self.triangles, (*diagonal, len(self.points))], "NonManifoldEdge"
-        )
-
-    def test_bow_tie(self):
-        points = [*self.points, (5.0, 0.0, 0.0), (5.0, 1.0, 0.0)]
-        count = len(self.points)
-        self.refuse_surface(points, [*self.triangles, (0, count, count + 1)], "NonManifoldVertex")
-
-    def test_moebius_band(self):
-        points, triangles = command.moebius_band()
-        self.refuse_surface(points, triangles, "NotOrientable", "each point of the cut twice")
-
     def test_the_way_out_of_a_moebius_band_leads_out(self):
         points, triangles = command.moebius_band()
         # The points of the first cross-section once more, for the last triangles.
@@ -178,13 +152,6 @@ class Refusals(command.CommandTest):
         self.write("cut.obj", command.obj([*points, points[0], points[1]], [*triangles[:-2], *cut]))
         report = self.report_of("cut.obj")
         self.assertEqual(report["status"], "Ok")
-
-    def test_closed_surface(self):
-        self.refuse_surface(*command.TETRAHEDRON, "ClosedSurface")
-
-    def test_handle(self):
-        points, triangles = command.torus()
-        self.refuse_surface(points, triangles[1:], "Handle")
 
     def test_every_piece_that_cannot_be_laid_flat_is_named_at_once(self):
         points, triangles = command.together(
@@ -243,32 +210,9 @@ class Refusals(command.CommandTest):
             with self.subTest(option):
                 self.refuse("good.obj", *arguments, says=(option,))
 
-    def test_a_planar_shape_of_words_is_refused(self):
-        text = command.legacy_curves(self.points, [(1, "k", [11, 12, 13])])
-        text += "POINT_DATA %d\nFIELD FieldData 1\nPlanarShape 2 %d string\n" % ((len(self.points),) * 2)
-        self.write("words.vtk", text + "x\ny\n" * len(self.points))
-        self.refuse("good.obj", "words.vtk", says=("words.vtk", "PlanarShape", "numbers"))
-
     def test_curves_file_without_polyline(self):
         self.write("curves.vtk", command.legacy(self.points))
         self.refuse("good.obj", "curves.vtk", says=("curves.vtk", "no polyline"))
-
-    def test_curve_point_off_the_surface(self):
-        points = [*self.points]
-        points[12] = (3.0, 3.0, 3.0)
-        self.write("curves.vtk", command.legacy_curves(points, [(0, "loose", [11, 12, 13])]))
-        report = self.refuse("good.obj", "curves.vtk", says=("loose", "12"))
-        self.assertEqual(report["status"], "CurvePointOffSurface")
-
-    def test_curve_of_unknown_type(self):
-        self.write("curves.vtk", command.legacy_curves(self.points, [(7, "odd", [11, 12, 13])]))
-        self.refuse("good.obj", "curves.vtk", says=("7",), status="InvalidCurve")
-
-    def test_curve_edge_that_is_no_mesh_edge_where_splitting_is_off(self):
-        self.write("curves.txt", "accessory far 5 12\n")
-        self.refuse(
-            "good.obj", "curves.txt", "--no-split-triangles", says=("far",), status="CurveNotOnEdges"
-        )
 
     # Output
 

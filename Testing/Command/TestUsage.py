@@ -26,9 +26,6 @@ class Usage(command.CommandTest):
     def test_no_argument_is_bad_usage_and_names_what_is_missing(self):
         self.assertIn("SURFACE", self.assert_usage_error())
 
-    def test_unknown_option_is_named(self):
-        self.assertIn("--sheme", self.assert_usage_error("a.obj", "--sheme", "global"))
-
     def test_an_option_that_is_nearly_written_is_proposed_and_no_other(self):
         for written, meant in (("--sheme", "--scheme"), ("--materail=denim", "--material"),
                                ("--no-relaese-trials", "--no-release-trials"), ("--fairness", None),
@@ -36,11 +33,6 @@ class Usage(command.CommandTest):
             with self.subTest(written):
                 said = self.assert_usage_error("a.obj", written)
                 self.assertEqual(said.partition("; is ")[2], f"{meant} meant?" if meant else "")
-
-    def test_unknown_words_of_an_option_are_named(self):
-        for option in ("--scheme", "--solver", "--interior"):
-            with self.subTest(option):
-                self.assertIn("nonsense", self.assert_usage_error("a.obj", option, "nonsense"))
 
     def test_words_of_options_may_have_capital_letters_and_units_other_names(self):
         points, triangles, _ = command.quarter_sphere()
@@ -74,47 +66,6 @@ class Usage(command.CommandTest):
             with self.subTest(option=option, value=value):
                 self.assertIn(option, self.assert_usage_error("a.obj", option, value))
 
-    def test_the_fewest_iterations_are_valid(self):
-        points, triangles, _ = command.quarter_sphere()
-        self.write("a.obj", command.obj(points, triangles))
-        for option in ("--rigid-iterations", "--relaxation-max-iterations"):
-            interior = "relaxation" if "relaxation" in option else "arap"
-            more = ("--relaxation-min-iterations", "0") if interior == "relaxation" else ()
-            with self.subTest(option):
-                run = self.run_command("a.obj", "--interior", interior, option, "1", *more)
-                self.assertIn(run.returncode, (0, 4), run.stderr)
-
-    def test_fewest_above_most_iterations_of_the_relaxation_are_refused(self):
-        points, triangles, _ = command.quarter_sphere()
-        self.write("a.obj", command.obj(points, triangles))
-        run = self.run_command(
-            "a.obj", "--interior", "relaxation", "--relaxation-min-iterations", "20",
-            "--relaxation-max-iterations", "10")
-        self.assertEqual(run.returncode, 3)
-        self.assertIn("--relaxation-min-iterations <= ", command.error_lines(run)[0])
-
-    def test_options_that_the_method_has_no_use_for_are_bad_usage(self):
-        for words, option in (
-            (("--scheme", "lscm", "--interior", "arap"), "--interior"),
-            (("--scheme", "lscm", "--solver", "newton"), "--solver"),
-            (("--scheme", "lscm", "--tolerance", "a=0.1"), "--tolerance"),
-            (("--scheme", "lscm", "--max-length-error", "1"), "--max-length-error"),
-            (("--scheme", "lscm", "--rigid-iterations", "9"), "--rigid-iterations"),
-            (("--scheme", "lscm", "--no-keys"), "--no-keys"),
-            (("--no-area-normalized",), "--no-area-normalized"),
-            (("--scheme", "global", "--energy", "rigid"), "--energy"),
-            (("--scheme", "progressive", "--angle-weight", "5"), "--angle-weight"),
-            (("--paper-method", "--isometric-iterations", "9"), "--isometric-iterations"),
-            (("--energy", "dirichlet", "--area-bias", "0.5"), "--area-bias"),
-            (("--pins", "0", "1"), "--pins"),
-            (("--relaxation-factor", "1.1"), "--relaxation-factor"),
-            (("--interior", "laplacian", "--rigid-tolerance", "0"), "--rigid-tolerance"),
-            (("--no-arrange", "--spacing", "1"), "--spacing"),
-        ):
-            with self.subTest(words):
-                message = self.assert_usage_error("a.obj", *words)
-                self.assertRegex(message, option + " is for .*; (leave one of them out|give that as well, or leave .* out)$")
-
     def test_options_of_what_is_not_asked_for_are_bad_usage(self):
         message = self.assert_usage_error("pattern", "a.obj", "-o", "a.svg", "--paper", "a3")
         self.assertIn("--paper is for a pattern in PDF (-o FILE.pdf); give that as well, or leave it out", message)
@@ -122,21 +73,6 @@ class Usage(command.CommandTest):
     def test_options_of_another_command_name_it(self):
         self.assertIn("it is an option of wirewarp pattern", self.assert_usage_error("a.obj", "--allowance", "5"))
         self.assertIn("it is an option of wirewarp nest", self.assert_usage_error("pattern", "a", "--roll-width", "5"))
-
-    def test_former_options_name_their_successors(self):
-        for words, successor in (
-            (("--suggest", "darts"), "wirewarp cut SURFACE --kind darts"), (("--svg",), "wirewarp pattern DIR -o pattern.svg"),
-            (("--fair", "0.2"), "wirewarp pattern DIR --smooth MM"), (("--resew=panel",), "wirewarp sew DIR --mode panel"),
-            (("--release-keys",), "--no-keys"), (("--imprint-tolerance", "0.1"), "--curve-distance"),
-            (("--batch", "list.txt"), "wirewarp batch LIST"), (("--grade", "S=s.obj"), "wirewarp grade SIZE=SURFACE"),
-        ):
-            with self.subTest(words):
-                message = self.assert_usage_error("a.obj", *words)
-                self.assertIn(f"{words[0].partition('=')[0]} is now {successor}", message)
-
-    def test_the_papers_method_excludes_another_one(self):
-        for words in (("--scheme", "progressive"), ("--interior", "arap")):
-            self.assertIn("--paper-method", self.assert_usage_error("a.obj", "--paper-method", *words))
 
     def test_option_without_its_value_is_bad_usage(self):
         self.assert_usage_error("a.obj", "--output")

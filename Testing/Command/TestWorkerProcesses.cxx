@@ -3,11 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <csignal>
 #include <map>
-#include <set>
 
 namespace
 {
@@ -27,9 +24,10 @@ Texts run(
 
 TEST(WorkerProcesses, EachJobRunsOnceAndItsTextComesBack)
 {
-  for (const std::size_t workers : { 1, 2, 5, 40 })
+  EXPECT_TRUE(run(0, 3, [](std::size_t) { return std::string(); }).empty());
+  for (const std::size_t workers : { 1, 2, 40 })
   {
-    // Longer than what a socket takes at once.
+    // Longer than what a pipe takes at once.
     const Texts texts =
       run(20, workers, [](std::size_t k) { return std::string(100000 * (k % 5), char('a' + k)); });
     ASSERT_EQ(texts.size(), 20u);
@@ -38,18 +36,6 @@ TEST(WorkerProcesses, EachJobRunsOnceAndItsTextComesBack)
       EXPECT_EQ(text, std::string(100000 * (k % 5), char('a' + k)));
     }
   }
-}
-
-TEST(WorkerProcesses, JobsRunInProcessesOfTheirOwn)
-{
-  const std::string own = std::to_string(getpid());
-  std::set<std::string> processes;
-  for (const auto& [k, text] : run(20, 2, [](std::size_t) { return std::to_string(getpid()); }))
-  {
-    processes.insert(text.value());
-  }
-  EXPECT_LE(processes.size(), 2u);
-  EXPECT_EQ(processes.count(own), 0u);
 }
 
 TEST(WorkerProcesses, AJobThatDiesTakesNoOtherWithIt)
@@ -66,10 +52,5 @@ TEST(WorkerProcesses, AJobThatDiesTakesNoOtherWithIt)
   {
     EXPECT_EQ(text.has_value(), k % 3 != 1) << k;
   }
-}
-
-TEST(WorkerProcesses, NoJobIsNoWork)
-{
-  EXPECT_TRUE(run(0, 3, [](std::size_t) { return std::string(); }).empty());
 }
 }

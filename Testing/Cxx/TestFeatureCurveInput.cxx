@@ -214,39 +214,6 @@ void featureEdgesAreCurves(Checks& check)
   check.near(number(filter, "AreaError"), 0.0, 1e-6, "a roof unrolls: E_area");
 }
 
-// A key curve of Eq. 1 on a developable surface keeps its shape; asked to be straight it is.
-void keyShapesAreRead(Checks& check)
-{
-  const auto dome =
-    makeGrid(8, 8, [](double x, double y) { return 0.3 * x * (1.0 - x) + 0.2 * y * (1.0 - y); });
-  Cell line;
-  for (int i = 0; i <= 8; ++i)
-  {
-    line.push_back(27 + i + (i % 2 ? 9 : 0));
-  }
-  const auto curves = makeCurves(dome, { line }, { vtkWireWarpingFilter::KEY });
-  vtkNew<vtkIntArray> straight;
-  straight->SetName("KeyShape");
-  straight->InsertNextValue(1);
-  curves->GetCellData()->AddArray(straight);
-  vtkNew<vtkWireWarpingFilter> filter;
-  const Messages messages(filter);
-  filter->SetInputData(dome);
-  filter->SetCurvesData(curves);
-  filter->Update();
-  check.that(!filter->IsRefused(), std::string("is flattened: ") + filter->GetStatusMessage());
-  // Upright by its grainline: a straight key curve has one x.
-  vtkPolyData* flat = filter->GetOutput();
-  double low = vtkMath::Inf();
-  double high = -vtkMath::Inf();
-  for (const vtkIdType p : line)
-  {
-    low = std::min(low, flat->GetPoint(p)[0]);
-    high = std::max(high, flat->GetPoint(p)[0]);
-  }
-  check.near(high - low, 0.0, 1e-9, "width of the straightened zigzag");
-  check.near(number(filter, "MaxEdgeLengthError"), 0.0, 1e-10, "E_len_max");
-}
 }
 
 int TestFeatureCurveInput(int, char*[])
@@ -260,6 +227,5 @@ int TestFeatureCurveInput(int, char*[])
   theConnectionOfARefusedCurveIsTold(check);
   aClosedCurveMayComeInEdges(check);
   featureEdgesAreCurves(check);
-  keyShapesAreRead(check);
   return check.result();
 }

@@ -105,23 +105,6 @@ void aLimitOfTheSystemIsNamed(Checks& check)
   }
 }
 
-void sameValuesChangeNothing(Checks& check)
-{
-  vtkNew<vtkWireWarpingFilter> filter;
-  filter->AddCurveTolerance("hem", 0.02);
-  const vtkMTimeType before = filter->GetMTime();
-  filter->AddCurveTolerance("hem", 0.02);
-  filter->SetAreaBias(filter->GetAreaBias());
-  filter->SetScheme(filter->GetScheme());
-  check.equal(filter->GetMTime(), before, "modification time after the same values");
-  filter->AddCurveTolerance("hem", 0.03);
-  check.that(filter->GetMTime() > before, "another tolerance is a change");
-  filter->RemoveAllCurveTolerances();
-  const vtkMTimeType empty = filter->GetMTime();
-  filter->RemoveAllCurveTolerances();
-  check.equal(filter->GetMTime(), empty, "modification time after removing nothing");
-}
-
 void anAbortedRunIsDoneAgain(Checks& check)
 {
   vtkNew<vtkWireWarpingFilter> filter;
@@ -216,7 +199,6 @@ int TestFilterManners(int, char*[])
   statusBeforeARunIsNotRun(check);
   refusalsSetTheErrorCode(check);
   aLimitOfTheSystemIsNamed(check);
-  sameValuesChangeNothing(check);
   anAbortedRunIsDoneAgain(check);
   normalsDoNotFollowIntoThePlane(check);
   aRunThatDoesNotConvergeIsMarked(check);

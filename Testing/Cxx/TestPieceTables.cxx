@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pieces and curves are tables of their own, per block and for a rejected surface as well.
+// Pieces are a table of their own, per block and for a rejected surface as well.
 #include "FlatteningTesting.h"
 
 #include "vtkMultiBlockDataSet.h"
@@ -7,46 +7,12 @@
 #include "vtkVariant.h"
 #include "vtkWireWarpingFilter.h"
 
-#include <cmath>
+#include <algorithm>
 
 using namespace flatteningTesting;
 
 namespace
 {
-double bulge(double x, double y)
-{
-  return 0.3 * std::sin(2.0 * x) * std::sin(2.0 * y);
-}
-
-/// A surface of separate sheets.
-vtkSmartPointer<vtkPolyData> sheets(int count)
-{
-  const vtkSmartPointer<vtkPolyData> surface = makeGrid(4, 3, bulge);
-  for (int k = 1; k < count; ++k)
-  {
-    const vtkIdType first = surface->GetNumberOfPoints();
-    const vtkSmartPointer<vtkPolyData> sheet = makeGrid(3 + k, 3, bulge);
-    for (vtkIdType p = 0; p < sheet->GetNumberOfPoints(); ++p)
-    {
-      double point[3];
-      sheet->GetPoint(p, point);
-      surface->GetPoints()->InsertNextPoint(point[0] + 10.0 * k, point[1], point[2]);
-    }
-    vtkNew<vtkIdList> corners;
-    for (vtkIdType c = 0; c < sheet->GetNumberOfCells(); ++c)
-    {
-      sheet->GetCellPoints(c, corners);
-      for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
-      {
-        corners->SetId(i, corners->GetId(i) + first);
-      }
-      surface->GetPolys()->InsertNextCell(corners);
-    }
-  }
-  surface->Modified();
-  return surface;
-}
-
 std::string firstColumns(vtkTable* table, vtkIdType count)
 {
   std::string names;
@@ -55,53 +21,6 @@ std::string firstColumns(vtkTable* table, vtkIdType count)
     names += std::string(c ? " " : "") + table->GetColumnName(c);
   }
   return names;
-}
-
-void oneRowPerPiece(Checks& check)
-{
-  vtkNew<vtkWireWarpingFilter> filter;
-  filter->SetInputData(sheets(3));
-  filter->Update();
-  const vtkSmartPointer<vtkTable> pieces = filter->GetPieces();
-  check.equal(pieces->GetNumberOfRows(), vtkIdType{ 3 }, "rows of three pieces");
-  check.equal(firstColumns(pieces, 3), std::string("Piece Status Name"), "first columns");
-  for (vtkIdType row = 0; row < 3; ++row)
-  {
-    check.equal(
-      pieces->GetValueByName(row, "Piece").ToInt(), static_cast<int>(row), "number of a piece");
-    check.equal(pieces->GetValueByName(row, "Status").ToString(), vtkStdString("Ok"), "status");
-    check.equal(pieces->GetValueByName(row, "Triangles").ToInt(),
-      static_cast<int>(row == 0 ? 24 : 6 * (3 + row)), "triangles");
-    check.that(pieces->GetValueByName(row, "AreaError").ToDouble() > 0.0, "area error");
-  }
-  check.that(!pieces->GetColumnByName("GrainAngle"), "no columns of a material");
-  vtkTable* const iterations = filter->GetIsometricIterations();
-  check.equal(firstColumns(iterations, 1), std::string("Piece"), "first column of iterations");
-  check.equal(iterations->GetValueByName(iterations->GetNumberOfRows() - 1, "Piece").ToInt(), 2,
-    "piece of the last iteration");
-
-  filter->SetMaterial("twill");
-  filter->Update();
-  check.equal(filter->GetPieces()->GetValueByName(2, "StrainWarpRms").ToDouble() > 0.0, true,
-    "a column of a material");
-  check.equal(filter->GetPieces()->GetNumberOfRows(), vtkIdType{ 3 }, "rows with a material");
-}
-
-void oneRowPerCurve(Checks& check)
-{
-  const vtkSmartPointer<vtkPolyData> surface = makeGrid(5, 5);
-  addLine(surface, { 7, 8, 9 });
-  addLine(surface, { 13, 14, 15, 16 });
-  vtkNew<vtkWireWarpingFilter> filter;
-  filter->SetInputData(surface);
-  filter->Update();
-  vtkTable* const curves = filter->GetCurves();
-  check.equal(curves->GetNumberOfRows(), vtkIdType{ 2 }, "rows of two curves");
-  check.equal(firstColumns(curves, 3), std::string("Curve Name Type"), "first columns of curves");
-  check.equal(curves->GetValueByName(1, "Name").ToString(), vtkStdString("curve 1"), "name");
-  check.equal(curves->GetValueByName(1, "Type").ToString(), vtkStdString("accessory"), "type");
-  check.near(curves->GetValueByName(1, "RestLength").ToDouble(), 0.6, 1e-12, "rest length");
-  check.near(curves->GetValueByName(1, "FlatLength").ToDouble(), 0.6, 1e-9, "flat length");
 }
 
 void rejectedSurfaceIsARow(Checks& check)
@@ -124,10 +43,13 @@ void rejectedSurfaceIsARow(Checks& check)
 
 void oneTablePerBlock(Checks& check)
 {
+  const auto apart =
+    makePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 9, 0, 0 }, { 9, 1, 0 }, { 8, 0, 0 } },
+      { { 0, 1, 2 }, { 3, 4, 5 } });
   vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, sheets(2));
+  blocks->SetBlock(0, apart);
   blocks->SetBlock(1, vtkNew<vtkPolyData>());
-  blocks->SetBlock(2, sheets(1));
+  blocks->SetBlock(2, makeGrid(3, 3));
   vtkNew<vtkWireWarpingFilter> filter;
   const Messages messages(filter);
   filter->SetInputDataObject(blocks);
@@ -148,8 +70,6 @@ void oneTablePerBlock(Checks& check)
 int TestPieceTables(int, char*[])
 {
   Checks check;
-  oneRowPerPiece(check);
-  oneRowPerCurve(check);
   rejectedSurfaceIsARow(check);
   oneTablePerBlock(check);
   return check.result();

@@ -95,12 +95,6 @@ class Filters(unittest.TestCase):
                     self.assertEqual(sf.vtkFlatteningAlgorithm.GetLengthUnitOf(result.to_polydata("flat")), "")
                     self.assertEqual(pattern, made("", "", folder, unit="cm")[1])
 
-    def test_the_defect_alone_is_the_message_without_its_way_out(self):
-        fresh = sf.vtkWireWarpingFilter()
-        self.assertEqual(fresh.GetStatusName(), "NotRun")
-        self.assertEqual(fresh.GetStatusMessage(),
-                         fresh.GetStatusDefect() + "; update it, and see that its input can be read")
-
     def test_enumerations_are_python_values(self):
         filter_ = sf.vtkWireWarpingFilter()
         filter_.SetScheme(filter_.ISOMETRIC)

@@ -73,15 +73,6 @@ class Names(OddCase):
         self.wrong([name], lambda: sf.flatten_polydata(
             sf.make_surface(self.points, self.triangles), curves), sf.FlatteningError)
 
-    def test_nul_in_a_vtk_array_is_written_as_two_characters(self):
-        curves = sf.make_curves([CURVE], self.points)
-        names = vtkStringArray()
-        names.SetName("CurveName")
-        names.InsertNextValue("a\0b")
-        curves.GetCellData().AddArray(names)
-        result = sf.flatten_polydata(sf.make_surface(self.points, self.triangles), curves)
-        self.assertEqual(result.report["curves"][0]["name"], "a\\0b")
-
 
 class Ids(OddCase):
     def test_ids_that_no_int_holds_are_told_as_they_were_given(self):
@@ -286,27 +277,6 @@ class DataSets(OddCase):
         np.testing.assert_array_equal(arrays["vtkBitArray"], ids % 2 == 1)
         np.testing.assert_array_equal(arrays["vtkDoubleArray"], ids)
         self.assertEqual(set(map(type, arrays)), {str})
-
-    def test_arrays_that_are_too_short_are_left_out_with_a_warning(self):
-        for of_points in (True, False):
-            for tuples in (0, 2, 9):
-                surface = sf.make_surface(self.points, self.triangles)
-                array = vtkDoubleArray()
-                array.SetName("temperature")
-                array.SetNumberOfTuples(tuples)
-                array.Fill(20.0)
-                data = surface.GetPointData() if of_points else surface.GetCellData()
-                data.AddArray(array)
-                with warnings.catch_warnings(record=True) as caught:
-                    warnings.simplefilter("always")
-                    result = sf.flatten_polydata(surface)
-                self.assertEqual([warning.category for warning in caught], [sf.FlatteningWarning])
-                for word in ('"temperature"', f"has {tuples} values", "point" if of_points else "cell"):
-                    self.assertIn(word, str(caught[0].message))
-                self.assertEqual(result.report["warnings"], [str(caught[0].message)])
-                self.assertEqual(result.report["status"], "Ok")
-                arrays = result.point_arrays if of_points else result.cell_arrays
-                self.assertNotIn("temperature", arrays)
 
     def test_a_data_set_without_points_is_an_empty_surface(self):
         self.wrong(["EmptySurface"], lambda: sf.flatten_polydata(vtkPolyData()), sf.FlatteningError)
