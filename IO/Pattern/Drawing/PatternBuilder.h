@@ -18,6 +18,6 @@ PatternOptions completed(PatternOptions options, const PatternSource& source);
 /// Draws a flattening as a pattern to cut at true scale. The lines that are wires have their points
 /// exactly where the flattening has them, scaled to millimetres and moved, or are smooth.
 /// \param cache of smooth borders, for other files of the same flattening; null: none
-Status buildPattern(const PatternSource& source, const PatternOptions& options, Pattern& pattern,
+Status buildPattern(const PatternSource& source, const PatternOptions& given, Pattern& pattern,
   FairCache* cache = nullptr);
 }

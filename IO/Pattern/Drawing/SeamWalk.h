@@ -34,7 +34,7 @@ struct WalkInterval
 
 /// Walks all sides that are sewn to each other, in the order of the wires, along what is drawn.
 /// \param cache of smooth borders; null: none
-Status walkSeams(const PatternSource& source, const PatternOptions& options,
+Status walkSeams(const PatternSource& source, const PatternOptions& given,
   std::vector<WalkInterval>& walk, FairCache* cache = nullptr);
 
 /// The walk as a table of comma-separated values: a head, and a row an interval.
