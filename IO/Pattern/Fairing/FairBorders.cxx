@@ -202,7 +202,6 @@ Points2 followBorders(const DrawingSource& all, std::size_t piece, const Points2
 }
 
 constexpr double maximumIncrease = 0.003; ///< of strain
-constexpr double mostWork = 2e10;         ///< of a piece, some seconds: sound ones take far less
 constexpr double leastShare = 0.1;
 constexpr double lessShare = 0.8;     ///< of the share that was too much
 constexpr double leastMirrored = 0.5; ///< share for which a piece stays its own mirror image
@@ -253,9 +252,8 @@ FairBorders::FairBorders(const DrawingSource& all)
   : Chains(all)
 {
   const std::size_t pieces = all.loops.size();
-  std::vector<double> work(pieces, mostWork);
   FairLimits limits{ std::vector<double>(pieces, 1.0),
-    std::vector<bool>(pieces, all.options.symmetrize), &work };
+    std::vector<bool>(pieces, all.options.symmetrize) };
   this->WhyNotMirrored.resize(pieces);
   for (bool lowered = true; lowered;)
   {

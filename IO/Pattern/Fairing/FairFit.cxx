@@ -1,17 +1,522 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fairing/FairFit.h"
 
-#include "Fairing/FairSolver.h"
-#include "Fairing/FairTrial.h"
-#include "Fairing/PieceNetwork.h"
+#include "Fairing/FairNetwork.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
 #include <utility>
 
 namespace flattening::pattern
 {
 namespace
 {
+/// Where a stretch of a network comes from.
+struct StretchOrigin
+{
+  std::size_t chain = 0;
+  std::size_t firstPoint = 0; ///< of the chain
+  double start = 0.0;         ///< along it
+};
+
+constexpr double sameStop = 1.0;   ///< of a stop and the image of another, millimetres
+constexpr double leastPart = 1e-6; ///< of an interval
+
+/// Takes the ends of intervals away whose place follows from others, since the curve is the mirror
+/// image of another, or of itself.
+void leaveWhatFollows(const FairStretch& one, FairStretch& other)
+{
+  const bool own = &one == &other;
+  std::vector<double> images; // of ends of intervals
+  if (own)
+  {
+    images.push_back(other.length() / 2.0);
+  }
+  for (std::size_t k = 0; !own && k + 1 < one.intervals.size(); ++k)
+  {
+    images.push_back((1.0 - one.intervals[k].end / one.length()) * other.length());
+  }
+  std::vector<FairInterval> left;
+  double length = 0.0;
+  for (const FairInterval& interval : other.intervals)
+  {
+    length += interval.length;
+    const bool isLast = &interval == &other.intervals.back();
+    const bool follows = std::any_of(images.begin(), images.end(),
+      [&interval](double image) { return std::abs(image - interval.end) < sameStop; });
+    if (isLast || (!follows && !other.straight))
+    {
+      left.push_back({ interval.end, length, isLast && !own });
+      length = 0.0;
+      if (own)
+      {
+        images.push_back(other.length() - interval.end);
+      }
+    }
+  }
+  other.intervals = std::move(left);
+}
+
+/// Adds an interval in parts between hooks, since what hangs on the curve does so at its length.
+void addInterval(const PlannedInterval& interval, double start, FairStretch& stretch)
+{
+  const double length = interval.end - interval.start;
+  double from = interval.start - start;
+  const double to = interval.end - start;
+  const auto add = [&](double end) {
+    stretch.intervals.push_back({ end, interval.length * (end - from) / length });
+    from = end;
+  };
+  for (const FairHook& hook : stretch.hooks)
+  {
+    if (hook.at > from + leastPart * length && hook.at < to - leastPart * length)
+    {
+      add(hook.at);
+    }
+  }
+  add(to);
+}
+
+/// The planned chains of one piece as a network to solve. Its nodes are corners, and points that
+/// chains share.
+class PieceNetwork
+{
+public:
+  PieceNetwork(const DrawingSource& all, const BorderChains& chains,
+    const std::vector<PlannedChain>& plan, std::size_t piece, const OutlineMirror& mirror)
+    : All(all)
+    , Chains(chains)
+    , Plan(plan)
+  {
+    for (std::size_t c = 0; c < plan.size(); ++c)
+    {
+      for (const PlannedStretch& stretch : plan[c].stretches)
+      {
+        const bool isRaw = stretch.form == StretchForm::Raw;
+        for (std::size_t k = stretch.firstPoint;
+             chains.chains()[c].piece == piece && k < stretch.lastPoint;
+             k = isRaw ? k + 1 : stretch.lastPoint)
+        {
+          this->add(c, stretch, k, isRaw ? k + 1 : stretch.lastPoint);
+        }
+      }
+    }
+    this->Network.axis = mirror.axis;
+    for (const MirroredStretches& pair : mirror.stretches)
+    {
+      const std::size_t one = this->indexOf({ mirror.chain, pair.one });
+      const std::size_t other = this->indexOf({ mirror.chain, pair.other });
+      leaveWhatFollows(this->Network.stretches[one], this->Network.stretches[other]);
+      this->Network.images.push_back({ one, other });
+    }
+  }
+
+  const FairNetwork& network() const { return this->Network; }
+  const std::vector<StretchOrigin>& origins() const { return this->Origins; }
+
+  /// The number of a stretch in it that is no raw one, or of the first edge of a raw one.
+  std::size_t indexOf(const StretchPlace& place) const
+  {
+    const std::size_t first = this->Plan[place.chain].stretches[place.stretch].firstPoint;
+    const auto found =
+      std::find_if(this->Origins.begin(), this->Origins.end(), [&](const StretchOrigin& origin) {
+        return origin.chain == place.chain && origin.firstPoint == first;
+      });
+    return static_cast<std::size_t>(found - this->Origins.begin());
+  }
+
+private:
+  std::size_t nodeAt(Index point)
+  {
+    const auto [entry, isNew] = this->Nodes.emplace(point, this->Network.nodes.size());
+    if (isNew)
+    {
+      this->Network.nodes.push_back(this->All.at(point));
+    }
+    return entry->second;
+  }
+
+  /// Adds a stretch, or an edge of a raw one.
+  void add(std::size_t c, const PlannedStretch& planned, std::size_t first, std::size_t last)
+  {
+    const BorderChain& chain = this->Chains.chains()[c];
+    const bool isRaw = planned.form == StretchForm::Raw;
+    FairStretch stretch;
+    const StretchOrigin origin{ c, first, chain.arc[first] };
+    stretch.from = this->nodeAt(chain.point(first));
+    stretch.to = this->nodeAt(chain.point(last));
+    stretch.smoothEnds = planned.smoothEnds && !isRaw;
+    stretch.straight = planned.form != StretchForm::Spline;
+    for (std::size_t k = first; k <= last; ++k)
+    {
+      const Index v = chain.point(k);
+      stretch.arc.push_back(chain.arc[k] - origin.start);
+      stretch.points.push_back(this->All.at(v));
+      stretch.weights.push_back(isRaw ? 1.0 : planned.weights[k - first]);
+      stretch.tolerances.push_back(isRaw ? 0.0 : toleranceAt(this->Plan[c], planned, chain.arc[k]));
+      if (k > first && k<last&& this->Chains.chainsAt(v)> 1)
+      {
+        stretch.hooks.push_back({ stretch.arc.back(), this->nodeAt(v) });
+      }
+    }
+    if (isRaw)
+    {
+      const double length = stretch.arc.back();
+      stretch.breaks = { 0.0, length };
+      stretch.intervals = { { length, length } };
+    }
+    for (std::size_t k = 0; !isRaw && k < planned.breaks.size(); ++k)
+    {
+      stretch.breaks.push_back(planned.breaks[k] - origin.start);
+    }
+    for (std::size_t k = planned.firstInterval; !isRaw && k < planned.endInterval; ++k)
+    {
+      addInterval(this->Plan[c].intervals[k], origin.start, stretch);
+    }
+    this->Network.stretches.push_back(std::move(stretch));
+    this->Origins.push_back(origin);
+  }
+
+  const DrawingSource& All;
+  const BorderChains& Chains;
+  const std::vector<PlannedChain>& Plan;
+  FairNetwork Network;
+  std::vector<StretchOrigin> Origins;
+  std::map<Index, std::size_t> Nodes;
+};
+
+constexpr double leastFactor = 0.2;
+constexpr double leastWeight = 0.01;
+
+/// Weights of points for the next curve of least squares, which become those of the curve whose
+/// farthest point is nearest. C. L. Lawson, Contributions to the theory of linear least maximum
+/// approximation, thesis, University of California, 1961.
+/// \param shares of each point, its deviation over its tolerance; some are not 0
+void emphasize(const std::vector<double>& shares, std::vector<double>& weights)
+{
+  const double most = *std::max_element(shares.begin(), shares.end());
+  for (std::size_t k = 0; k < weights.size(); ++k)
+  {
+    weights[k] *= leastFactor + shares[k] / most;
+  }
+  const double mean =
+    std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(weights.size());
+  for (double& weight : weights)
+  {
+    weight = std::max(weight / mean, leastWeight);
+  }
+}
+
+constexpr int solutions = 1000;     ///< of one trial
+constexpr int emphasesOfTrial = 12; ///< of one set of breaks
+constexpr double hopeless = 1.5;    ///< tolerances, after some emphases
+constexpr double atMiddle = 1e-6;   ///< of a stretch, from its middle
+constexpr int roundsOfBalance = 8;  ///< of a number of curves
+constexpr double leastOff = 0.1;    ///< of a curve in what its length is chosen by
+constexpr double balancing = 0.4;   ///< power of how far off it is
+constexpr int smoothings = 6;
+constexpr double widerWave = 1.6;
+constexpr double sparing = 0.5; ///< of the tolerance, what may be spent on smoothness alone
+
+/// A spline for one stretch of as few cubic curves as are found, between nodes that stay where
+/// they are; with it that of its mirror image, if it is to have one.
+class FairTrial
+{
+public:
+  /// \param parts numbers of the stretch, and of that which is to be its mirror image, if that is
+  /// another
+  /// \param nodes of the network, where they are
+  FairTrial(const FairNetwork& network, const std::vector<std::size_t>& parts, const Points2& nodes,
+    double wave)
+    : Wave(wave)
+  {
+    const auto take = [&](std::size_t node) {
+      this->Network.nodes.push_back(nodes[node]);
+      return this->Network.nodes.size() - 1;
+    };
+    for (const std::size_t part : parts)
+    {
+      FairStretch one = network.stretches[part];
+      const bool ring = one.from == one.to;
+      one.from = take(one.from);
+      one.to = ring ? one.from : take(one.to);
+      for (FairHook& hook : one.hooks)
+      {
+        hook.node = take(hook.node);
+      }
+      this->Network.stretches.push_back(std::move(one));
+    }
+    this->Network.held = true;
+    this->Network.axis = network.axis;
+    for (const MirroredStretches& pair : network.images)
+    {
+      if (pair.one == parts.front())
+      {
+        this->Network.images.push_back({ 0, parts.size() - 1 });
+      }
+    }
+  }
+
+  const FairStretch& stretch(std::size_t part) const { return this->Network.stretches[part]; }
+  const FairCurves& curves() const { return this->Found; }
+
+  /// Looks for the fewest curves that keep the tolerances, and takes longer waves away if this
+  /// costs nothing that is seen. \return whether the tolerances are kept at all
+  bool simplify(std::size_t leastSpans)
+  {
+    if (!this->fits())
+    {
+      return false;
+    }
+    // As if what a number of curves does more of them did as well.
+    std::size_t low = leastSpans;
+    while (low < this->spans() && this->Left > 0)
+    {
+      const std::size_t middle = (low + this->spans() - 1) / 2;
+      low = this->divide(middle) ? low : middle + 1;
+    }
+    this->join(leastSpans);
+    for (int k = 0; k < smoothings; ++k)
+    {
+      this->Wave *= widerWave;
+      this->solve();
+      if (!this->Last.converged || this->largestShare(true) > sparing)
+      {
+        break;
+      }
+      this->Found = this->Last;
+    }
+    return true;
+  }
+
+private:
+  /// Whether the stretch is to be its own mirror image.
+  bool isOwnImage() const
+  {
+    return !this->Network.images.empty() && this->Network.stretches.size() == 1;
+  }
+
+  std::size_t spans() const { return this->Network.stretches.front().breaks.size() - 1; }
+
+  /// Sets breaks, and their images where curves are such.
+  void setBreaks(std::vector<double> breaks)
+  {
+    if (this->isOwnImage())
+    {
+      const double end = breaks.back();
+      const auto isImage = [end](double at) { return 2.0 * at > (1.0 + atMiddle) * end; };
+      breaks.erase(std::find_if(breaks.begin(), breaks.end(), isImage), breaks.end());
+      for (std::size_t k = breaks.size(); k-- > 0;)
+      {
+        if (2.0 * breaks[k] < (1.0 - atMiddle) * end)
+        {
+          breaks.push_back(end - breaks[k]);
+        }
+      }
+    }
+    for (FairStretch& one : this->Network.stretches)
+    {
+      one.breaks = &one == &this->Network.stretches.front()
+        ? breaks
+        : mirroredBreaks(breaks, one.breaks.front(), one.breaks.back());
+    }
+  }
+
+  /// Looks for a number of curves of which each is as far off as the others.
+  bool divide(std::size_t spans)
+  {
+    const std::vector<FairStretch> before = this->Network.stretches;
+    // From the breaks that there are: where more were needed more will be.
+    const std::vector<double>& old = before.front().breaks;
+    std::vector<double> breaks;
+    for (std::size_t k = 0; k < spans; ++k)
+    {
+      const double at =
+        static_cast<double>(k) * static_cast<double>(old.size() - 1) / static_cast<double>(spans);
+      const auto whole = static_cast<std::size_t>(at);
+      const double part = at - static_cast<double>(whole);
+      breaks.push_back(old[whole] + part * (old[whole + 1] - old[whole]));
+    }
+    breaks.push_back(old.back());
+    for (int round = 0; this->Left > 0 && round < roundsOfBalance; ++round)
+    {
+      this->Network.stretches = before;
+      this->setBreaks(breaks);
+      for (FairStretch& one : this->Network.stretches)
+      {
+        std::fill(one.weights.begin(), one.weights.end(), 1.0);
+      }
+      if (this->fits())
+      {
+        return true;
+      }
+      if (spans == 1 || !this->Last.converged)
+      {
+        break;
+      }
+      this->balance(breaks);
+    }
+    this->Network.stretches = before;
+    return false;
+  }
+
+  /// Shortens the curves that are farther off than others.
+  void balance(std::vector<double>& breaks) const
+  {
+    std::vector<double> ends{ 0.0 };
+    for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+    {
+      const double most = this->mostBetween(breaks[k], breaks[k + 1]);
+      ends.push_back(ends.back() + (breaks[k + 1] - breaks[k]) * std::pow(most, -balancing));
+    }
+    for (std::size_t k = 1; k + 1 < breaks.size(); ++k)
+    {
+      breaks[k] = ends[k] / ends.back() * breaks.back();
+    }
+  }
+
+  /// The farthest of the points between two breaks and of those whose images are.
+  double mostBetween(double start, double end) const
+  {
+    const double whole = this->Network.stretches.front().length();
+    double most = leastOff;
+    for (std::size_t s = 0; s < this->Network.stretches.size(); ++s)
+    {
+      const FairStretch& stretch = this->Network.stretches[s];
+      const std::vector<double> shares = sharesOf(stretch, this->Last.deviation[s]);
+      for (std::size_t p = 1; p + 1 < stretch.arc.size(); ++p)
+      {
+        const double image = (1.0 - stretch.arc[p] / stretch.length()) * whole;
+        const bool within = s == 0 && stretch.arc[p] >= start && stretch.arc[p] <= end;
+        const bool imageWithin = (s > 0 || this->isOwnImage()) && image >= start && image <= end;
+        most = within || imageWithin ? std::max(most, shares[p]) : most;
+      }
+    }
+    return most;
+  }
+
+  /// Takes away each break without which the tolerances are kept as well, or puts one in the middle
+  /// of two.
+  void join(std::size_t leastSpans)
+  {
+    std::size_t start = 0;
+    for (bool joined = true; joined && this->Left > 0;)
+    {
+      joined = false;
+      const std::vector<FairStretch> before = this->Network.stretches;
+      const std::vector<double>& all = before.front().breaks;
+      const std::size_t within = this->isOwnImage() ? (all.size() - 1) / 2 : all.size() - 2;
+      for (std::size_t n = 0; !joined && n<2 * within&& this->spans()> leastSpans; ++n)
+      {
+        // On from where the last one was: what was needed there is needed still.
+        const std::size_t k = 1 + (start + n / 2) % within;
+        std::vector<double> fewer = all;
+        fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
+        if (n % 2 == 1 && k == within)
+        {
+          continue;
+        }
+        fewer[k] = n % 2 == 1 ? (all[k] + all[k + 1]) / 2.0 : fewer[k];
+        this->setBreaks(fewer);
+        joined = this->fits();
+        start = joined ? k - 1 : start;
+        if (!joined)
+        {
+          this->Network.stretches = before;
+        }
+      }
+    }
+  }
+
+  void solve()
+  {
+    --this->Left;
+    this->Last = solveFairNetwork(this->Network, this->Wave);
+  }
+
+  static std::vector<double> sharesOf(const FairStretch& stretch, const std::vector<double>& off)
+  {
+    std::vector<double> shares;
+    for (std::size_t p = 0; p < off.size(); ++p)
+    {
+      shares.push_back(off[p] / stretch.tolerances[p]);
+    }
+    return shares;
+  }
+
+  /// The largest deviation over its tolerance. \param ends those that stay count as well
+  double largestShare(bool ends) const
+  {
+    double most = 0.0;
+    for (std::size_t s = 0; s < this->Network.stretches.size(); ++s)
+    {
+      const std::vector<double> own = sharesOf(this->Network.stretches[s], this->Last.deviation[s]);
+      const std::ptrdiff_t skipped = ends ? 0 : 1;
+      for (auto share = own.begin() + skipped; share != own.end() - skipped; ++share)
+      {
+        most = std::max(most, *share);
+      }
+    }
+    return most;
+  }
+
+  /// Whether there is a spline with the breaks as they are that keeps the tolerances; the points
+  /// move along it to where it is nearest to them.
+  bool fits()
+  {
+    for (int k = 0; this->Left > 0 && k < emphasesOfTrial; ++k)
+    {
+      this->solve();
+      if (!this->Last.converged)
+      {
+        return false;
+      }
+      const double most = this->largestShare(false);
+      if (most <= 1.0)
+      {
+        this->Found = this->Last;
+        return true;
+      }
+      if (k > 1 && most > hopeless)
+      {
+        return false;
+      }
+      for (std::size_t s = 0; s < this->Network.stretches.size(); ++s)
+      {
+        FairStretch& one = this->Network.stretches[s];
+        std::vector<double> shares = sharesOf(one, this->Last.deviation[s]);
+        shares.front() = shares.back() = 0.0;
+        if (*std::max_element(shares.begin(), shares.end()) > 0.0)
+        {
+          emphasize(shares, one.weights);
+        }
+        follow(this->Last.nearest[s], one);
+      }
+    }
+    return false;
+  }
+
+  /// Lets the points be where the curve is nearest to them, but those that others hang on.
+  static void follow(const std::vector<double>& nearest, FairStretch& one)
+  {
+    for (std::size_t p = 1; p + 1 < one.arc.size(); ++p)
+    {
+      if (!one.isHook(p) && one.arc[p - 1] < nearest[p] && nearest[p] < one.arc[p + 1])
+      {
+        one.arc[p] = nearest[p];
+      }
+    }
+  }
+
+  FairNetwork Network;
+  double Wave;
+  FairCurves Last;      ///< that was solved
+  FairCurves Found;     ///< the last that keeps the tolerances
+  int Left = solutions; ///< that may still be tried
+};
+
 constexpr int rounds = 24;
 constexpr int emphases = 5;      ///< in a row, of a plan
 constexpr double nearly = 1.3;   ///< of a tolerance: more emphasis may help
@@ -26,7 +531,6 @@ public:
   Fitting(const DrawingSource& all, const BorderChains& chains, const FairLimits& limits)
     : All(all)
     , Chains(chains)
-    , Work(*limits.work)
   {
     const std::size_t pieces = all.loops.size();
     this->Fit.plan = planFairBorders(all, chains, limits.shares);
@@ -57,7 +561,14 @@ public:
     {
       this->fitPiece(p);
       this->placeIntervals(p);
-      this->Fit.deviation.push_back(this->largestDeviation(p));
+      double& most = this->Fit.deviation.emplace_back(0.0);
+      for (std::size_t c = 0; c < this->Deviation.size(); ++c)
+      {
+        for (std::size_t k = 0; this->isOf(c, p) && k < this->Deviation[c].size(); ++k)
+        {
+          most = std::max(most, this->Deviation[c][k]);
+        }
+      }
     }
     return std::move(this->Fit);
   }
@@ -67,82 +578,55 @@ private:
   {
     for (int round = 0; round < rounds && !this->Fit.unmirrored[p]; ++round)
     {
-      const bool last = round + 4 > rounds;
-      if (this->solveEvenly(p, emphases) ? !this->refine(p, last)
-                                         : !this->halveSpans(p) && !this->loosen(p))
+      if (!(this->solveEvenly(p) ? this->refine(p, round + 4 > rounds) : this->halveSpans(p)))
       {
         break;
       }
       mirrorPlan(this->Fit.mirrors[p], this->Fit.plan);
     }
-    if (!this->Fit.unmirrored[p] && this->settle(p))
+    bool solved = !this->Fit.unmirrored[p] && this->solve(p);
+    for (std::vector<StretchPlace> bad; solved && !(bad = this->badPlaces(p)).empty();)
+    {
+      for (const StretchPlace& place : bad)
+      {
+        this->leave(place);
+      }
+      solved = !this->Fit.unmirrored[p] && this->solve(p);
+    }
+    if (solved)
     {
       this->coarsen(p);
+      return;
     }
-    if (this->Fit.unmirrored[p])
+    if (this->Fit.mirrors[p].found() && !this->Fit.unmirrored[p])
     {
-      this->leave(p);
-      this->drawEdges(p);
+      this->Fit.unmirrored[p].emplace();
     }
-  }
-
-  /// Leaves what does not keep its tolerance. \return whether there is a solution
-  bool settle(std::size_t piece)
-  {
-    bool solved = this->solve(piece);
-    while (solved && !this->keepsTolerances(piece))
-    {
-      this->leaveBad(piece);
-      if (this->Fit.unmirrored[piece])
-      {
-        return false;
-      }
-      solved = this->solve(piece);
-    }
-    if (!solved && this->Fit.mirrors[piece].found())
-    {
-      this->Fit.unmirrored[piece].emplace();
-    }
-    if (!solved)
-    {
-      this->leave(piece);
-      this->drawEdges(piece);
-    }
-    return solved;
+    this->leaveAll(p);
   }
 
   /// Breaks where the tolerance is not kept, and the stretch as it was where they do not help.
-  /// \param last nothing is tried any more
+  /// \param last nothing is tried any more \return whether anything has changed
   bool refine(std::size_t piece, bool last)
   {
-    bool changed = false;
+    const std::vector<StretchPlace> bad = this->badPlaces(piece);
+    const auto isSpline = [this](const StretchPlace& place) {
+      return this->at(place).form == StretchForm::Spline;
+    };
     // What is straight may be off because of the splines that it meets.
-    for (const StretchForm form : { StretchForm::Spline, StretchForm::Straight })
+    const bool any = std::any_of(bad.begin(), bad.end(), isSpline);
+    for (const StretchPlace& place : bad)
     {
-      for (const StretchPlace& place : this->placesOf(piece, form))
+      if (!any)
       {
-        changed = (this->excess(place) > 1.0 && this->refineStretch(place, last)) || changed;
+        this->at(place).form = StretchForm::Spline; // lengths beside it have moved it
       }
-      if (changed)
+      else if (isSpline(place) && (last || !this->addBreaks(place)))
       {
-        break;
+        this->leave(place);
       }
     }
-    return changed;
-  }
-
-  bool refineStretch(const StretchPlace& place, bool last)
-  {
-    PlannedStretch& stretch = this->at(place);
-    if (stretch.form == StretchForm::Straight)
-    {
-      stretch.form = StretchForm::Spline; // lengths beside it have moved it
-    }
-    else if (last || !this->addBreaks(place))
-    {
-      this->leave(place);
-    }
-    return true;
+    return !bad.empty();
   }
 
   /// Lets a stretch be as it was.
@@ -153,46 +637,45 @@ private:
     for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
     {
       const double off = this->Deviation[place.chain][k];
-      const double tolerance = this->toleranceAt(place, k);
+      const double tolerance = this->toleranceOf(place, k);
       if (off > tolerance && off > left.needed)
       {
         left.needed = off;
         left.tolerance = tolerance;
       }
     }
-    const std::size_t piece = this->Chains.chains()[place.chain].piece;
     if (this->imageOf(place))
     {
-      this->Fit.unmirrored[piece] = left;
+      this->Fit.unmirrored[this->Chains.chains()[place.chain].piece] = left;
       return;
     }
     stretch.form = StretchForm::Raw;
     this->Fit.left.push_back(left);
   }
 
-  /// Lets all of the piece be as it was.
-  void leave(std::size_t piece)
+  /// Draws all of the piece as it was.
+  void leaveAll(std::size_t piece)
   {
     this->Fit.solved[piece] = false;
     for (std::size_t c = 0; c < this->Fit.plan.size(); ++c)
     {
+      const BorderChain& chain = this->Chains.chains()[c];
+      if (chain.piece != piece)
+      {
+        continue;
+      }
       for (PlannedStretch& stretch : this->Fit.plan[c].stretches)
       {
-        stretch.form = this->isOf(c, piece) ? StretchForm::Raw : stretch.form;
+        stretch.form = StretchForm::Raw;
       }
-    }
-  }
-
-  void leaveBad(std::size_t piece)
-  {
-    for (const StretchForm form : { StretchForm::Spline, StretchForm::Straight })
-    {
-      for (const StretchPlace& place : this->placesOf(piece, form))
+      this->Fit.spans[c].clear();
+      this->Deviation[c].assign(chain.arc.size(), 0.0);
+      for (std::size_t k = 0; k < chain.edges(); ++k)
       {
-        if (this->excess(place) > 1.0)
-        {
-          this->leave(place);
-        }
+        const Point2 from = this->All.at(chain.point(k));
+        const Point2 way = this->All.at(chain.point(k + 1)) - from;
+        this->Fit.spans[c].push_back({ chain.arc[k], chain.arc[k + 1],
+          { from, from + way / 3.0, from + 2.0 * way / 3.0, from + way } });
       }
     }
   }
@@ -218,7 +701,7 @@ private:
       bool off = false;
       for (; point <= stretch.lastPoint && arc[point] <= end; ++point)
       {
-        off = off || this->Deviation[place.chain][point] > this->toleranceAt(place, point);
+        off = off || this->Deviation[place.chain][point] > this->toleranceOf(place, point);
         points += arc[point] > stretch.breaks[k] && arc[point] < end ? 1 : 0;
       }
       if (off && points > 0)
@@ -239,44 +722,26 @@ private:
     // Nodes stay from here on, so that the stretches are each by itself.
     const PieceNetwork network = this->networkOf(piece);
     const FairCurves curves = solveFairNetwork(network.network(), this->Wave[piece]);
-    if (!curves.converged)
-    {
-      return; // the work is used up
-    }
-    for (const StretchPlace& place : this->placesOf(piece, StretchForm::Spline))
+    for (const StretchPlace& place : this->smoothPlaces(piece))
     {
       const std::optional<StretchPlace> image = this->imageOf(place);
-      const auto key = [](const StretchPlace& one) {
-        return std::make_pair(one.chain, one.stretch);
-      };
-      if (image && key(*image) < key(place))
+      if (this->at(place).form == StretchForm::Straight || !curves.converged ||
+        (image && image->stretch < place.stretch)) // with the other
       {
-        continue; // with the other
+        continue;
       }
       std::vector<StretchPlace> places{ place };
+      std::vector<std::size_t> parts{ network.indexOf(place) };
       if (image && !(*image == place))
       {
         places.push_back(*image);
-      }
-      std::vector<FairTrial::Part> parts;
-      for (const StretchPlace& one : places)
-      {
-        const PlannedStretch& stretch = this->at(one);
-        FairTrial::Part& part = parts.emplace_back();
-        part.stretch = network.indexOf(one.chain, stretch.firstPoint);
-        for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
-        {
-          part.tolerances.push_back(this->toleranceAt(one, k));
-        }
+        parts.push_back(network.indexOf(*image));
       }
       FairTrial trial(network.network(), parts, curves.nodes, this->Wave[piece]);
-      if (trial.findFewest(this->at(place).leastSpans()))
+      const bool simpler = trial.simplify(this->at(place).leastSpans());
+      for (std::size_t k = 0; simpler && k < places.size(); ++k)
       {
-        trial.smooth();
-        for (std::size_t k = 0; k < places.size(); ++k)
-        {
-          this->take(places[k], trial, k);
-        }
+        this->take(places[k], trial, k);
       }
     }
   }
@@ -285,11 +750,11 @@ private:
   bool halveSpans(std::size_t piece)
   {
     bool halved = false;
-    for (const StretchPlace& place : this->placesOf(piece, StretchForm::Spline))
+    for (const StretchPlace& place : this->smoothPlaces(piece))
     {
       PlannedStretch& stretch = this->at(place);
       std::fill(stretch.weights.begin(), stretch.weights.end(), 1.0);
-      if (2 * stretch.spans() > stretch.edges())
+      if (stretch.form == StretchForm::Straight || 2 * stretch.spans() > stretch.edges())
       {
         continue;
       }
@@ -303,27 +768,6 @@ private:
       halved = true;
     }
     return halved;
-  }
-
-  /// Lets what was made straight bend again, if there is any.
-  bool loosen(std::size_t piece)
-  {
-    bool loosened = false;
-    for (std::size_t c = 0; c < this->Fit.plan.size(); ++c)
-    {
-      const BorderChain& chain = this->Chains.chains()[c];
-      for (PlannedStretch& stretch : this->Fit.plan[c].stretches)
-      {
-        const double length = chain.arc[stretch.lastPoint] - chain.arc[stretch.firstPoint];
-        if (chain.piece == piece && stretch.form == StretchForm::Straight &&
-          stretch.bend > inexact * length)
-        {
-          stretch.form = StretchForm::Spline;
-          loosened = true;
-        }
-      }
-    }
-    return loosened;
   }
 
   /// Of a stretch the one that is its mirror image, maybe itself.
@@ -344,29 +788,24 @@ private:
   void placeIntervals(std::size_t piece)
   {
     const OutlineMirror& mirror = this->Fit.mirrors[piece];
-    for (const MirroredStretches& pair : mirror.stretches)
+    for (const StretchPlace& place : this->smoothPlaces(piece))
     {
-      this->placeIntervals(StretchPlace{ mirror.chain, pair.one });
-      if (!pair.own())
+      if (!this->imageOf(place))
       {
-        this->placeIntervals(StretchPlace{ mirror.chain, pair.other });
+        continue;
       }
-    }
-  }
-
-  void placeIntervals(const StretchPlace& place)
-  {
-    PlannedChain& chain = this->Fit.plan[place.chain];
-    const PlannedStretch& stretch = this->at(place);
-    PlannedInterval whole;
-    whole.places = { stretch.breaks.front(), stretch.breaks.back() };
-    const IntervalCurve curve(this->Fit.spans[place.chain], whole);
-    double length = 0.0;
-    for (std::size_t k = stretch.firstInterval; k + 1 < stretch.endInterval; ++k)
-    {
-      length += chain.intervals[k].length;
-      chain.intervals[k].places[1] = chain.intervals[k + 1].places[0] =
-        curve.placeAt(length / curve.length());
+      std::vector<PlannedInterval>& intervals = this->Fit.plan[mirror.chain].intervals;
+      const PlannedStretch& stretch = this->at(place);
+      PlannedInterval whole;
+      whole.places = { stretch.breaks.front(), stretch.breaks.back() };
+      const IntervalCurve curve(this->Fit.spans[mirror.chain], whole);
+      double length = 0.0;
+      for (std::size_t k = stretch.firstInterval; k + 1 < stretch.endInterval; ++k)
+      {
+        length += intervals[k].length;
+        intervals[k].places[1] = intervals[k + 1].places[0] =
+          curve.placeAt(length / curve.length());
+      }
     }
   }
 
@@ -375,15 +814,15 @@ private:
     return this->Chains.chains()[chain].piece == piece;
   }
 
-  /// All stretches of a piece that are of a form.
-  std::vector<StretchPlace> placesOf(std::size_t piece, StretchForm form) const
+  /// All stretches of a piece that do not stay as they were.
+  std::vector<StretchPlace> smoothPlaces(std::size_t piece) const
   {
     std::vector<StretchPlace> places;
     for (std::size_t c = 0; c < this->Fit.plan.size(); ++c)
     {
       for (std::size_t s = 0; this->isOf(c, piece) && s < this->Fit.plan[c].stretches.size(); ++s)
       {
-        if (this->Fit.plan[c].stretches[s].form == form)
+        if (this->Fit.plan[c].stretches[s].form != StretchForm::Raw)
         {
           places.push_back({ c, s });
         }
@@ -392,66 +831,44 @@ private:
     return places;
   }
 
-  double toleranceAt(const StretchPlace& place, std::size_t point) const
+  /// Those of them that do not keep their tolerances.
+  std::vector<StretchPlace> badPlaces(std::size_t piece) const
+  {
+    std::vector<StretchPlace> places = this->smoothPlaces(piece);
+    places.erase(std::remove_if(places.begin(), places.end(),
+                   [this](const StretchPlace& place) { return this->excess(place) <= 1.0; }),
+      places.end());
+    return places;
+  }
+
+  double toleranceOf(const StretchPlace& place, std::size_t point) const
   {
     const PlannedChain& chain = this->Fit.plan[place.chain];
-    const PlannedStretch& stretch = chain.stretches[place.stretch];
-    const double arc = this->Chains.chains()[place.chain].arc[point];
-    const auto first = chain.intervals.begin() + static_cast<std::ptrdiff_t>(stretch.firstInterval);
-    const auto last =
-      chain.intervals.begin() + static_cast<std::ptrdiff_t>(stretch.endInterval) - 1;
-    return std::partition_point(first, last, [arc](const PlannedInterval& interval) {
-      return interval.end < arc;
-    })->tolerance;
+    return toleranceAt(
+      chain, chain.stretches[place.stretch], this->Chains.chains()[place.chain].arc[point]);
   }
 
-  /// The largest deviation of a stretch over its tolerance.
-  double excess(const StretchPlace& place) const
+  /// Of the points of a stretch, their deviations over their tolerances.
+  std::vector<double> shares(const StretchPlace& place) const
   {
     const PlannedStretch& stretch = this->Fit.plan[place.chain].stretches[place.stretch];
-    double most = 0.0;
+    std::vector<double> shares;
     for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
     {
-      most = std::max(most, this->Deviation[place.chain][k] / this->toleranceAt(place, k));
+      shares.push_back(this->Deviation[place.chain][k] / this->toleranceOf(place, k));
     }
-    return most;
+    return shares;
   }
 
-  bool keepsTolerances(std::size_t piece) const
+  double excess(const StretchPlace& place) const
   {
-    for (const StretchForm form : { StretchForm::Spline, StretchForm::Straight })
-    {
-      for (const StretchPlace& place : this->placesOf(piece, form))
-      {
-        if (this->excess(place) > 1.0)
-        {
-          return false;
-        }
-      }
-    }
-    return true;
-  }
-
-  double largestDeviation(std::size_t piece) const
-  {
-    double most = 0.0;
-    for (std::size_t c = 0; c < this->Fit.plan.size(); ++c)
-    {
-      if (this->isOf(c, piece))
-      {
-        for (const double deviation : this->Deviation[c])
-        {
-          most = std::max(most, deviation);
-        }
-      }
-    }
-    return most;
+    const std::vector<double> shares = this->shares(place);
+    return *std::max_element(shares.begin(), shares.end());
   }
 
   PieceNetwork networkOf(std::size_t piece) const
   {
-    return { this->All, this->Chains, this->Fit.plan, piece, this->Fit.mirrors[piece],
-      this->Work[piece] };
+    return { this->All, this->Chains, this->Fit.plan, piece, this->Fit.mirrors[piece] };
   }
 
   /// Finds the curves of a piece. \return false: there are none, and those before stay
@@ -459,51 +876,50 @@ private:
   {
     const PieceNetwork network = this->networkOf(piece);
     const FairCurves curves = solveFairNetwork(network.network(), this->Wave[piece]);
-    if (curves.converged)
+    for (std::size_t c = 0; curves.converged && c < this->Fit.plan.size(); ++c)
     {
-      network.take(curves, this->Fit.spans, this->Deviation);
+      if (this->isOf(c, piece))
+      {
+        this->Fit.spans[c].clear();
+        this->Deviation[c].assign(this->Chains.chains()[c].arc.size(), 0.0);
+      }
+    }
+    for (std::size_t s = 0; curves.converged && s < network.origins().size(); ++s)
+    {
+      const StretchOrigin& origin = network.origins()[s];
+      for (FairSpan span : curves.spans[s])
+      {
+        span.from += origin.start;
+        span.to += origin.start;
+        this->Fit.spans[origin.chain].push_back(span);
+      }
+      for (std::size_t k = 0; k < curves.deviation[s].size(); ++k)
+      {
+        double& off = this->Deviation[origin.chain][origin.firstPoint + k];
+        off = std::max(off, curves.deviation[s][k]);
+      }
     }
     return curves.converged;
   }
 
   /// The same with more weight on what is too far from its curve.
-  /// \param times how often that may be given
-  bool solveEvenly(std::size_t piece, int times)
+  bool solveEvenly(std::size_t piece)
   {
     bool solved = this->solve(piece);
-    for (int k = 0; solved && k < times; ++k)
+    for (int k = 0; solved && k < emphases; ++k)
     {
-      bool any = false;
-      for (const StretchForm form : { StretchForm::Spline, StretchForm::Straight })
+      const std::vector<StretchPlace> bad = this->badPlaces(piece);
+      for (const StretchPlace& place : bad)
       {
-        for (const StretchPlace& place : this->placesOf(piece, form))
-        {
-          any = this->emphasizeStretch(place) || any;
-        }
+        emphasize(this->shares(place), this->at(place).weights);
       }
-      if (!any)
+      if (bad.empty())
       {
         break;
       }
       solved = this->solve(piece);
     }
     return solved;
-  }
-
-  bool emphasizeStretch(const StretchPlace& place)
-  {
-    PlannedStretch& stretch = this->at(place);
-    std::vector<double> shares;
-    for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
-    {
-      shares.push_back(this->Deviation[place.chain][k] / this->toleranceAt(place, k));
-    }
-    const bool isOff = *std::max_element(shares.begin(), shares.end()) > 1.0;
-    if (isOff)
-    {
-      emphasize(shares, stretch.weights);
-    }
-    return isOff;
   }
 
   /// Draws a stretch as it was tried by itself, between nodes as they are.
@@ -520,47 +936,22 @@ private:
     };
     auto at = std::find_if(spans.begin(), spans.end(), isOfIt);
     at = spans.erase(at, std::find_if_not(at, spans.end(), isOfIt));
-    std::vector<FairSpan> own = trial.spans(part);
+    std::vector<FairSpan> own = trial.curves().spans[part];
+    stretch.breaks.clear();
     for (FairSpan& span : own)
     {
       span.from += start;
       span.to += start;
-    }
-    own.back().to = end;
-    spans.insert(at, own.begin(), own.end());
-    stretch.breaks.clear();
-    for (const FairSpan& span : own)
-    {
       stretch.breaks.push_back(span.from);
     }
+    own.back().to = end;
     stretch.breaks.push_back(end);
-    stretch.weights = trial.weights(part);
+    spans.insert(at, own.begin(), own.end());
+    stretch.weights = trial.stretch(part).weights;
     // Its ends are of the stretches beside it as well, and stay.
-    const std::vector<double>& deviation = trial.deviation(part);
+    const std::vector<double>& deviation = trial.curves().deviation[part];
     std::copy(deviation.begin() + 1, deviation.end() - 1,
       this->Deviation[place.chain].begin() + static_cast<std::ptrdiff_t>(stretch.firstPoint) + 1);
-  }
-
-  /// Draws all of the piece as it was.
-  void drawEdges(std::size_t piece)
-  {
-    for (std::size_t c = 0; c < this->Fit.plan.size(); ++c)
-    {
-      const BorderChain& chain = this->Chains.chains()[c];
-      if (chain.piece != piece)
-      {
-        continue;
-      }
-      this->Fit.spans[c].clear();
-      this->Deviation[c].assign(chain.arc.size(), 0.0);
-      for (std::size_t k = 0; k < chain.edges(); ++k)
-      {
-        const Point2 from = this->All.at(chain.point(k));
-        const Point2 way = this->All.at(chain.point(k + 1)) - from;
-        this->Fit.spans[c].push_back({ chain.arc[k], chain.arc[k + 1],
-          { from, from + way / 3.0, from + 2.0 * way / 3.0, from + way } });
-      }
-    }
   }
 
   PlannedStretch& at(const StretchPlace& place)
@@ -570,7 +961,6 @@ private:
 
   const DrawingSource& All;
   const BorderChains& Chains;
-  std::vector<double>& Work; ///< see FairNetwork, by piece
   FairFit Fit;
   std::vector<std::vector<double>> Deviation; ///< of each point of each chain, millimetres
   std::vector<double> Wave; ///< by piece the longest wave that is smoothed away, millimetres

@@ -3,385 +3,680 @@
 
 #include "Base/Types.h"
 
-#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <set>
+#include <utility>
 
 namespace flattening::pattern
 {
-CubicBasis::CubicBasis(const std::vector<double>& breaks)
-  : Breaks(breaks)
-  , Knots(2, breaks.front())
+bool FairStretch::isHook(std::size_t point) const
 {
-  for (const double at : breaks)
-  {
-    this->Knots.insert(this->Knots.end(), 2, at);
-  }
-  this->Knots.insert(this->Knots.end(), 2, breaks.back());
+  return std::any_of(this->hooks.begin(), this->hooks.end(),
+    [&](const FairHook& hook) { return hook.at == this->arc[point]; });
 }
 
-CubicBasis::Values CubicBasis::at(double t) const
+namespace
 {
-  const auto after = std::upper_bound(this->Breaks.begin(), this->Breaks.end(), t);
-  const std::size_t above = static_cast<std::size_t>(after - this->Breaks.begin());
-  return this->at(std::clamp<std::size_t>(above, 1, this->Breaks.size() - 1) - 1, t);
-}
+using Vector = Eigen::VectorXd;
+using Rows = Eigen::SparseMatrix<double>;
+using Entries = std::vector<Eigen::Triplet<double>>;
 
-CubicBasis::Values CubicBasis::at(std::size_t span, double t) const
+/// A place on a curve, or a derivative there: a linear combination of four unknown points.
+struct Terms
 {
-  const std::size_t i = 2 * span + 3; // the knot at the start of the span
-  const auto knot = [this](std::size_t k) { return this->Knots[k]; };
-  // Functions of degree 0 to 3 that are not zero in the span.
-  std::array<std::array<double, 4>, 4> functions{};
-  functions[0][0] = 1.0;
-  for (std::size_t degree = 1; degree <= 3; ++degree)
+  std::array<Eigen::Index, 4> unknown{};
+  Eigen::Vector4d factor = Eigen::Vector4d::Zero();
+
+  Point2 sum(const Vector& x) const
   {
-    double saved = 0.0;
-    for (std::size_t r = 0; r < degree; ++r)
+    Point2 result = Point2::Zero();
+    for (std::size_t k = 0; k < 4; ++k)
     {
-      const double right = knot(i + r + 1);
-      const double left = knot(i + r + 1 - degree);
-      const double part = functions[degree - 1][r] / (right - left);
-      functions[degree][r] = saved + (right - t) * part;
-      saved = (t - left) * part;
+      result += this->factor[static_cast<Eigen::Index>(k)] * x.segment<2>(2 * this->unknown[k]);
     }
-    functions[degree][degree] = saved;
+    return result;
   }
-  Values values;
-  values.first = 2 * span;
-  values.value = functions[3];
-  // Function r of a degree has the knots from i - degree + r on.
-  const auto width = [&](std::size_t degree, std::size_t r) {
-    return knot(i + r) - knot(i + r - degree);
-  };
-  // Slopes of the quadratic functions.
-  std::array<double, 3> slopes{};
-  for (std::size_t r = 0; r < 3; ++r)
+};
+
+enum class Derivative
+{
+  Place,
+  Slope,
+  Bend,
+};
+
+/// Derivative of Bernstein's polynomials by a parameter u / width, u from 0 to 1.
+Eigen::Vector4d bernstein(double u, double width, Derivative derivative)
+{
+  const double v = 1.0 - u;
+  switch (derivative)
   {
-    const double rise = r > 0 ? functions[1][r - 1] / width(2, r) : 0.0;
-    const double fall = r < 2 ? functions[1][r] / width(2, r + 1) : 0.0;
-    slopes[r] = 2.0 * (rise - fall);
+    case Derivative::Place:
+      return { v * v * v, 3.0 * u * v * v, 3.0 * u * u * v, u * u * u };
+    case Derivative::Slope:
+      return 3.0 / width * Eigen::Vector4d(-v * v, v * v - 2.0 * u * v, 2.0 * u * v - u * u, u * u);
+    default:
+      return 6.0 / (width * width) * Eigen::Vector4d(v, u - 2.0 * v, v - 2.0 * u, u);
   }
-  for (std::size_t r = 0; r < 4; ++r)
-  {
-    const double before = r > 0 ? 1.0 / width(3, r) : 0.0;
-    const double after = r < 3 ? 1.0 / width(3, r + 1) : 0.0;
-    values.slope[r] = 3.0 *
-      ((r > 0 ? functions[2][r - 1] * before : 0.0) - (r < 3 ? functions[2][r] * after : 0.0));
-    values.bend[r] =
-      3.0 * ((r > 0 ? slopes[r - 1] * before : 0.0) - (r < 3 ? slopes[r] * after : 0.0));
-  }
-  return values;
 }
 
-Point2 sum(const Terms& terms, const Eigen::VectorXd& x)
+/// A stretch as a curve of unknown points: its nodes, and between them the two inner control points
+/// of each span. The ends of a span within follow, such that the curve is differentiable there.
+class StretchCurve
 {
-  Point2 result = Point2::Zero();
-  for (const Term& term : terms)
+public:
+  /// The stretch stays the caller's.
+  /// \param next the first unknown that is free; those taken are counted
+  StretchCurve(const FairStretch& stretch, Eigen::Index& next)
+    : Stretch(stretch)
+    , First(next)
   {
-    result += term.factor * x.segment<2>(2 * term.unknown);
+    next += stretch.straight ? 0 : static_cast<Eigen::Index>(2 * this->spanCount());
   }
-  return result;
-}
 
-StretchCurve::StretchCurve(const FairStretch& stretch, Eigen::Index& next)
-  : Stretch(stretch)
-  , Basis(stretch.breaks)
-  , First(next)
-{
-  next += stretch.straight ? 0 : static_cast<Eigen::Index>(this->Basis.size()) - 2;
-}
+  const FairStretch& stretch() const { return this->Stretch; }
 
-std::vector<Eigen::Index> StretchCurve::unknowns() const
-{
-  std::vector<Eigen::Index> unknowns{ static_cast<Eigen::Index>(this->Stretch.from) };
-  for (std::size_t j = 2; !this->Stretch.straight && j < this->Basis.size(); ++j)
+  /// The unknown points that it depends on, from its first node to its last.
+  std::vector<Eigen::Index> unknowns() const
   {
-    unknowns.push_back(this->First + static_cast<Eigen::Index>(j) - 2);
-  }
-  unknowns.push_back(static_cast<Eigen::Index>(this->Stretch.to));
-  return unknowns;
-}
-
-Terms StretchCurve::at(double t, Derivative derivative) const
-{
-  const auto from = static_cast<Eigen::Index>(this->Stretch.from);
-  const auto to = static_cast<Eigen::Index>(this->Stretch.to);
-  if (this->Stretch.straight)
-  {
-    const double length = this->Stretch.length();
-    const double s = derivative == Derivative::Place ? t / length
-      : derivative == Derivative::Slope              ? 1.0 / length
-                                                     : 0.0;
-    return { { from, (derivative == Derivative::Place ? 1.0 : 0.0) - s }, { to, s } };
-  }
-  const CubicBasis::Values values = this->Basis.at(t);
-  const std::array<double, 4>& factors = derivative == Derivative::Place ? values.value
-    : derivative == Derivative::Slope                                    ? values.slope
-                                                                         : values.bend;
-  Terms terms;
-  for (std::size_t k = 0; k < 4; ++k)
-  {
-    const std::size_t j = values.first + k;
-    const Eigen::Index unknown = j == 0 ? from
-      : j + 1 == this->Basis.size()     ? to
-                                        : this->First + static_cast<Eigen::Index>(j) - 1;
-    terms.push_back({ unknown, factors[k] });
-  }
-  return terms;
-}
-
-std::vector<FairSpan> StretchCurve::spans(const Eigen::VectorXd& x) const
-{
-  std::vector<FairSpan> spans;
-  const std::vector<double>& breaks = this->Basis.breaks();
-  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
-  {
-    FairSpan span;
-    span.from = breaks[k];
-    span.to = breaks[k + 1];
-    const double third = (span.to - span.from) / 3.0;
-    const auto value = [&](double t, Derivative derivative) {
-      return sum(this->at(t, derivative), x);
-    };
-    // The curve is differentiable, so that the side of a break does not matter.
-    span.control[0] = value(span.from, Derivative::Place);
-    span.control[3] = value(span.to, Derivative::Place);
-    span.control[1] = span.control[0] + third * value(span.from, Derivative::Slope);
-    span.control[2] = span.control[3] - third * value(span.to, Derivative::Slope);
-    spans.push_back(span);
-  }
-  return spans;
-}
-
-std::vector<double> StretchCurve::deviation(
-  const Points2& nodes, const Eigen::VectorXd& x, std::vector<double>& nearest) const
-{
-  const FairStretch& stretch = this->Stretch;
-  const auto end = [&](std::size_t node) {
-    return (nodes[node] - x.segment<2>(2 * static_cast<Eigen::Index>(node))).norm();
-  };
-  std::vector<double> deviation{ end(stretch.from) };
-  for (std::size_t k = 0; k < stretch.points.size(); ++k)
-  {
-    double t = stretch.arc[k];
-    Point2 slope;
-    Point2 off;
-    for (int step = 0; step < 4; ++step)
+    std::vector<Eigen::Index> unknowns;
+    for (std::size_t j = 0; j < 2 * this->spanCount() + 2; ++j)
     {
-      slope = sum(this->at(t, Derivative::Slope), x);
-      off = stretch.points[k] - sum(this->at(t, Derivative::Place), x);
-      t = std::clamp(
-        t + slope.dot(off) / std::max(slope.squaredNorm(), 1e-24), 0.0, stretch.length());
-    }
-    deviation.push_back(std::abs(cross(slope, off)) / std::max(slope.norm(), 1e-12));
-    nearest.push_back(t);
-  }
-  deviation.push_back(end(stretch.to));
-  return deviation;
-}
-
-CurveLength::CurveLength(const StretchCurve& curve, double from, double to, double wanted)
-  : Wanted(wanted)
-{
-  const auto add = [&](double end) {
-    Part& part = this->Parts.emplace_back();
-    integrate(from, end, [&](double t, double weight) {
-      const Terms slope = curve.at(t, Derivative::Slope);
-      std::array<double, 4>& factors = part.factors.emplace_back();
-      for (std::size_t k = 0; k < slope.size(); ++k)
+      const bool end = j == 0 || j == 2 * this->spanCount() + 1;
+      if (end || !this->Stretch.straight)
       {
-        factors[k] = slope[k].factor;
-      }
-      part.weights.push_back(weight);
-      part.unknowns = part.weights.size() == 1 ? slope : part.unknowns;
-    });
-    from = end;
-  };
-  const std::vector<double>& breaks = curve.basis().breaks();
-  for (auto at = std::upper_bound(breaks.begin(), breaks.end(), from);
-       at != breaks.end() && *at < to; ++at)
-  {
-    add(*at);
-  }
-  add(to);
-}
-
-Point2 CurveLength::Part::slope(std::size_t place, const Eigen::VectorXd& x) const
-{
-  Point2 slope = Point2::Zero();
-  for (std::size_t k = 0; k < this->unknowns.size(); ++k)
-  {
-    slope += this->factors[place][k] * x.segment<2>(2 * this->unknowns[k].unknown);
-  }
-  return slope;
-}
-
-double CurveLength::addRow(Eigen::Index row, const Eigen::VectorXd& x, Entries& entries) const
-{
-  double length = 0.0;
-  for (const Part& part : this->Parts)
-  {
-    std::array<Point2, 4> derivative{ Point2::Zero(), Point2::Zero(), Point2::Zero(),
-      Point2::Zero() };
-    for (std::size_t place = 0; place < part.weights.size(); ++place)
-    {
-      const Point2 slope = part.slope(place, x);
-      const double speed = slope.norm();
-      length += part.weights[place] * speed;
-      const Point2 unit = speed > 0.0 ? Point2(slope / speed) : Point2(Point2::Zero());
-      for (std::size_t k = 0; k < part.unknowns.size(); ++k)
-      {
-        derivative[k] += part.weights[place] * part.factors[place][k] * unit;
+        unknowns.push_back(this->unknown(j));
       }
     }
-    for (std::size_t k = 0; k < part.unknowns.size(); ++k)
-    {
-      for (Eigen::Index d = 0; d < 2; ++d)
-      {
-        entries.emplace_back(row, 2 * part.unknowns[k].unknown + d, derivative[k][d]);
-      }
-    }
+    return unknowns;
   }
-  return this->Wanted - length;
-}
 
-void CurveLength::addTension(double tension, const Eigen::VectorXd& x, Entries& entries) const
-{
-  for (const Part& part : this->Parts)
+  Terms at(double t, Derivative derivative) const
   {
-    const auto size = static_cast<Eigen::Index>(part.unknowns.size());
-    Eigen::Matrix<double, 8, 8> block = Eigen::Matrix<double, 8, 8>::Zero();
-    for (std::size_t place = 0; tension != 0.0 && place < part.weights.size(); ++place)
+    Terms terms;
+    if (this->Stretch.straight)
     {
-      const Point2 slope = part.slope(place, x);
-      const double speed = slope.norm();
-      if (!(speed > 0.0))
+      const double length = this->Stretch.length();
+      const double share = derivative == Derivative::Place ? t / length
+        : derivative == Derivative::Slope                  ? 1.0 / length
+                                                           : 0.0;
+      const Eigen::Index from = this->unknown(0);
+      const Eigen::Index to = this->unknown(2 * this->spanCount() + 1);
+      terms.unknown = { from, to, from, to };
+      terms.factor[0] = (derivative == Derivative::Place ? 1.0 : 0.0) - share;
+      terms.factor[1] = share;
+      return terms;
+    }
+    const std::vector<double>& breaks = this->Stretch.breaks;
+    const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, t);
+    const auto span = static_cast<std::size_t>(above - breaks.begin()) - 1;
+    const double width = this->width(span);
+    const double start = span > 0 ? width / (this->width(span - 1) + width) : 1.0;
+    const double end = span + 1 < this->spanCount() ? width / (width + this->width(span + 1)) : 1.0;
+    const Eigen::Vector4d b = bernstein((t - breaks[span]) / width, width, derivative);
+    terms.factor = { start * b[0], (1.0 - start) * b[0] + b[1], b[2] + (1.0 - end) * b[3],
+      end * b[3] };
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      terms.unknown[k] = this->unknown(2 * span + k);
+    }
+    return terms;
+  }
+
+  std::vector<FairSpan> spans(const Vector& x) const
+  {
+    std::vector<FairSpan> spans;
+    for (std::size_t k = 0; k < this->spanCount(); ++k)
+    {
+      FairSpan span;
+      span.from = this->Stretch.breaks[k];
+      span.to = this->Stretch.breaks[k + 1];
+      const double third = (span.to - span.from) / 3.0;
+      // The curve is differentiable, so that the side of a break does not matter.
+      span.control[0] = this->at(span.from, Derivative::Place).sum(x);
+      span.control[3] = this->at(span.to, Derivative::Place).sum(x);
+      span.control[1] = span.control[0] + third * this->at(span.from, Derivative::Slope).sum(x);
+      span.control[2] = span.control[3] - third * this->at(span.to, Derivative::Slope).sum(x);
+      spans.push_back(span);
+    }
+    return spans;
+  }
+
+  /// How far points are across the curve, along which they may slide, between those of its ends.
+  std::vector<double> deviation(const Vector& x, std::vector<double>& nearest) const
+  {
+    const FairStretch& stretch = this->Stretch;
+    std::vector<double> deviation;
+    for (std::size_t k = 0; k < stretch.points.size(); ++k)
+    {
+      double t = stretch.arc[k];
+      if (k == 0 || k + 1 == stretch.points.size())
       {
+        deviation.push_back((stretch.points[k] - this->at(t, Derivative::Place).sum(x)).norm());
+        nearest.push_back(t);
         continue;
       }
-      const Eigen::Matrix2d across =
-        (Eigen::Matrix2d::Identity() - slope * slope.transpose() / (speed * speed)) *
-        (tension * part.weights[place] / speed);
-      const std::array<double, 4>& factors = part.factors[place];
-      for (Eigen::Index a = 0; a < size; ++a)
+      Point2 slope;
+      Point2 off;
+      for (int step = 0; step < 4; ++step)
       {
-        for (Eigen::Index b = 0; b < size; ++b)
+        slope = this->at(t, Derivative::Slope).sum(x);
+        off = stretch.points[k] - this->at(t, Derivative::Place).sum(x);
+        t = std::clamp(
+          t + slope.dot(off) / std::max(slope.squaredNorm(), 1e-24), 0.0, stretch.length());
+      }
+      deviation.push_back(std::abs(cross(slope, off)) / std::max(slope.norm(), 1e-12));
+      nearest.push_back(t);
+    }
+    return deviation;
+  }
+
+private:
+  std::size_t spanCount() const { return this->Stretch.breaks.size() - 1; }
+  double width(std::size_t span) const
+  {
+    return this->Stretch.breaks[span + 1] - this->Stretch.breaks[span];
+  }
+  Eigen::Index unknown(std::size_t j) const
+  {
+    return j == 0                      ? static_cast<Eigen::Index>(this->Stretch.from)
+      : j == 2 * this->spanCount() + 1 ? static_cast<Eigen::Index>(this->Stretch.to)
+                                       : this->First + static_cast<Eigen::Index>(j) - 1;
+  }
+
+  const FairStretch& Stretch;
+  Eigen::Index First = 0;
+};
+
+/// The condition that a part of a curve has a length, with its derivatives by the unknowns.
+class CurveLength
+{
+public:
+  /// \param from along the stretch \param to where the part ends \param wanted its length
+  CurveLength(const StretchCurve& curve, double from, double to, double wanted)
+    : Wanted(wanted)
+  {
+    const auto add = [&](double end) {
+      Part& part = this->Parts.emplace_back();
+      integrate(from, end, [&](double t, double weight) {
+        const Terms slope = curve.at(t, Derivative::Slope);
+        part.weights.push_back(weight);
+        part.slopes.push_back(slope.factor);
+        part.unknown = part.weights.size() == 1 ? slope.unknown : part.unknown;
+      });
+      from = end;
+    };
+    const std::vector<double>& breaks = curve.stretch().breaks;
+    for (auto at = std::upper_bound(breaks.begin(), breaks.end(), from);
+         at != breaks.end() && *at < to; ++at)
+    {
+      add(*at);
+    }
+    add(to);
+  }
+
+  double wanted() const { return this->Wanted; }
+
+  /// Adds its derivative as a row, and to other entries its second derivative times a tension:
+  /// there are the same of these whatever that is. \return what is missing to the length
+  double add(
+    Eigen::Index row, double tension, const Vector& x, Entries& slopes, Entries& bends) const
+  {
+    double missing = this->Wanted;
+    for (const Part& part : this->Parts)
+    {
+      Terms slope;
+      slope.unknown = part.unknown;
+      Eigen::Matrix<double, 2, 4> first = Eigen::Matrix<double, 2, 4>::Zero();
+      Eigen::Matrix<double, 8, 8> second = Eigen::Matrix<double, 8, 8>::Zero();
+      for (std::size_t place = 0; place < part.weights.size(); ++place)
+      {
+        slope.factor = part.slopes[place];
+        const Point2 way = slope.sum(x);
+        const double speed = way.norm();
+        if (!(speed > 0.0))
         {
-          block.block<2, 2>(2 * a, 2 * b) +=
-            factors[static_cast<std::size_t>(a)] * factors[static_cast<std::size_t>(b)] * across;
+          continue;
+        }
+        const Point2 unit = way / speed;
+        const double weight = part.weights[place];
+        missing -= weight * speed;
+        first += weight * unit * slope.factor.transpose();
+        const Eigen::Matrix2d across =
+          (Eigen::Matrix2d::Identity() - unit * unit.transpose()) * (tension * weight / speed);
+        for (Eigen::Index k = 0; tension > 0.0 && k < 16; ++k)
+        {
+          second.block<2, 2>(2 * (k / 4), 2 * (k % 4)) +=
+            slope.factor[k / 4] * slope.factor[k % 4] * across;
+        }
+      }
+      const auto coordinate = [&part](Eigen::Index k) {
+        return 2 * part.unknown[static_cast<std::size_t>(k / 2)] + k % 2;
+      };
+      for (Eigen::Index a = 0; a < 8; ++a)
+      {
+        slopes.emplace_back(row, coordinate(a), first(a % 2, a / 2));
+        for (Eigen::Index b = 0; b < 8; ++b)
+        {
+          bends.emplace_back(coordinate(a), coordinate(b), second(a, b));
         }
       }
     }
-    const auto unknown = [&part](Eigen::Index at) {
-      return 2 * part.unknowns[static_cast<std::size_t>(at / 2)].unknown + at % 2;
-    };
-    for (Eigen::Index a = 0; a < 2 * size; ++a)
+    return missing;
+  }
+
+private:
+  /// What lies in one span of the curve, so that all its places have the same unknowns.
+  struct Part
+  {
+    std::array<Eigen::Index, 4> unknown{};
+    std::vector<Eigen::Vector4d> slopes; ///< at the places of its integral
+    std::vector<double> weights;
+  };
+
+  double Wanted;
+  std::vector<Part> Parts;
+};
+
+/// Linear conditions of coordinates of the unknown points.
+class LinearRows
+{
+public:
+  using Factors = std::vector<std::pair<Eigen::Index, double>>;
+
+  void add(const Factors& factors, double value)
+  {
+    for (const auto& [coordinate, factor] : factors)
     {
-      for (Eigen::Index b = 0; b < 2 * size; ++b)
+      this->Matrix.emplace_back(this->size(), coordinate, factor);
+    }
+    this->Values.push_back(value);
+  }
+  /// The difference of two places.
+  void addSame(const Terms& one, const Terms& other)
+  {
+    for (Eigen::Index d = 0; d < 2; ++d)
+    {
+      Factors factors;
+      for (std::size_t k = 0; k < 4; ++k)
       {
-        entries.emplace_back(unknown(a), unknown(b), block(a, b));
+        const auto at = static_cast<Eigen::Index>(k);
+        factors.emplace_back(2 * one.unknown[k] + d, one.factor[at]);
+        factors.emplace_back(2 * other.unknown[k] + d, -other.factor[at]);
+      }
+      this->add(factors, 0.0);
+    }
+  }
+
+  Eigen::Index size() const { return static_cast<Eigen::Index>(this->Values.size()); }
+  const Entries& matrix() const { return this->Matrix; }
+  Eigen::Map<const Vector> values() const { return { this->Values.data(), this->size() }; }
+
+private:
+  Entries Matrix;
+  std::vector<double> Values;
+};
+
+Terms nodeTerms(std::size_t node)
+{
+  Terms terms;
+  terms.unknown.fill(static_cast<Eigen::Index>(node));
+  terms.factor[0] = 1.0;
+  return terms;
+}
+
+constexpr int steps = 60;
+constexpr int patience = 6;           ///< steps that bring nothing
+constexpr double exactLength = 1e-13; ///< of an interval, relative
+constexpr double goodLength = 1e-10;
+constexpr double sliding = 0.01; ///< weight of what is missing along a curve, to that across it
+constexpr double cornerWeight = 10.0;
+constexpr double softness = 1e-12; ///< of constraints, which may depend on each other
+
+class FairSolver
+{
+public:
+  FairSolver(const FairNetwork& network, double wave)
+    : Network(network)
+    , Unknowns(static_cast<Eigen::Index>(network.nodes.size()))
+  {
+    for (const FairStretch& stretch : network.stretches)
+    {
+      this->Curves.emplace_back(stretch, this->Unknowns);
+    }
+    this->addObjective(std::pow(wave / (2.0 * pi), 4.0));
+    for (std::size_t k = 0; network.held && k < network.nodes.size(); ++k)
+    {
+      for (const Eigen::Index d : { 0, 1 })
+      {
+        this->Linear.add({ { 2 * static_cast<Eigen::Index>(k) + d, 1.0 } }, network.nodes[k][d]);
+      }
+    }
+    for (const StretchCurve& curve : this->Curves)
+    {
+      for (const FairHook& hook : curve.stretch().hooks)
+      {
+        this->Linear.addSame(curve.at(hook.at, Derivative::Place), nodeTerms(hook.node));
+      }
+      if (curve.stretch().smoothEnds)
+      {
+        this->Linear.addSame(
+          curve.at(0.0, Derivative::Slope), curve.at(curve.stretch().length(), Derivative::Slope));
+      }
+      this->addLengths(curve);
+    }
+    this->addMirror();
+  }
+
+  FairCurves solve()
+  {
+    FairCurves result;
+    result.converged = this->iterate();
+    if (!result.converged)
+    {
+      return result; // there may be no unknowns to read
+    }
+    for (std::size_t k = 0; k < this->Network.nodes.size(); ++k)
+    {
+      result.nodes.emplace_back(this->X.segment<2>(2 * static_cast<Eigen::Index>(k)));
+    }
+    for (const StretchCurve& curve : this->Curves)
+    {
+      result.spans.push_back(curve.spans(this->X));
+      result.deviation.push_back(curve.deviation(this->X, result.nearest.emplace_back()));
+    }
+    return result;
+  }
+
+private:
+  void addLengths(const StretchCurve& curve)
+  {
+    double start = 0.0;
+    double length = 0.0;
+    for (const FairInterval& interval : curve.stretch().intervals)
+    {
+      length += interval.length;
+      // All parts of a segment have their share of it.
+      if (!curve.stretch().straight || &interval == &curve.stretch().intervals.back())
+      {
+        if (!interval.follows)
+        {
+          this->Lengths.emplace_back(curve, start, interval.end, length);
+        }
+        start = interval.end;
+        length = 0.0;
       }
     }
   }
-}
 
-void LinearRows::addPoint(const Terms& terms, const Point2& value)
-{
-  for (Eigen::Index d = 0; d < 2; ++d)
+  /// Curves are mirror images of each other; nodes that stay are so already.
+  void addMirror()
   {
-    Row& row = this->Rows.emplace_back();
-    row.value = value[d];
-    for (const Term& term : terms)
+    const MirrorAxis& axis = this->Network.axis;
+    // The image of a point p is at + F (p - at).
+    const Eigen::Matrix2d image =
+      2.0 * axis.along * axis.along.transpose() - Eigen::Matrix2d::Identity();
+    const Point2 shift = axis.at - image * axis.at;
+    const Point2 across(axis.along.y(), -axis.along.x());
+    std::set<std::array<Eigen::Index, 2>> known; // nodes are of two stretches
+    for (const MirroredStretches& pair : this->Network.images)
     {
-      row.factors.emplace_back(2 * term.unknown + d, term.factor);
-    }
-  }
-}
-
-void LinearRows::addHeld(const Points2& points)
-{
-  for (std::size_t k = 0; k < points.size(); ++k)
-  {
-    this->addPoint({ { static_cast<Eigen::Index>(k), 1.0 } }, points[k]);
-  }
-}
-
-void LinearRows::addHooksAndRings(const std::vector<StretchCurve>& curves)
-{
-  for (const StretchCurve& curve : curves)
-  {
-    const FairStretch& stretch = curve.stretch();
-    for (const FairHook& hook : stretch.hooks)
-    {
-      Terms terms = curve.at(hook.at, Derivative::Place);
-      terms.push_back({ static_cast<Eigen::Index>(hook.node), -1.0 });
-      this->addPoint(terms, Point2::Zero());
-    }
-    if (stretch.smoothEnds)
-    {
-      Terms terms = curve.at(0.0, Derivative::Slope);
-      for (const Term& term : curve.at(stretch.length(), Derivative::Slope))
+      const std::vector<Eigen::Index> points = this->Curves[pair.one].unknowns();
+      std::vector<Eigen::Index> images = this->Curves[pair.other].unknowns();
+      std::reverse(images.begin(), images.end());
+      for (std::size_t k = 0; k < points.size(); ++k)
       {
-        terms.push_back({ term.unknown, -term.factor });
-      }
-      this->addPoint(terms, Point2::Zero());
-    }
-  }
-}
-
-void LinearRows::addMirror(const FairNetwork& network, const std::vector<StretchCurve>& curves)
-{
-  const FairMirror& mirror = network.mirror;
-  // The image of a point p is at + F (p - at).
-  const Eigen::Matrix2d image =
-    2.0 * mirror.along * mirror.along.transpose() - Eigen::Matrix2d::Identity();
-  const Point2 shift = mirror.at - image * mirror.at;
-  const Point2 across(mirror.along.y(), -mirror.along.x());
-  std::set<std::array<Eigen::Index, 2>> known; // nodes are of two stretches
-  for (const FairImages& pair : mirror.stretches)
-  {
-    const std::vector<Eigen::Index> points = curves[pair.one].unknowns();
-    std::vector<Eigen::Index> images = curves[pair.other].unknowns();
-    std::reverse(images.begin(), images.end());
-    for (std::size_t k = 0; k < points.size(); ++k)
-    {
-      const Eigen::Index a = std::min(points[k], images[k]);
-      const Eigen::Index b = std::max(points[k], images[k]);
-      const bool stays = network.held && a < static_cast<Eigen::Index>(network.nodes.size());
-      if (stays || !known.insert({ a, b }).second)
-      {
-        continue;
-      }
-      if (a == b)
-      {
-        this->Rows.push_back(
-          { { { 2 * a, across.x() }, { 2 * a + 1, across.y() } }, across.dot(mirror.at) });
-        continue;
-      }
-      for (Eigen::Index d = 0; d < 2; ++d)
-      {
-        this->Rows.push_back(
-          { { { 2 * b + d, 1.0 }, { 2 * a, -image(d, 0) }, { 2 * a + 1, -image(d, 1) } },
-            shift[d] });
+        const auto [a, b] = std::minmax(points[k], images[k]);
+        const bool stays =
+          this->Network.held && a < static_cast<Eigen::Index>(this->Network.nodes.size());
+        if (stays || !known.insert({ a, b }).second)
+        {
+          continue;
+        }
+        if (a == b)
+        {
+          this->Linear.add(
+            { { 2 * a, across.x() }, { 2 * a + 1, across.y() } }, across.dot(axis.at));
+          continue;
+        }
+        for (Eigen::Index d = 0; d < 2; ++d)
+        {
+          this->Linear.add(
+            { { 2 * b + d, 1.0 }, { 2 * a, -image(d, 0) }, { 2 * a + 1, -image(d, 1) } }, shift[d]);
+        }
       }
     }
   }
-}
 
-void LinearRows::add(const Eigen::VectorXd& x, std::vector<Eigen::Triplet<double>>& entries,
-  Eigen::VectorXd& missing) const
-{
-  for (Eigen::Index r = 0; r < this->size(); ++r)
+  void addSquare(const Terms& terms, const Point2& target, const Eigen::Matrix2d& weight)
   {
-    const Row& row = this->Rows[static_cast<std::size_t>(r)];
-    missing[r] = row.value;
-    for (const auto& [coordinate, factor] : row.factors)
+    for (std::size_t a = 0; a < 4; ++a)
     {
-      entries.emplace_back(r, coordinate, factor);
-      missing[r] -= factor * x[coordinate];
+      const double factor = terms.factor[static_cast<Eigen::Index>(a)];
+      for (std::size_t b = 0; factor != 0.0 && b < 4; ++b)
+      {
+        const double both = factor * terms.factor[static_cast<Eigen::Index>(b)];
+        for (Eigen::Index k = 0; both != 0.0 && k < 4; ++k)
+        {
+          this->Squares.emplace_back(2 * terms.unknown[a] + k / 2, 2 * terms.unknown[b] + k % 2,
+            both * weight(k / 2, k % 2));
+        }
+      }
+      this->Right.segment<2>(2 * terms.unknown[a]) += factor * (weight * target);
     }
   }
+
+  /// Points may slide along the curve, but where others end on it.
+  static Eigen::Matrix2d weightOf(const FairStretch& stretch, std::size_t k)
+  {
+    const Point2 way = stretch.points[k + 1] - stretch.points[k - 1];
+    const double length = way.norm();
+    const Point2 along =
+      length > 0.0 && !stretch.isHook(k) ? Point2(way / length) : Point2(Point2::Zero());
+    return stretch.weights[k] * (stretch.arc[k + 1] - stretch.arc[k - 1]) / 2.0 *
+      (Eigen::Matrix2d::Identity() - (1.0 - sliding) * along * along.transpose());
+  }
+
+  void addObjective(double bending)
+  {
+    this->Right = Vector::Zero(2 * this->Unknowns);
+    std::vector<double> weightOfNode(this->Network.nodes.size(), 0.0);
+    double total = 0.0;
+    for (const StretchCurve& curve : this->Curves)
+    {
+      const FairStretch& stretch = curve.stretch();
+      total += stretch.length();
+      const std::size_t last = stretch.points.size() - 1;
+      for (std::size_t k = 1; k < last; ++k)
+      {
+        this->addSquare(curve.at(stretch.arc[k], Derivative::Place), stretch.points[k],
+          this->weightOf(stretch, k));
+      }
+      // Corners are what the eye sees: they stay, if the lengths let them.
+      const double end = stretch.smoothEnds ? 0.5 : 0.5 * cornerWeight;
+      weightOfNode[stretch.from] += end * stretch.weights[0] * stretch.arc[1];
+      weightOfNode[stretch.to] +=
+        end * stretch.weights[last] * (stretch.length() - stretch.arc[last - 1]);
+      for (std::size_t k = 0; !stretch.straight && k + 1 < stretch.breaks.size(); ++k)
+      {
+        // Gauss's rule of two points: the second derivative is linear, its square quadratic.
+        const double half = (stretch.breaks[k + 1] - stretch.breaks[k]) / 2.0;
+        for (const double t : { -half / std::sqrt(3.0), half / std::sqrt(3.0) })
+        {
+          this->addSquare(curve.at(stretch.breaks[k] + half + t, Derivative::Bend), Point2::Zero(),
+            bending * half * Eigen::Matrix2d::Identity());
+        }
+      }
+    }
+    for (std::size_t k = 0; k < weightOfNode.size(); ++k)
+    {
+      this->addSquare(nodeTerms(k), this->Network.nodes[k],
+        (weightOfNode[k] + 1e-6 * total) * Eigen::Matrix2d::Identity());
+    }
+    // A knot between two points that are far from each other is held by bending alone.
+    for (Eigen::Index k = 0; k < 2 * this->Unknowns; ++k)
+    {
+      this->Squares.emplace_back(k, k, 1e-12 * total);
+    }
+  }
+
+  /// The step to the minimum of the objective under the constraints, as they are linearized. Where
+  /// these depend on each other it meets them in the mean.
+  /// \param pull of the objective; zero: the shortest step to the constraints
+  Vector stepOf(const Rows& rows, const Entries& bends, const Vector& pull, const Vector& missing)
+  {
+    const Eigen::Index unknowns = 2 * this->Unknowns;
+    const Eigen::Index size = unknowns + rows.rows();
+    Entries entries = this->Squares;
+    entries.insert(entries.end(), bends.begin(), bends.end());
+    for (Eigen::Index column = 0; column < unknowns; ++column)
+    {
+      for (Rows::InnerIterator entry(rows, column); entry; ++entry)
+      {
+        entries.emplace_back(unknowns + entry.row(), column, entry.value());
+      }
+    }
+    for (Eigen::Index k = unknowns; k < size; ++k)
+    {
+      entries.emplace_back(k, k, -this->Softness);
+    }
+    Rows system(size, size);
+    system.setFromTriplets(entries.begin(), entries.end());
+    if (this->System.rows() != size)
+    {
+      this->System.analyzePattern(system);
+    }
+    this->System.factorize(system);
+    if (this->System.info() != Eigen::Success)
+    {
+      return Vector::Constant(unknowns, std::numeric_limits<double>::quiet_NaN());
+    }
+    Vector right(size);
+    right << pull, missing;
+    const Vector solution = this->System.solve(right);
+    this->Tensions = solution.tail(static_cast<Eigen::Index>(this->Lengths.size()));
+    return solution.head(unknowns);
+  }
+
+  /// Rows of the constraints, the second derivatives of the lengths, and what is missing to them.
+  void constraints(Rows& rows, Entries& bends, Vector& missing) const
+  {
+    const Eigen::Index linear = this->Linear.size();
+    Entries entries = this->Linear.matrix();
+    missing.resize(linear + static_cast<Eigen::Index>(this->Lengths.size()));
+    for (std::size_t r = 0; r < this->Lengths.size(); ++r)
+    {
+      const auto k = static_cast<Eigen::Index>(r);
+      // Lengths that push would make the objective less than convex.
+      missing[linear + k] =
+        this->Lengths[r].add(linear + k, std::max(0.0, this->Tensions[k]), this->X, entries, bends);
+    }
+    rows.resize(missing.size(), 2 * this->Unknowns);
+    rows.setFromTriplets(entries.begin(), entries.end());
+    missing.head(linear) = this->Linear.values() - (rows * this->X).head(linear);
+  }
+
+  /// The largest of what is missing, relative to lengths.
+  double largestOf(const Vector& missing) const
+  {
+    double most = 0.0;
+    // What lies below the last digits of coordinates cannot be made better.
+    const double rounding =
+      16.0 * std::numeric_limits<double>::epsilon() * this->X.lpNorm<Eigen::Infinity>();
+    const Eigen::Index linear = this->Linear.size();
+    for (Eigen::Index r = 0; r < missing.size(); ++r)
+    {
+      const double length =
+        r < linear ? this->Longest : this->Lengths[static_cast<std::size_t>(r - linear)].wanted();
+      most = std::max(most, (std::abs(missing[r]) - rounding) / length);
+    }
+    return most;
+  }
+
+  bool iterate()
+  {
+    Rows hessian(2 * this->Unknowns, 2 * this->Unknowns);
+    hessian.setFromTriplets(this->Squares.begin(), this->Squares.end());
+    const Eigen::SimplicialLDLT<Rows> factor(hessian);
+    if (factor.info() != Eigen::Success)
+    {
+      return false;
+    }
+    this->Softness = softness / hessian.diagonal().mean();
+    const Vector free = factor.solve(this->Right); // the minimum without constraints
+    this->X = free;
+    for (const CurveLength& length : this->Lengths)
+    {
+      this->Longest = std::max(this->Longest, length.wanted());
+    }
+    this->Tensions = Vector::Zero(static_cast<Eigen::Index>(this->Lengths.size()));
+    double last = 1.0;
+    double least = std::numeric_limits<double>::infinity();
+    int stuck = 0;
+    for (int step = 0; step < steps; ++step)
+    {
+      Rows rows;
+      Entries bends;
+      Vector missing;
+      this->constraints(rows, bends, missing);
+      last = this->largestOf(missing);
+      stuck = step < steps / 3 || last < 0.5 * least ? 0 : stuck + 1;
+      least = std::min(least, last);
+      if (!missing.allFinite() || (stuck > patience && last > goodLength))
+      {
+        return false;
+      }
+      if (last < exactLength)
+      {
+        return true;
+      }
+      // The first steps look for the minimum, the last ones for the lengths alone.
+      const bool towardsMinimum = step < steps / 3;
+      const Vector pull =
+        towardsMinimum ? Vector(hessian * (free - this->X)) : Vector(0.0 * this->X);
+      Vector change = this->stepOf(rows, bends, pull, missing);
+      if (!change.allFinite())
+      {
+        return false;
+      }
+      const double most = change.lpNorm<Eigen::Infinity>();
+      const double limit = 0.05 * this->Longest;
+      if (most > limit)
+      {
+        change *= limit / most;
+      }
+      this->X += change;
+      if (towardsMinimum && most < 1e-9 * this->Longest && last < 1e-11)
+      {
+        step = steps / 3; // it is there
+      }
+    }
+    return last < goodLength;
+  }
+
+  const FairNetwork& Network;
+  Eigen::Index Unknowns;
+  std::vector<StretchCurve> Curves;
+  std::vector<CurveLength> Lengths;
+  LinearRows Linear;
+  Entries Squares; ///< of the objective
+  Vector Right;
+  Eigen::SimplicialLDLT<Rows> System; ///< with the constraints
+  double Softness = 0.0;
+  Vector X;
+  Vector Tensions; ///< multipliers of the lengths
+  double Longest = 0.0;
+};
+}
+
+FairCurves solveFairNetwork(const FairNetwork& network, double wave)
+{
+  return FairSolver(network, wave).solve();
 }
 }

@@ -313,6 +313,15 @@ std::vector<PlannedChain> planFairBorders(
   return FairPlanner(all, chains, shares).plan();
 }
 
+double toleranceAt(const PlannedChain& chain, const PlannedStretch& stretch, double arc)
+{
+  const auto begin = chain.intervals.begin();
+  return std::partition_point(begin + static_cast<std::ptrdiff_t>(stretch.firstInterval),
+    begin + static_cast<std::ptrdiff_t>(stretch.endInterval) - 1,
+    [arc](const PlannedInterval& interval) { return interval.end < arc; })
+    ->tolerance;
+}
+
 IntervalCurve::IntervalCurve(const std::vector<FairSpan>& spans, const PlannedInterval& interval)
   : Start(interval.places[0])
   , End(interval.places[1])

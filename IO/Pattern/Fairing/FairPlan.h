@@ -75,13 +75,15 @@ struct FairLimits
 {
   std::vector<double> shares; ///< of its tolerances that it may use
   std::vector<bool> mirrored; ///< its outline is to be its own mirror image, where it nearly is
-  std::vector<double>* work = nullptr; ///< see FairNetwork, for all that is tried; never null
 };
 
 /// Into which stretches and intervals the chains fall.
 /// \param shares which part of its tolerances each piece may use
 std::vector<PlannedChain> planFairBorders(
   const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares);
+
+/// Of the points of a stretch from their curve, at a place along the chain, millimetres.
+double toleranceAt(const PlannedChain& chain, const PlannedStretch& stretch, double arc);
 
 constexpr double sameBreak = 1e-7; ///< of an interval
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Fairing/FairNetwork.h"
 #include "Fairing/FairPlan.h"
 #include "Outlines/FairSpan.h"
 #include "Outlines/MirrorPairs.h"
@@ -14,16 +15,6 @@ namespace flattening::pattern
 inline constexpr double mirroredLengthTolerance = 0.1;
 /// By how much they differ if they are said to, millimetres.
 inline constexpr double noticedLength = 1e-4;
-
-/// Two stretches of an outline that are mirror images of each other, so that one runs the other
-/// way; or one that is its own, twice.
-struct MirroredStretches
-{
-  std::size_t one = 0;
-  std::size_t other = 0;
-
-  bool own() const { return this->one == this->other; }
-};
 
 /// How an outline is its own mirror image.
 struct OutlineMirror
