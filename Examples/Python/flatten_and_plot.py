@@ -1,18 +1,24 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Flattens a piece and draws how homogeneous the distortion of its triangles is, as in Fig. 9e.
+"""Flattens a piece by three methods and draws how homogeneous the distortion of its triangles is, as in Fig. 9e.
 
-Blue is ideal; red is a triangle that grew or shrank to half its area or beyond. The filters are used
-as in any VTK pipeline.
+Light is ideal; dark is a triangle that grew or shrank to half its area or beyond. Needs matplotlib.
 """
 
 import argparse
-import sys
 
+from matplotlib import pyplot
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import surfaceflattening as sf
-from picture import Picture
+
+
+def read(path: str) -> vtkPolyData:
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
 
 
 def main() -> None:
@@ -22,32 +28,17 @@ def main() -> None:
     parser.add_argument("picture", help="the .png file to write")
     options = parser.parse_args()
 
-    surface, curves = vtkXMLPolyDataReader(), vtkXMLPolyDataReader()
-    surface.SetFileName(options.surface)
-    curves.SetFileName(options.curves)
-    panels = []
-    angles, whole = sf.vtkWireWarpingFilter(), sf.vtkWireWarpingFilter()
-    angles.SetSchemeToGlobal()
-    for title, filter_ in (
-        ("angles (global)", angles),
-        ("whole piece (isometric)", whole),
-        ("conformal (no length kept)", sf.vtkLeastSquaresConformalFilter()),
+    surface, curves = read(options.surface), read(options.curves)
+    figure, axes = pyplot.subplots(1, 3, figsize=(12, 6))
+    for ax, title, result in (
+        (axes[0], "angles (global)", sf.flatten_polydata(surface, curves, scheme="global")),
+        (axes[1], "whole piece (isometric)", sf.flatten_polydata(surface, curves)),
+        (axes[2], "conformal (no length kept)", sf.flatten_polydata(surface, curves, scheme="lscm")),
     ):
-        filter_.SetInputConnection(surface.GetOutputPort())
-        filter_.SetCurvesConnection(curves.GetOutputPort())
-        filter_.Update()
-        if filter_.IsRefused():
-            sys.exit(1)  # the filter has said why
-        flat, pieces = filter_.GetOutput(0), filter_.GetPieces()
-        numbers = {name: pieces.GetValueByName(0, name).ToDouble()
-                   for name in ("EdgeLengthError", "AngleErrorMean", "AreaError")}
-        print(f"{title:28}", "  ".join(f"{name} {value:.3e}" for name, value in numbers.items()))
-        panels.append((flat, filter_.GetOutput(1), title))
-
-    picture = Picture(1200, 600)
-    for flat, wires, title in panels:
-        picture.add(flat, wires, title, "HomogeneityOfDistortion", low=1.0, high=0.5)
-    picture.write(options.picture)
+        piece = result.report["pieces"][0]
+        print(f"{title:28} E_len {piece['E_len']:.3e}  E_ang {piece['E_ang']:.3e}  E_area {piece['E_area']:.3e}")
+        result.plot("homogeneity", ax=ax, measures=False).set_title(title)
+    figure.savefig(options.picture, dpi=100)
 
 
 if __name__ == "__main__":

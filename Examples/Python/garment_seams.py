@@ -16,7 +16,6 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import surfaceflattening as sf
-from picture import Picture
 
 
 def read(path: str) -> vtkPolyData:
@@ -39,7 +38,6 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("surface", help="triangles, a .vtp file")
     parser.add_argument("curves", help="feature curves with the garment's seams, a .vtp file")
-    parser.add_argument("picture", help="the .png file to write")
     options = parser.parse_args()
 
     filter_ = sf.vtkWireWarpingFilter()
@@ -48,8 +46,7 @@ def main() -> None:
     filter_.Update()
     if filter_.IsRefused():
         sys.exit(1)  # the filter has said why
-    flat, wires = filter_.GetOutput(0), filter_.GetOutput(1)
-
+    flat = filter_.GetOutput(0)
     pairs = flat.GetFieldData().GetArray("SeamPairs")
     if pairs is None:
         sys.exit("no curve cuts this surface, so that nothing is to be sewn")
@@ -69,10 +66,6 @@ def main() -> None:
         print(f"{names.GetValue(curve):20} pieces {pieces}  "
               f"lengths {first[rows].sum():.6f} {second[rows].sum():.6f}  "
               f"difference {np.abs(first[rows] - second[rows]).max():.1e}")
-
-    picture = Picture(900, 600)
-    picture.add(flat, wires, "pieces", "HomogeneityOfDistortion", low=1.0, high=0.5)
-    picture.write(options.picture)
 
 
 if __name__ == "__main__":

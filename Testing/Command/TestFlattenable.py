@@ -90,32 +90,6 @@ class Flattenable(command.CommandTest):
         plain, = self.flatten("sew", "hill.obj", "--mode", "panel")["resewn"]
         self.assertLess(row["distance_mean"], 0.7 * plain["distance_mean"])
 
-    def test_a_body_is_not_entered(self):
-        # The plane through z = 0.3, facing down, is below the top of the hill.
-        self.write("plane.obj", command.obj(
-            [(-9, -9, 0.3), (-9, 15, 0.3), (15, 15, 0.3), (15, -9, 0.3)], [(0, 1, 2), (0, 2, 3)]))
-        row, = self.flatten("sew", "hill.obj", "--mode", "panel", "--body", "plane.obj")["resewn"]
-        self.assertEqual(row["body_depth"], 0)
-        free, = self.flatten("sew", "hill.obj", "--mode", "panel")["resewn"]
-        self.assertNotEqual(row["distance_mean"], free["distance_mean"])
-        self.assertEqual(self.run_command("hill.obj", "--body", "plane.obj").returncode, 2)
-        run = self.run_command("sew", "hill.obj", "--mode", "panel", "--body", "missing.obj", "--output", "out")
-        self.assertEqual(run.returncode, 3)
-        self.assertIn("missing.obj", run.stderr)
-
-    def test_a_full_bias_moves_no_point_inwards(self):
-        self.write("saddle.obj", command.obj(
-            [(i, j, 0.06 * ((i - 3) ** 2 - (j - 3) ** 2)) for j in range(7) for i in range(7)], hill()[1]))
-        either, outside = (self.flatten("reshape", "saddle.obj", "--max-strain", "0.02", "--outward", bias)["flattenable"]
-                           for bias in ("0", "1"))
-        self.assertTrue(outside["bound_met"])
-        self.assertEqual((either["outside_bias"], outside["outside_bias"]), (0, 1))
-        self.assertGreater(either["shift_inwards_max"], 0.001 * either["size"])
-        self.assertLess(outside["shift_inwards_max"], 1e-12 * outside["size"])
-        along = self.array("out/flattenable.vtp", "ShiftOutwards")
-        self.assertEqual(max(0, -min(along)), outside["shift_inwards_max"])
-        self.assertGreater(max(along), 0.01)
-
     def test_bad_usage_is_refused(self):
         for arguments in (("--outward", "1.5"), ("--max-strain", "0"), ("--max-strain", "100%"), ("--max-strain", "nan"),
                           ("--kind", "darts")):

@@ -106,22 +106,6 @@ class Results(command.CommandTest):
         report = self.flatten("lune.obj", "--scheme", "lscm")
         self.assertEqual((report["solver"], report["interior"]), (None, None))
 
-    def test_quarter_sphere_has_the_row_of_the_papers_table(self):
-        for scheme, angle, homogeneity in (("progressive", 159.1, 0.394), ("global", 148.8, 0.404)):
-            with self.subTest(scheme):
-                piece = self.flatten(
-                    "lune.obj", "arc.txt", "--scheme", scheme, "--interior", "laplacian"
-                )["pieces"][0]
-                self.assertLessEqual(piece["E_len_max"], 1e-10)
-                self.assertEqual(round(1e3 * piece["E_ang"], 1), angle)
-                self.assertEqual(round(piece["E_h"], 3), homogeneity)
-                run = self.run_command(
-                    "lune.obj", "arc.txt", "--scheme", scheme, "--interior", "laplacian", "--table"
-                )
-                row = run.stdout.splitlines()[1].split()
-                for cell in ("56", "2", "0.00", str(angle), "%.3f" % homogeneity, "Ok"):
-                    self.assertIn(cell, row)
-
     def test_files_lie_in_the_folder_and_belong_together(self):
         self.flatten("lune.obj", "arc.txt")
         self.assertEqual(
@@ -266,22 +250,6 @@ class Results(command.CommandTest):
                     said).groups())
                 ends = {(p - place * len(self.points)) // count for p in (start, end)}
                 self.assertEqual(ends, {0, rings})
-
-    def test_darts_that_cross_are_closed_on_request(self):
-        piece = [
-            os.path.join(command.DATA, "wetsuit_upper_front" + end)
-            for end in (".vtp", "_curves.vtp")
-        ]
-        self.assertEqual(self.run_command(*piece, "--output", "open").returncode, 4)
-        self.assertEqual(self.report("open")["status"], "Overlap")
-        closing = self.run_command(*piece, "--output", "closed", "--close-cuts")
-        self.assertEqual(closing.returncode, 0, closing.stderr)
-        report = self.report("closed")
-        self.assertEqual(report["pieces"][0]["overlaps"], 0)
-        self.assertLess(report["pieces"][0]["E_len_max"], 1e-10)
-        for curve in report["curves"]:
-            closed = curve["name"].startswith("waist_dart")
-            self.assertEqual(curve["closed_length"] > 0.0, closed, curve["name"])
 
 
 if __name__ == "__main__":

@@ -145,33 +145,6 @@ class Suggestions(command.CommandTest):
         self.assertIn("above the bound of 0.001, the largest at (", run.stderr)
         self.assertIn("the limit of work ended the search after ", run.stderr)
 
-    def test_work_that_ends_before_a_closed_surface_is_opened_is_named(self):
-        # A ball of 12 meridians and 7 parallels.
-        points = [(0, 0, 1), (0, 0, -1)] + [
-            (math.sin(math.pi * j / 8) * math.cos(math.pi * i / 6),
-             math.sin(math.pi * j / 8) * math.sin(math.pi * i / 6), math.cos(math.pi * j / 8)) for j in range(1, 8) for i in range(12)]
-        at = [[2 + 12 * j + i % 12 for i in range(13)] for j in range(7)]
-        triangles = [t for i in range(12) for t in ((0, at[0][i], at[0][i + 1]), (1, at[6][i + 1], at[6][i]))]
-        triangles += [t for j in range(6) for i in range(12)
-                      for t in ((at[j][i], at[j + 1][i], at[j + 1][i + 1]), (at[j][i], at[j + 1][i + 1], at[j][i + 1]))]
-        self.write("ball.obj", command.obj(points, triangles))
-        run = self.run_command("cut", "ball.obj", "--kind", "all", "--max-work", "0.001", "--output", "out")
-        self.assertIn("before the surface could be flattened with any cuts; allow more work", run.stderr)
-        self.assertNotIn("key curve", run.stderr)
-
-    def test_a_key_in_the_way_of_all_seams_is_named(self):
-        # Any plane through the centre of an octahedron meets the curve from pole to pole.
-        points = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
-        upper = [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4)]
-        self.write("octahedron.obj", command.obj(points, upper + [(b, a, 5) for a, b, _ in upper]))
-        self.write("key.txt", "key meridian 4 0 5\n")
-        run = self.run_command("cut", "octahedron.obj", "key.txt", "--kind", "all", "--output", "out")
-        self.assertIn("meet a key curve, or cannot be made; make it an accessory curve", run.stderr)
-        for cut in self.report("out")["suggestions"]:
-            self.assertIsNone(cut["strain_p95_before"])
-            self.assertIsNone(cut["strain_p95_after"])
-            self.assertIsNone(cut["gain"])
-
     def test_lines_cut_nothing_and_tell_what_they_cost(self):
         run = self.run_command("cut", "dome.obj", "--kind", "lines", "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)

@@ -6,7 +6,6 @@
 #include "vtkIdTypeArray.h"
 
 #include <map>
-#include <sstream>
 
 using namespace flatteningTesting;
 
@@ -87,79 +86,11 @@ void aDartOpens(Checks& check)
   check.near(boundary, 4.0, 1e-12, "length of the square's boundary");
 }
 
-// Point data at the points that imprinting makes is a mean: a linear function stays linear.
-void imprintedPointsGetMeans(Checks& check)
-{
-  const auto grid = makeGrid(4, 4);
-  vtkNew<vtkDoubleArray> linear;
-  linear->SetName("Linear");
-  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
-  {
-    linear->InsertNextValue(3.0 * grid->GetPoint(p)[0] - 2.0 * grid->GetPoint(p)[1] + 1.0);
-  }
-  grid->GetPointData()->AddArray(linear);
-  const auto curves = makePolyData({ { 0.1, 0.0, 0 }, { 0.43, 0.61, 0 }, { 0.9, 1.0, 0 } }, {});
-  addLine(curves, { 0, 1, 2 });
-  vtkNew<vtkIntArray> type;
-  type->SetName("CurveType");
-  type->InsertNextValue(vtkFeatureCurveCutter::SEAM);
-  curves->GetCellData()->AddArray(type);
-  vtkNew<vtkFeatureCurveCutter> cutter;
-  cutter->SetInputData(grid);
-  cutter->SetCurvesData(curves);
-  cutter->Update();
-  vtkPolyData* cut = cutter->GetOutput();
-  check.that(cut->GetNumberOfCells() > 32,
-    std::string("triangles are split: ") + cutter->GetStatusMessage());
-  vtkDataArray* values = cut->GetPointData()->GetArray("Linear");
-  vtkIdTypeArray* original = ids(cut->GetPointData(), "vtkOriginalPointIds");
-  int made = 0;
-  for (vtkIdType p = 0; values && p < cut->GetNumberOfPoints(); ++p)
-  {
-    made += original->GetValue(p) == -1;
-    check.near(values->GetComponent(p, 0),
-      3.0 * cut->GetPoint(p)[0] - 2.0 * cut->GetPoint(p)[1] + 1.0, 1e-12, "linear function");
-  }
-  check.that(made > 0, "points made by imprinting have the id -1");
-  double length = 0.0;
-  vtkPolyData* wires = cutter->GetOutput(1);
-  for (vtkIdType w = 0; w < wires->GetNumberOfLines(); ++w)
-  {
-    if (wires->GetCellData()->GetArray("CurveId")->GetComponent(w, 0) == 0.0)
-    {
-      length += wires->GetCellData()->GetArray("RestLength")->GetComponent(w, 0);
-    }
-  }
-  check.near(length, 2.0 * (std::hypot(0.33, 0.61) + std::hypot(0.47, 0.39)), 1e-12,
-    "length of both sides of the seam");
-  double range[2];
-  cut->GetCellData()->GetArray("PieceId")->GetRange(range);
-  check.equal(range[1], 1.0, "the imprinted seam divides the sheet in two");
-}
-
-void refusalIsEmpty(Checks& check)
-{
-  const auto grid = makeGrid(4, 4);
-  vtkNew<vtkFeatureCurveCutter> cutter;
-  const Messages messages(cutter);
-  cutter->SetInputData(grid);
-  cutter->SetCurvesData(makeCurves(grid, { { 2 } }, { 2 }));
-  cutter->Update();
-  check.equal(cutter->GetStatusCode(), static_cast<int>(vtkFeatureCurveCutter::CURVE_TOO_SHORT),
-    "status of a curve of one point");
-  check.equal(messages.errors.size(), std::size_t{ 1 }, "errors");
-  check.that(isEmpty(cutter->GetOutput(0)) && isEmpty(cutter->GetOutput(1)), "outputs are empty");
-  std::ostringstream print;
-  cutter->Print(print);
-  check.contains(print.str(), "Status: CurveTooShort", "PrintSelf");
-}
 }
 
 int TestFeatureCurveCutter(int, char*[])
 {
   Checks check;
   aDartOpens(check);
-  imprintedPointsGetMeans(check);
-  refusalIsEmpty(check);
   return check.result();
 }

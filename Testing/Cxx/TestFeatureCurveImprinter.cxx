@@ -148,30 +148,6 @@ void severalDataSetsOfCurvesGiveTheirCommonArrays(Checks& check)
   check.that(!curves->GetCellData()->HasArray("Alone"), "an array of one data set only");
 }
 
-void badCurvesAreRefused(Checks& check)
-{
-  vtkNew<vtkFeatureCurveImprinter> filter;
-  const Messages messages(filter);
-  const auto curves = makePolyData({ { 0.1, 0.1, 0 }, { 0.5, 0.5, 0.25 }, { 0.9, 0.8, 0 } }, {});
-  addLine(curves, { 0, 1, 2 });
-  filter->SetInputData(makeGrid(4, 4));
-  filter->SetCurvesData(curves);
-  filter->Update();
-  check.equal(std::string(filter->GetStatusName()), "CurvePointOffSurface", "status");
-  check.that(
-    filter->GetStatusIds()->GetNumberOfValues() == 1 && filter->GetStatusIds()->GetValue(0) == 1,
-    "the point is named");
-  check.contains(filter->GetStatusMessage(), "0.25", "the distance");
-  check.that(isEmpty(filter->GetOutput(0)) && isEmpty(filter->GetOutput(1)), "outputs are empty");
-  filter->SetImprintTolerance(0.5);
-  filter->Update();
-  check.equal(std::string(filter->GetStatusName()), "Ok", "status with a wide tolerance");
-  filter->SplitTrianglesOff();
-  filter->SetImprintTolerance(0.2);
-  filter->Update();
-  check.equal(std::string(filter->GetStatusName()), "CurveNotOnEdges", "status without splitting");
-}
-
 // What the imprinter gives flattens like what the main filter imprints itself.
 void theOutputsCanBeFlattened(Checks& check)
 {
@@ -205,7 +181,6 @@ int TestFeatureCurveImprinter(int, char*[])
   Checks check;
   dataOfTheInputComeAlong(check);
   severalDataSetsOfCurvesGiveTheirCommonArrays(check);
-  badCurvesAreRefused(check);
   theOutputsCanBeFlattened(check);
   return check.result();
 }

@@ -92,18 +92,16 @@ class Examples(unittest.TestCase):
     def test_flatten_and_plot(self):
         output = self.run_example("flatten_and_plot.py", data("wetsuit_upper_front"),
                                   data("wetsuit_upper_front_curves"), "map.png")
-        lengths = [float(line.split("EdgeLengthError")[1].split()[0])
-                   for line in output.splitlines()]
+        lengths = [float(line.split("E_len")[1].split()[0]) for line in output.splitlines()]
         self.assertLess(max(lengths[:2]), 1e-9)
         self.assertGreater(lengths[2], 1e-3)
         colors = colors_of(os.path.join(self.folder, "map.png"))
         self.assertEqual(len(colors), 1200 * 600)
-        self.assertGreater(share(colors, (0, 0, 150), (60, 110, 255)), 0.02)  # blue: ideal
         self.assertGreater(share(colors, (0, 0, 0), (40, 40, 40)), 0.002)  # outlines
         self.assertGreater(share(colors, (250, 250, 250), (255, 255, 255)), 0.2)  # ground
 
     def test_garment_seams(self):
-        output = self.run_example("garment_seams.py", data("tshirt"), data("tshirt_curves"), "shirt.png")
+        output = self.run_example("garment_seams.py", data("tshirt"), data("tshirt_curves"))
         rows = output.splitlines()
         self.assertEqual(rows[0], "pieces 4")
         self.assertEqual(len(rows), 11)
@@ -111,21 +109,6 @@ class Examples(unittest.TestCase):
             one, two = row.split("lengths")[1].split()[:2]
             self.assertEqual(one, two)
             self.assertLess(float(row.split()[-1]), 1e-11)
-        colors = colors_of(os.path.join(self.folder, "shirt.png"))
-        self.assertGreater(share(colors, (0, 0, 150), (60, 110, 255)), 0.02)  # blue: ideal
-
-    def test_key_curve_sweep(self):
-        output = self.run_example(
-            "key_curve_sweep.py", data("pants_front"), data("pants_front_curves"),
-            data("pants_front_curves_set2"), data("pants_front_curves_set3"), "--png", "sweep.png")
-        rows = output.splitlines()[1:]
-        self.assertEqual(len(rows), 4)
-        self.assertEqual([" Ok " in row for row in rows], [True, True, False, True])  # Fig. 13
-        self.assertIn("midthigh, midcalf", rows[2])
-        self.assertIn("released", rows[3])
-        colors = colors_of(os.path.join(self.folder, "sweep.png"))
-        self.assertGreater(share(colors, (200, 0, 0), (230, 40, 40)), 1e-4)  # keys
-        self.assertGreater(share(colors, (215, 215, 210), (235, 235, 230)), 0.05)  # pieces
 
     def test_obj_to_pattern(self):
         lengths = write_obj(os.path.join(self.folder, "pants.obj"), "pants_front")

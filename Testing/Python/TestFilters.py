@@ -14,7 +14,7 @@ import warnings
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 import surfaceflattening as sf
@@ -212,36 +212,6 @@ class Filters(unittest.TestCase):
         result = sf.flatten_polydata(surface, curves)
         self.assertEqual(result.report["status"], "Ok")
         self.assertEqual(len(result.triangles), filter_.GetOutput().GetNumberOfCells())
-
-    def test_filters_join_pipelines_of_vtk(self):
-        developability = sf.vtkSurfaceDevelopability()
-        developability.SetInputData(read("quarter_sphere"))
-        filter_ = sf.vtkWireWarpingFilter()
-        filter_.SetInputConnection(developability.GetOutputPort())
-        quality = sf.vtkFlatteningQuality()
-        quality.SetInputConnection(0, filter_.GetOutputPort(2))
-        quality.SetInputConnection(1, filter_.GetOutputPort(0))
-        quality.SetInputConnection(2, filter_.GetOutputPort(1))
-        quality.Update()
-        for name in ("EdgeLengthError", "AngleErrorMean", "GlobalHomogeneity"):
-            self.assertAlmostEqual(quality.GetMeasures().GetValueByName(0, name).ToDouble(),
-                                   filter_.GetPieces().GetValueByName(0, name).ToDouble(), 12)
-
-    def test_a_collection_of_pieces_is_flattened_block_by_block(self):
-        collection = vtkMultiBlockDataSet()
-        names = ("quarter_sphere", "shirt_shoulder")
-        for block, name in enumerate(names):
-            collection.SetBlock(block, read(name))
-        filter_ = sf.vtkWireWarpingFilter()
-        filter_.SetInputDataObject(collection)
-        filter_.Update()
-        result = filter_.GetOutputDataObject(0)
-        self.assertEqual(result.GetNumberOfBlocks(), 2)
-        for block, name in enumerate(names):
-            alone = sf.flatten_polydata(read(name))
-            flat = result.GetBlock(block)
-            self.assertEqual(flat.GetNumberOfPoints(), len(alone.positions))
-            self.assertEqual(flat.GetPoint(7)[:2], tuple(alone.positions[7]))
 
     def test_no_screen_is_needed(self):
         environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}

@@ -82,13 +82,6 @@ class WhatAPlaneCannotHold(unittest.TestCase):
 class QuarterSphere(unittest.TestCase):
     """Fig. 11 and Table 1 of the paper."""
 
-    def test_the_papers_method_is_the_global_scheme_with_its_interior(self):
-        points, triangles, arc = quarter_sphere()
-        paper = sf.flatten(points, triangles, [arc], paper_method=True)
-        pair = sf.flatten(points, triangles, [arc], scheme="global", interior="laplacian")
-        np.testing.assert_array_equal(paper.positions, pair.positions)
-        self.assertAlmostEqual(paper.report["pieces"][0]["E_ang"], 0.1488, delta=5e-5)
-
     def test_the_unit_scales_the_result_alone(self):
         points, triangles, arc = quarter_sphere()
         one = sf.flatten(points, triangles, [arc])

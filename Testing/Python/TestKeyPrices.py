@@ -51,16 +51,6 @@ class KeyPrices(unittest.TestCase):
         self.assertEqual([key.price for key in prices.keys],
                          sorted((key.price for key in prices.keys), reverse=True))
 
-    def test_the_key_that_contradicts_others_comes_first(self):
-        points, triangles, curves = piece("pants_front", "pants_front_curves_set3")
-        prices = sf.price_keys(points, triangles, curves, scheme="global")
-        self.assertEqual(prices.all.status, "IncompatibleKeys")
-        self.assertTrue(prices.all.released)
-        first = prices.keys[0]
-        self.assertLess(len(first.without.released), len(prices.all.released))
-        self.assertIn(f"without {first.name}", str(prices))
-        self.assertIn("gave up", str(prices))
-
     def test_a_key_costs_nothing_where_the_surface_unrolls(self):
         prices = sf.price_keys(*piece("cone", "cone_curves"))
         for key in prices.keys:
