@@ -110,15 +110,8 @@ vtkSmartPointer<vtkLookupTable> makeColors(ColorRange range)
 
 //------------------------------------------------------------------------------
 Drawing::Drawing()
-  : Drawing(vtkSmartPointer<vtkRenderer>::New())
+  : Renderer(vtkSmartPointer<vtkRenderer>::New())
 {
-}
-
-//------------------------------------------------------------------------------
-Drawing::Drawing(vtkRenderer* renderer)
-  : Renderer(renderer)
-{
-  this->Renderer->RemoveAllViewProps();
   this->Renderer->SetBackground(1.0, 1.0, 1.0);
 }
 
@@ -258,14 +251,6 @@ void Drawing::addWires(const PolyData& wires, DartSides sides)
 }
 
 //------------------------------------------------------------------------------
-void Drawing::addLines(const PolyData& lines)
-{
-  std::vector<vtkIdType> cells(lines->GetNumberOfCells());
-  std::iota(cells.begin(), cells.end(), 0);
-  this->addEdges(lines, cells, releasedColor, 1.0, 0.6);
-}
-
-//------------------------------------------------------------------------------
 void Drawing::addBoundary(const PolyData& surface)
 {
   vtkNew<vtkFeatureEdges> edges;
@@ -281,8 +266,8 @@ void Drawing::addBoundary(const PolyData& surface)
 }
 
 //------------------------------------------------------------------------------
-void Drawing::addEdges(const PolyData& lines, const std::vector<vtkIdType>& cells,
-  const Vector& color, double lift, double width)
+void Drawing::addEdges(
+  const PolyData& lines, const std::vector<vtkIdType>& cells, const Vector& color, double lift)
 {
   // Edge by edge: a tube along a whole polyline has no good shape where it turns back at a dart's
   // tip.
@@ -312,7 +297,7 @@ void Drawing::addEdges(const PolyData& lines, const std::vector<vtkIdType>& cell
     data->SetPoints(points);
     data->SetLines(edges);
     this->Shown.push_back(data);
-    this->Wires.push_back({ data, color, lift, width });
+    this->Wires.push_back({ data, color, lift });
   }
 }
 
@@ -383,7 +368,7 @@ void Drawing::finish(const std::array<int, 4>& area, double pixel, const FigureS
 {
   for (const WireSet& set : this->Wires)
   {
-    this->drawWires(set, 0.5 * set.width * style.wireWidth * pixel);
+    this->drawWires(set, 0.5 * style.wireWidth * pixel);
   }
   this->Wires.clear();
 

@@ -43,8 +43,6 @@ class Drawing
 {
 public:
   Drawing();
-  /// Draws anew into a renderer.
-  explicit Drawing(vtkRenderer* renderer);
 
   /// Words above the drawing.
   void setTitle(const std::string& title);
@@ -63,8 +61,6 @@ public:
   /// The wires of a flat piece, or feature curves in space: key red, accessory green, dart blue,
   /// the boundary black.
   void addWires(const PolyData& wires, DartSides sides = DartSides::Black);
-  /// Curves that are no wires, grey.
-  void addLines(const PolyData& lines);
   /// The boundary of a surface, black.
   void addBoundary(const PolyData& surface);
 
@@ -82,13 +78,12 @@ private:
   {
     PolyData edges;
     Vector color;
-    double lift;  ///< toward the eye, in widths of a wire
-    double width; ///< in widths of a wire
+    double lift; ///< toward the eye, in widths of a wire
   };
 
   vtkActor* addActor(const PolyData& data, bool interpolated);
-  void addEdges(const PolyData& lines, const std::vector<vtkIdType>& cells, const Vector& color,
-    double lift, double width = 1.0);
+  void addEdges(
+    const PolyData& lines, const std::vector<vtkIdType>& cells, const Vector& color, double lift);
   void drawWires(const WireSet& set, double radius);
   /// Range of all points along the camera's right, up and backward directions.
   std::array<double, 6> extent() const;
@@ -108,7 +103,6 @@ constexpr Vector accessoryColor{ 0.0, 0.6, 0.1 };
 constexpr Vector keyColor{ 0.85, 0.0, 0.0 };
 constexpr Vector dartColor{ 0.0, 0.2, 0.9 };
 constexpr Vector seamColor{ 0.6, 0.0, 0.75 };
-constexpr Vector releasedColor{ 0.55, 0.55, 0.55 };
 
 /// The direction from which most of a surface is seen: its mean normal, or obliquely from above
 /// where that is nearly upright.

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Figure.h"
 
+#include "Files.h"
 #include "ScaleBar.h"
 
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace figures
 {
@@ -172,16 +170,6 @@ void Figure::write(const std::string& path)
 {
   this->Window->SetOffScreenRendering(1);
   this->render();
-  vtkNew<vtkWindowToImageFilter> image;
-  image->SetInput(this->Window);
-  image->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(image->GetOutputPort());
-  writer->SetFileName(path.c_str());
-  writer->Write();
-  if (writer->GetErrorCode() != 0)
-  {
-    throw std::runtime_error("cannot write " + path);
-  }
+  writePng(this->Window, path);
 }
 }

@@ -4,6 +4,10 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkWindowToImageFilter.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #if defined(__unix__) || defined(__APPLE__)
@@ -65,6 +69,27 @@ void writePolyData(const std::string& path, vtkPolyData* data)
   if (!written || !file || !bringToDisk(aside) || std::rename(aside.c_str(), path.c_str()) != 0)
   {
     std::remove(aside.c_str());
+    throw std::runtime_error("cannot write " + path);
+  }
+}
+
+//------------------------------------------------------------------------------
+void writePng(vtkRenderWindow* window, const std::string& path)
+{
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window);
+  image->ReadFrontBufferOff();
+  // By way of memory: libpng would tell of a full disk on its own.
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(image->GetOutputPort());
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* const bytes = writer->GetResult();
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
+  file.close();
+  if (!file)
+  {
     throw std::runtime_error("cannot write " + path);
   }
 }

@@ -5,6 +5,8 @@
 
 #include <string>
 
+class vtkRenderWindow;
+
 namespace figures
 {
 /// Keeps an object's warnings and errors from VTK's own window; filters and writers of this project
@@ -14,4 +16,7 @@ void silence(vtkObject* object);
 /// Writes .vtp aside first, so that an earlier file stays where it cannot be written. Throws
 /// std::runtime_error.
 void writePolyData(const std::string& path, vtkPolyData* data);
+
+/// Writes what a window shows. Throws std::runtime_error.
+void writePng(vtkRenderWindow* window, const std::string& path);
 }

@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatternPicture.h"
 
+#include "Files.h"
 #include "ScaleBar.h"
 
-#include <vtkCamera.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-#include <vtkUnsignedCharArray.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <sstream>
-#include <stdexcept>
 
 namespace figures
 {
@@ -28,6 +26,7 @@ constexpr int margin = 16;
 constexpr int line = 18;
 constexpr int legendSize = 14;
 constexpr int barHeight = 60;
+constexpr int samples = 8;               // of a pixel
 constexpr std::size_t messageWidth = 72; // characters
 
 constexpr Vector black{ 0.0, 0.0, 0.0 };
@@ -44,11 +43,6 @@ bool hasType(const PolyData& wires, int type)
     }
   }
   return false;
-}
-
-bool hasLines(const PolyData& lines)
-{
-  return lines && lines->GetNumberOfCells() > 0;
 }
 
 /// Lines of at most so many characters, broken between words.
@@ -112,39 +106,54 @@ std::vector<std::string> errorTable(const FlatPiece& piece, std::size_t maximumR
   return rows;
 }
 
-//------------------------------------------------------------------------------
-PatternPicture::PatternPicture(int width, int height, int samples)
-  : Window(vtkSmartPointer<vtkRenderWindow>::New())
-  , Space(vtkSmartPointer<vtkRenderer>::New())
-  , Plane(vtkSmartPointer<vtkRenderer>::New())
-  , Ground(vtkSmartPointer<vtkRenderer>::New())
-  , Overlay(vtkSmartPointer<vtkRenderer>::New())
+namespace
 {
+/// A window with two panels and, below them, an overlay of texts.
+class PatternPicture
+{
+public:
+  PatternPicture(const PatternScene& given, int width, int height);
+  void write(const std::string& path) { writePng(this->Window, path); }
+
+private:
+  enum class TextStyle
+  {
+    Plain,
+    Bold,
+    FixedPitch
+  };
+
+  void drawPanels(const PatternScene& scene, const ColorMap& map);
+  void drawTexts(const PatternScene& scene);
+  void drawLegend(const PatternScene& scene);
+  void drawScale(const ColorMap& map);
+  /// \return its width in pixels
+  int addText(const std::string& text, int x, int y, int size, const Vector& color,
+    TextStyle style = TextStyle::Plain, bool fromTop = false);
+
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Overlay;
+};
+
+//------------------------------------------------------------------------------
+PatternPicture::PatternPicture(const PatternScene& given, int width, int height)
+{
+  this->Window->SetOffScreenRendering(1);
   this->Window->SetSize(width, height);
   this->Window->SetMultiSamples(samples);
   this->Window->SetNumberOfLayers(2);
-  this->Overlay->SetLayer(1);
-  this->Overlay->InteractiveOff();
-  this->Ground->InteractiveOff();
-  this->Ground->SetBackground(1.0, 1.0, 1.0);
-  for (vtkRenderer* renderer :
-    { this->Ground.Get(), this->Space.Get(), this->Plane.Get(), this->Overlay.Get() })
-  {
-    this->Window->AddRenderer(renderer);
-  }
-}
-
-//------------------------------------------------------------------------------
-void PatternPicture::show(const PatternScene& shown)
-{
-  PatternScene scene = shown;
+  const vtkNew<vtkRenderer> ground; // behind the words below
+  ground->SetBackground(1.0, 1.0, 1.0);
+  this->Window->AddRenderer(ground);
+  PatternScene scene = given;
   if (scene.coloring == Coloring::Strain)
   {
     scene.piece = withStrain(scene.piece);
   }
   const ColorMap map = makeColorMap(scene.coloring, scene.piece, scene.range);
   this->drawPanels(scene, map);
-  this->Overlay->RemoveAllViewProps();
+  this->Overlay->SetLayer(1);
+  this->Window->AddRenderer(this->Overlay);
   this->drawTexts(scene);
   this->drawLegend(scene);
   this->drawScale(map);
@@ -154,14 +163,11 @@ void PatternPicture::show(const PatternScene& shown)
 //------------------------------------------------------------------------------
 void PatternPicture::drawPanels(const PatternScene& scene, const ColorMap& map)
 {
-  vtkNew<vtkCamera> spaceBefore;
-  vtkNew<vtkCamera> planeBefore;
-  spaceBefore->DeepCopy(this->Space->GetActiveCamera());
-  planeBefore->DeepCopy(this->Plane->GetActiveCamera());
-
-  Drawing space(this->Space);
+  Drawing space;
   space.lookFrom(facing(scene.piece.cut));
-  Drawing plane(this->Plane);
+  Drawing plane;
+  this->Window->AddRenderer(space.renderer());
+  this->Window->AddRenderer(plane.renderer());
   if (scene.sewn)
   {
     space.addGhost(scene.piece.cut);
@@ -175,11 +181,6 @@ void PatternPicture::drawPanels(const PatternScene& scene, const ColorMap& map)
   }
   plane.addMap(scene.piece.flat, map.array, map.onPoints, map.colors);
   plane.addWires(scene.piece.wires, DartSides::Blue);
-  if (hasLines(scene.releasedInSpace))
-  {
-    space.addLines(scene.releasedInSpace);
-    plane.addLines(scene.releasedInPlane);
-  }
 
   // One scale for both, so that sizes compare; the width is shared as they need it.
   const int width = this->Window->GetSize()[0];
@@ -194,15 +195,6 @@ void PatternPicture::drawPanels(const PatternScene& scene, const ColorMap& map)
   const FigureStyle style;
   space.finish({ 0, strip, middle, height }, pixel, style);
   plane.finish({ middle, strip, width - middle, height }, pixel, style);
-
-  if (this->CamerasSet)
-  {
-    this->Space->GetActiveCamera()->DeepCopy(spaceBefore);
-    this->Plane->GetActiveCamera()->DeepCopy(planeBefore);
-    this->Space->ResetCameraClippingRange();
-    this->Plane->ResetCameraClippingRange();
-  }
-  this->CamerasSet = true;
 }
 
 //------------------------------------------------------------------------------
@@ -264,8 +256,7 @@ void PatternPicture::drawLegend(const PatternScene& scene)
   const PolyData& wires = scene.piece.wires;
   const Entry entries[] = { { "boundary", boundaryColor, hasType(wires, -1) },
     { "accessory", accessoryColor, hasType(wires, 0) }, { "key", keyColor, hasType(wires, 1) },
-    { "dart", dartColor, hasType(wires, 2) },
-    { "released", releasedColor, hasLines(scene.releasedInSpace) } };
+    { "dart", dartColor, hasType(wires, 2) } };
   int x = margin;
   for (const Entry& entry : entries)
   {
@@ -295,24 +286,11 @@ void PatternPicture::drawScale(const ColorMap& map)
     map.title, static_cast<int>(left), margin + barHeight - line / 3, legendSize, black);
 }
 
+}
+
 //------------------------------------------------------------------------------
-void PatternPicture::write(const std::string& path)
+void writePatternPicture(const PatternScene& scene, int width, int height, const std::string& path)
 {
-  vtkNew<vtkWindowToImageFilter> image;
-  image->SetInput(this->Window);
-  image->ReadFrontBufferOff();
-  // By way of memory: libpng would tell of a full disk on its own.
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(image->GetOutputPort());
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* const bytes = writer->GetResult();
-  std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
-  file.close();
-  if (!file)
-  {
-    throw std::runtime_error("cannot write " + path);
-  }
+  PatternPicture(scene, width, height).write(path);
 }
 }

@@ -23,8 +23,6 @@ namespace wirewarp
 {
 namespace
 {
-constexpr int samples = 8;
-
 std::vector<std::string> coloringNames()
 {
   std::vector<std::string> names{ figures::nameOf(figures::Coloring::Strain) };
@@ -136,14 +134,11 @@ void addPicture(const Options& options, const Flattening& result, OutputFiles& f
   scene.warning = result.exitCode == Flawed;
   scene.message = scene.warning ? result.message : "";
   const VtkMessages messages;
-  const auto [width, height] = options.picture.size;
-  figures::PatternPicture picture(width, height, samples);
-  picture.window()->SetOffScreenRendering(1);
-  picture.show(scene);
-  const auto write = [&picture](const std::string& path) {
+  const auto write = [&](const std::string& path) {
     try
     {
-      picture.write(path);
+      const auto [width, height] = options.picture.size;
+      figures::writePatternPicture(scene, width, height, path);
     }
     catch (const std::runtime_error&)
     {

@@ -377,23 +377,6 @@ TEST_F(PatternEditor, FilesThatCannotBeReadOrWrittenAreNamed)
   EXPECT_EQ(this->window->curves()->GetNumberOfCurves(), 0);
 }
 
-TEST_F(PatternEditor, AnObjFileKeepsItsDigitsItsVerticesAndItsLines)
-{
-  const std::string path = testing::TempDir() + "seamed.obj";
-  // A square of two triangles with a texture seam along its diagonal, off the origin by more than
-  // single precision can tell.
-  std::ofstream(path) << "v 1000000.01 0 0\nv 1000001.01 0 0\nv 1000001.01 1 0\nv 1000000.01 1 0\n"
-                         "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\n"
-                         "f 1/1 2/2 3/3\nf 1/5 3/3 4/4\ng seam middle\nl 1 3\n";
-  ASSERT_TRUE(this->window->openSurface(path)) << this->window->message().toStdString();
-  ASSERT_EQ(this->window->curves()->GetNumberOfCurves(), 1);
-  EXPECT_EQ(this->window->curves()->GetCurveName(0), "middle");
-  vtkNew<vtkPolyData> drawn;
-  this->window->curves()->GetCurves(drawn);
-  ASSERT_EQ(drawn->GetNumberOfPoints(), 2);
-  EXPECT_NEAR(drawn->GetPoint(0)[0] - 1000000.0, 0.01, 1e-9);
-}
-
 TEST_F(PatternEditor, SeamsAreTakenFromTheFacesOfAnObjFile)
 {
   const QTemporaryDir folder;
@@ -432,13 +415,6 @@ TEST_F(PatternEditor, SeamsAreTakenFromTheFacesOfAnObjFile)
   EXPECT_EQ(curves->GetNumberOfCurves(), 3);
 }
 
-TEST_F(PatternEditor, CurvesByVertexIdsAreReadAsTheCommandReadsThem)
-{
-  ASSERT_TRUE(this->window->openCurves(FLATTENING_TUTORIAL))
-    << this->window->message().toStdString();
-  EXPECT_EQ(this->window->curves()->GetNumberOfCurves(), 5);
-}
-
 TEST_F(PatternEditor, OfADrawingArcsAreReadAndTheRestIsNamed)
 {
   const std::string surfaceFile = testing::TempDir() + "square.obj";
@@ -461,19 +437,6 @@ TEST_F(PatternEditor, OfADrawingArcsAreReadAndTheRestIsNamed)
   }
   std::remove(path.c_str());
   std::remove(surfaceFile.c_str());
-}
-
-TEST_F(PatternEditor, ADamagedFileIsAMessage)
-{
-  const std::string path = testing::TempDir() + "damaged.vtp";
-  std::ifstream whole(shirt, std::ios::binary);
-  std::ostringstream text;
-  text << whole.rdbuf();
-  std::ofstream(path, std::ios::binary) << text.str().substr(0, text.str().size() / 2);
-  EXPECT_FALSE(this->window->openSurface(path));
-  EXPECT_TRUE(this->window->message().contains("damaged.vtp"))
-    << this->window->message().toStdString();
-  EXPECT_GT(this->surface->GetNumberOfCells(), 0);
 }
 
 TEST_F(PatternEditor, WhatCannotBeDoneYetCannotBePressed)

@@ -146,33 +146,6 @@ void tolerancesMayBeGivenByName(Checks& check)
   check.contains(filter->GetStatusMessage(), "the curves are curve 0, curve 1", "message");
 }
 
-void theConnectionOfARefusedCurveIsTold(Checks& check)
-{
-  const auto grid = makeGrid(4, 4);
-  const auto sound = makeCurves(grid, { { 10, 11, 12 } });
-  const auto unknown = makeCurves(grid, { { 2, 7, 12 } }, { 7 });
-  const auto tooShort = makeCurves(grid, { { 7, 7, 7 } });
-  for (vtkPolyData* bad : { unknown.Get(), tooShort.Get() })
-  {
-    vtkNew<vtkWireWarpingFilter> filter;
-    const Messages messages(filter);
-    filter->SetInputData(grid);
-    for (vtkPolyData* curves : { sound.Get(), bad })
-    {
-      vtkNew<vtkTrivialProducer> producer;
-      producer->SetOutput(curves);
-      filter->AddCurvesConnection(producer->GetOutputPort());
-    }
-    filter->Update();
-    check.that(filter->IsRefused(), "is refused");
-    check.equal(filter->GetStatusConnection(), 1, "connection");
-    filter->RemoveAllCurves();
-    filter->Update();
-    check.equal(std::string(filter->GetStatusName()), "Ok", "status without curves");
-    check.equal(filter->GetStatusConnection(), -1, "connection without curves");
-  }
-}
-
 // A closed curve, once as one polyline and once as its edges.
 void aClosedCurveMayComeInEdges(Checks& check)
 {
@@ -224,7 +197,6 @@ int TestFeatureCurveInput(int, char*[])
   twoPointLinesAreJoined(check);
   namesKeepTwoPointLinesApart(check);
   tolerancesMayBeGivenByName(check);
-  theConnectionOfARefusedCurveIsTold(check);
   aClosedCurveMayComeInEdges(check);
   featureEdgesAreCurves(check);
   return check.result();
