@@ -12,16 +12,9 @@ SIZE = 8
 
 def dome():
     """A dome of SIZE x SIZE squares, whose cuts gape everywhere; vertex (i, j) is at(i, j)."""
-    points, triangles = [], []
-    for j in range(SIZE + 1):
-        for i in range(SIZE + 1):
-            x, y = i / SIZE, j / SIZE
-            points.append((x, y, -0.4 * ((x - 0.5) ** 2 + (y - 0.5) ** 2)))
-    for j in range(SIZE):
-        for i in range(SIZE):
-            a, b, c, d = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
-            triangles += [(a, b, c), (a, c, d)] if (i + j) % 2 == 0 else [(a, b, d), (b, c, d)]
-    return points, triangles
+    return command.grid(
+        SIZE, SIZE, lambda i, j: (i / SIZE, j / SIZE, -0.4 * ((i / SIZE - 0.5) ** 2 + (j / SIZE - 0.5) ** 2)),
+        other=lambda i, j: (i + j) % 2 == 1)
 
 
 def at(i, j):
@@ -209,10 +202,8 @@ class Curves(command.CommandTest):
     def sheet_of(self, size, elevation=0.0):
         """A flat sheet of 20 x 20 squares from -size to size."""
         count = 20
-        points = [(size * (2 * i / count - 1), size * (2 * j / count - 1), elevation)
-                  for j in range(count + 1) for i in range(count + 1)]
-        triangles = [t for j in range(count) for i in range(count) for a in (j * (count + 1) + i,)
-                     for t in ((a, a + 1, a + count + 2), (a, a + count + 2, a + count + 1))]
+        points, triangles = command.grid(
+            count, count, lambda i, j: (size * (2 * i / count - 1), size * (2 * j / count - 1), elevation))
         self.write("sheet.obj", command.obj(points, triangles))
 
     def drawn_lengths(self, document):
@@ -302,9 +293,7 @@ class Curves(command.CommandTest):
             self.assertGreater(len(near), 20, (x, y))
 
     def test_a_drawing_that_stands_on_edge_is_turned_into_space(self):
-        points = [(40.0 * i, -7.0, 40.0 * j) for j in range(11) for i in range(11)]
-        self.write("sheet.obj", command.obj(points, [t for j in range(10) for i in range(10) for a in (11 * j + i,)
-                                                     for t in ((a, a + 1, a + 12), (a, a + 12, a + 11))]))
+        self.write("sheet.obj", command.obj(*command.grid(10, 10, lambda i, j: (40.0 * i, -7.0, 40.0 * j))))
         document = ezdxf.new("R2010")
         circle = document.modelspace().add_circle((0, 0, 0), 100, dxfattribs={"layer": "ring", "extrusion": (0, -1, 0)})
         circle.dxf.center = circle.ocs().from_wcs((200, -7, 200))

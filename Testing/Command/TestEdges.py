@@ -16,15 +16,10 @@ def at(i, j):
 
 def sheet(height):
     """A sheet of 800 mm x 800 mm, bulged by a height; vertex (i, j) is at(i, j)."""
-    points = [(100.0 * i, 100.0 * j,
-               height * math.sin(math.pi * i / SIZE) * math.sin(math.pi * j / SIZE))
-              for j in range(SIZE + 1) for i in range(SIZE + 1)]
-    triangles = []
-    for j in range(SIZE):
-        for i in range(SIZE):
-            a, b, c, d = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
-            triangles += [(a, b, c), (a, c, d)] if (i < SIZE // 2) else [(a, b, d), (b, c, d)]
-    return points, triangles
+    return command.grid(
+        SIZE, SIZE, lambda i, j: (100.0 * i, 100.0 * j,
+                                  height * math.sin(math.pi * i / SIZE) * math.sin(math.pi * j / SIZE)),
+        other=lambda i, j: i >= SIZE // 2)
 
 
 class Edges(command.CommandTest):

@@ -20,18 +20,12 @@ def at(i, j):
 
 def plate(width, height, bulge=0.0, factor=1.0, turn=0.3):
     """A plate that lies askew in space, by a bulge out of its plane."""
-    points, triangles = [], []
-    for j in range(ROWS + 1):
-        for i in range(COLUMNS + 1):
-            x, y = i * width / COLUMNS, j * height / ROWS
-            z = bulge * math.sin(math.pi * i / COLUMNS) * math.sin(math.pi * j / ROWS)
-            points.append(tuple(factor * v for v in (
-                x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn), z)))
-    for j in range(ROWS):
-        for i in range(COLUMNS):
-            a, b = at(i, j), at(i, j + 1)
-            triangles += [(a, a + 1, b + 1), (a, b + 1, b)]
-    return points, triangles
+    def place(i, j):
+        x, y = i * width / COLUMNS, j * height / ROWS
+        z = bulge * math.sin(math.pi * i / COLUMNS) * math.sin(math.pi * j / ROWS)
+        return tuple(factor * v for v in (
+            x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn), z))
+    return command.grid(COLUMNS, ROWS, place)
 
 
 class Grading(command.CommandTest):

@@ -16,14 +16,8 @@ def at(i, j):
 
 def dome():
     """SIZE x SIZE squares of 3 cm over a shallow dome, in cm."""
-    points = [(3.0 * i, 3.0 * j, -0.01 * ((3.0 * i - 15) ** 2 + (3.0 * j - 15) ** 2))
-              for j in range(SIZE + 1) for i in range(SIZE + 1)]
-    triangles = []
-    for j in range(SIZE):
-        for i in range(SIZE):
-            a, b, c, d = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
-            triangles += [(a, b, c), (a, c, d)]
-    return points, triangles
+    return command.grid(
+        SIZE, SIZE, lambda i, j: (3.0 * i, 3.0 * j, -0.01 * ((3.0 * i - 15) ** 2 + (3.0 * j - 15) ** 2)))
 
 
 def cross(u, v):

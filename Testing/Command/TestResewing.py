@@ -9,14 +9,12 @@ import command
 
 def tube(columns, rows):
     """A closed cylinder of radius 1 about the z axis; vertex j columns + i."""
-    points = [(math.cos(2 * math.pi * i / columns), math.sin(2 * math.pi * i / columns), 2 * j / rows)
-              for j in range(rows + 1) for i in range(columns)]
-    triangles = []
-    for j in range(rows):
-        for i in range(columns):
-            a, b = j * columns + i, j * columns + (i + 1) % columns
-            triangles += [(a, b, b + columns), (a, b + columns, a + columns)]
-    return points, triangles
+    return command.grid(columns, rows, lambda i, j: (
+        math.cos(2 * math.pi * i / columns), math.sin(2 * math.pi * i / columns), 2 * j / rows), closed=True)
+
+
+def hill(height):
+    return command.grid(6, 6, lambda i, j: (i, j, height * i * (6 - i) * j * (6 - j) / 9))
 
 
 class Resewing(command.CommandTest):
@@ -64,10 +62,7 @@ class Resewing(command.CommandTest):
         self.assertIn("product sewn again: ", product)
 
     def test_it_is_sewn_of_the_material_that_it_is_cut_from_and_hangs_by_its_weight(self):
-        self.write("hill.obj", command.obj(
-            [(i, j, 0.03 * i * (6 - i) * j * (6 - j) / 9) for j in range(7) for i in range(7)],
-            [t for j in range(6) for i in range(6) for a in [7 * j + i]
-             for t in ((a, a + 1, a + 8), (a, a + 8, a + 7))]))
+        self.write("hill.obj", command.obj(*hill(0.03)))
         sheet, = self.flatten("sew", "hill.obj", "--mode", "panel")["resewn"]
         self.assertIsNone(sheet["cloth"])
         knit, = self.flatten("sew", "hill.obj", "--mode", "panel", "--material", "jersey")["resewn"]
@@ -96,10 +91,7 @@ class Resewing(command.CommandTest):
         self.assertNotIn("flat.vtp", os.listdir(self.path("out")))
 
     def test_cloth_that_is_not_at_rest_is_told(self):
-        self.write("hill.obj", command.obj(
-            [(i, j, 0.2 * i * (6 - i) * j * (6 - j) / 9) for j in range(7) for i in range(7)],
-            [t for j in range(6) for i in range(6) for a in [7 * j + i]
-             for t in ((a, a + 1, a + 8), (a, a + 8, a + 7))]))
+        self.write("hill.obj", command.obj(*hill(0.2)))
         run = self.run_command(
             "sew", "hill.obj", "--mode", "panel", "--sewing-iterations", "1", "--output", "out")
         self.assertEqual(run.returncode, 4, run.stderr)

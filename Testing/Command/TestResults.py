@@ -220,27 +220,21 @@ class Results(command.CommandTest):
         for count, rings, bottom, top, height, energy in (
                 (6, 1, 5.0, 5.0, 20.0, ""), (40, 11, 7.0, 3.0, 10.0, "symmetric Dirichlet"),
                 (24, 3, 0.02, 0.02, 0.02, "symmetric Dirichlet")):
-            points = [(radius * math.cos(2 * math.pi * k / count), radius * math.sin(2 * math.pi * k / count),
-                       height * ring / rings)
-                      for ring in range(rings + 1)
-                      for radius in (bottom + (top - bottom) * ring / rings,)
-                      for k in range(count)]
-            triangles = []
-            for first in range(0, count * rings, count):
-                for k in range(count):
-                    a, b = first + k, first + (k + 1) % count
-                    triangles += [(a, b, b + count), (a, b + count, a + count)]
-            for unit, place in (("cm", 0), ("inch", 1)):
+            def place(k, ring):
+                radius, turn = bottom + (top - bottom) * ring / rings, 2 * math.pi * k / count
+                return radius * math.cos(turn), radius * math.sin(turn), height * ring / rings
+            tube = command.grid(count, rings, place, closed=True)
+            for unit, before in (("cm", 0), ("inch", 1)):
                 self.write("tube.obj", command.obj(*command.together(
-                    *([lune] * place + [(points, triangles)]))))
+                    *([lune] * before + [tube]))))
                 run = self.run_command("tube.obj", "--unit", unit, "--output", "out")
                 self.assertIn(run.returncode, (0, 4), run.stderr)
                 self.assertEqual((run.stdout + run.stderr).count("Dirichlet energy was used"), 1 if energy else 0)
                 report = self.report("out")
-                self.assertEqual(len(report["pieces"]), place + 1)
-                said = report["pieces"][place]["verdict"]
-                self.assertIn(f"wirewarp: warning: piece {place + 1}: {said}\n", run.stderr)
-                self.assertIn(f"piece {place + 1}: {said}", report["warnings"])
+                self.assertEqual(len(report["pieces"]), before + 1)
+                said = report["pieces"][before]["verdict"]
+                self.assertIn(f"wirewarp: warning: piece {before + 1}: {said}\n", run.stderr)
+                self.assertIn(f"piece {before + 1}: {said}", report["warnings"])
                 self.assertIn(energy, said)
                 for told in (run.stderr, report["message"]):
                     self.assertNotIn("feature curve", told)
@@ -248,7 +242,7 @@ class Results(command.CommandTest):
                 start, end = map(int, re.search(
                     r"this is a tube with 2 openings, .*: cut it open from point (\d+) to point (\d+), or",
                     said).groups())
-                ends = {(p - place * len(self.points)) // count for p in (start, end)}
+                ends = {(p - before * len(self.points)) // count for p in (start, end)}
                 self.assertEqual(ends, {0, rings})
 
 

@@ -8,14 +8,7 @@ import command
 
 def plate(columns, rows, height=lambda x, y: 0.0):
     """columns x rows unit squares; vertex (i, j) is j * (columns + 1) + i."""
-    points = [(float(i), float(j), height(i, j)) for j in range(rows + 1) for i in range(columns + 1)]
-    triangles = []
-    for j in range(rows):
-        for i in range(columns):
-            a = j * (columns + 1) + i
-            b = a + columns + 1
-            triangles += [(a, a + 1, b + 1), (a, b + 1, b)]
-    return points, triangles
+    return command.grid(columns, rows, lambda i, j: (float(i), float(j), height(i, j)))
 
 
 def area(points, corners):

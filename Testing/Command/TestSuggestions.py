@@ -12,18 +12,10 @@ import command
 
 def dome(columns, rows, height):
     """A dome over the square from -1 to 1."""
-    points = []
-    for j in range(rows + 1):
-        for i in range(columns + 1):
-            x, y = 2 * i / columns - 1, 2 * j / rows - 1
-            points.append((x, y, height * (1 - x * x) * (1 - y * y)))
-    triangles = []
-    for j in range(rows):
-        for i in range(columns):
-            a = j * (columns + 1) + i
-            b, c, d = a + 1, a + columns + 2, a + columns + 1
-            triangles += [(a, b, c), (a, c, d)] if (i + j) % 2 else [(a, b, d), (b, c, d)]
-    return points, triangles
+    def place(i, j):
+        x, y = 2 * i / columns - 1, 2 * j / rows - 1
+        return x, y, height * (1 - x * x) * (1 - y * y)
+    return command.grid(columns, rows, place, other=lambda i, j: (i + j) % 2 == 0)
 
 
 def legacy(points, triangles, name, values):

@@ -93,20 +93,23 @@ def quarter_sphere():
     return points, triangles, [vertex(i, 4) for i in range(5)]
 
 
-def sheet(columns=4, rows=4):
-    """A sheet of squares over a cylinder of radius 1, split into triangles."""
-    points = [
-        (math.cos(0.3 * i), math.sin(0.3 * i), 0.25 * j)
-        for j in range(rows + 1)
-        for i in range(columns + 1)
-    ]
+def grid(columns, rows, place, closed=False, other=lambda i, j: False):
+    """Squares between the points place(i, j), vertex (i, j) is j * (columns + 1) + i, or a tube where it is closed,
+    split into triangles by one diagonal, or the other one."""
+    wide = columns if closed else columns + 1
+    points = [place(i, j) for j in range(rows + 1) for i in range(wide)]
     triangles = []
     for j in range(rows):
         for i in range(columns):
-            a = j * (columns + 1) + i
-            b = a + columns + 1
-            triangles += [(a, a + 1, b + 1), (a, b + 1, b)]
+            a, b = j * wide + i, j * wide + (i + 1) % wide
+            c, d = b + wide, a + wide
+            triangles += [(a, b, d), (b, c, d)] if other(i, j) else [(a, b, c), (a, c, d)]
     return points, triangles
+
+
+def sheet(columns=4, rows=4):
+    """A sheet of squares over a cylinder of radius 1."""
+    return grid(columns, rows, lambda i, j: (math.cos(0.3 * i), math.sin(0.3 * i), 0.25 * j))
 
 
 TETRAHEDRON = ([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)],
