@@ -30,8 +30,8 @@
  * | `RestLength`, `FlatLength` | 4 | double | length on the surface and in the plane |
  *
  * Field data of the outputs holds only what other filters read: `LengthUnit`, `SeamPairs`,
- * `SeamClosed`, `OverlapEdges`, `GrainAngle` (with a material), `RunStatus` and `RunStatusMessage`
- * of output 0. A list without rows is no array.
+ * `SeamClosed`, `OverlapEdges`, `GrainAngle` and `SheetMaterial` (with a material), `RunStatus` and
+ * `RunStatusMessage` of output 0. A list without rows is no array.
  *
  * Without a result the outputs have no points and cells, and output 3 has one row, with `Piece` -1,
  * `Status` and `StatusMessage`.

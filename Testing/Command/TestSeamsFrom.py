@@ -2,6 +2,7 @@
 """Names of pieces and seams that the faces of an OBJ file bring with them."""
 import math
 import time
+from xml.etree import ElementTree
 
 import command
 
@@ -12,7 +13,7 @@ class SeamsFrom(command.CommandTest):
     def names(self, *arguments):
         run = self.run_command("pattern", *arguments, "--unit", "cm", "-o", "out/pattern.svg", "--smooth", "0", "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)
-        root = command.xml_root(self.path("out/pattern.svg"))
+        root = ElementTree.parse(self.path("out/pattern.svg")).getroot()
         layers = [group.get(LABEL) for group in root if group.get(LABEL)]
         return [layer for layer in layers if layer != "scale check"]
 

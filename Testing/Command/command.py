@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests of the command share: running it, surfaces to feed it, reading what it writes."""
 
-import base64
 import json
 import math
 import os
@@ -11,7 +10,6 @@ import subprocess
 import sys
 import tempfile
 import unittest
-from xml.etree import ElementTree
 
 EXECUTABLE = os.environ["WIREWARP"]
 DATA = os.environ["WIREWARP_DATA"]
@@ -245,70 +243,25 @@ def stl(points, triangles):
 
 # Results ----------------------------------------------------------------------------------------
 
-FORMATS = {"Float64": "d", "Float32": "f", "Int64": "q", "Int32": "i", "UInt8": "B", "Int8": "b"}
-
-
 def read_array(path, name, within="Piece"):
-    """Values of an array of an XML polydata file that VTK wrote (in its elements, base64, LZ4). Cells of
-    each kind have their own `connectivity`, within Lines or Polys."""
-    root = xml_root(path)
-    for array in root.find(".//" + within).iter("DataArray"):
-        if array.get("Name") == name:
-            size = {"UInt32": 4, "UInt64": 8}[root.get("header_type", "UInt32")]
-            values = decode(array.text.strip(), size)
-            kind = FORMATS[array.get("type")]
-            return list(struct.unpack("<%d%s" % (len(values) // struct.calcsize(kind), kind), values))
-    raise KeyError(name)
+    """Values of an array of a file of VTK in a list; points are called Points, corners of cells within Lines or Polys
+    connectivity and offsets."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-
-def xml_root(path):
-    return ElementTree.parse(path).getroot()
-
-
-def decode(text, size):
-    """Blocks behind a header of (blocks, block size, size of the last, compressed sizes ...)."""
-
-    def header(count):
-        length = 4 * -(-count * size // 3)
-        values = base64.b64decode(text[:length])[: count * size]
-        return length, struct.unpack("<%d%s" % (count, "IQ"[size // 8]), values)
-
-    blocks = header(3)[1][0]
-    if blocks == 0:
-        return b""
-    length, numbers = header(3 + blocks)
-    packed = 4 * -(-sum(numbers[3:]) // 3)
-    data = base64.b64decode(text[length : length + packed])
-    values = b""
-    for block in numbers[3:]:
-        values += lz4_block(data[:block])
-        data = data[block:]
-    return values
-
-
-def lz4_block(data):
-    """Sequences of a token, literals, and a match behind (offset, length), after the LZ4 block format."""
-
-    def length(nibble, at):
-        while nibble >= 15:
-            nibble, more, at = nibble + data[at], data[at], at + 1
-            if more < 255:
-                break
-        return nibble, at
-
-    values, at = bytearray(), 0
-    while at < len(data):
-        token, at = data[at], at + 1
-        count, at = length(token >> 4, at)
-        values += data[at : at + count]
-        at += count
-        if at == len(data):  # the last sequence has literals alone
-            break
-        offset, at = data[at] + 256 * data[at + 1], at + 2
-        count, at = length(token & 15, at)
-        for _ in range(count + 4):
-            values.append(values[-offset])
-    return bytes(values)
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    data = reader.GetOutput()
+    if within in ("Lines", "Polys"):
+        cells = getattr(data, "Get" + within)()
+        array = cells.GetConnectivityArray() if name == "connectivity" else cells.GetOffsetsArray()
+        return vtk_to_numpy(array).tolist()[0 if name == "connectivity" else 1:]
+    array = data.GetPoints().GetData() if name == "Points" else (
+        data.GetPointData().GetArray(name) or data.GetCellData().GetArray(name))
+    if not array:
+        raise KeyError(name)
+    return vtk_to_numpy(array).ravel().tolist()
 
 
 def error_lines(run):
