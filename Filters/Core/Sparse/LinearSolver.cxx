@@ -295,14 +295,14 @@ Eigen::MatrixXd LinearSolver::solve(
 {
   if (!this->Factorized || rightHandSide.rows() != this->Size)
   {
-    return {};
+    return Eigen::MatrixXd(0, rightHandSide.cols()); // a vector can be made of it
   }
   if (rightHandSide.size() == 0)
   {
     return rightHandSide;
   }
   Eigen::MatrixXd solution = this->Solver->solve(rightHandSide, execution);
-  return isFinite(solution) ? solution : Eigen::MatrixXd();
+  return isFinite(solution) ? solution : Eigen::MatrixXd(0, rightHandSide.cols());
 }
 
 Eigen::MatrixXd LinearSolver::solveRefined(
