@@ -157,10 +157,32 @@ std::vector<double> planarAngles(const AngleProblem& problem, const Points2& pos
       const Point2& at = positions[net.vertex[i]];
       const double angle =
         interiorAngle(positions[net.vertex[net.previous[i]]], at, positions[net.endVertex(i)]);
-      theta[i] = angle + 2.0 * pi * std::round((problem.target[i] - angle) / (2.0 * pi));
+      theta[i] = nearestBranch(angle, problem.target[i]);
     }
   }
   return theta;
+}
+
+std::vector<double> stretchBounds(const AngleProblem& problem)
+{
+  std::vector<double> bounds;
+  for (const StretchGroup& group : problem.groups)
+  {
+    bounds.push_back(group.tolerance);
+  }
+  return bounds;
+}
+
+std::vector<double> stretchedLengths(
+  const AngleProblem& problem, const std::vector<double>& stretch)
+{
+  std::vector<double> lengths = problem.length;
+  for (std::size_t e = 0; e < lengths.size(); ++e)
+  {
+    const Index group = problem.stretchGroup[e];
+    lengths[e] *= group == none ? 1.0 : 1.0 + stretch[group];
+  }
+  return lengths;
 }
 
 AngleConstraints::AngleConstraints(const AngleProblem& problem)

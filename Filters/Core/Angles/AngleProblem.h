@@ -4,6 +4,7 @@
 #include "Wires/KeyCurveLocks.h"
 
 #include <Eigen/SparseCore>
+#include <cmath>
 
 namespace flattening
 {
@@ -41,9 +42,22 @@ AngleProblem makeAngleProblem(const WireNetwork& network, NodeLocks locks);
 /// The angle to the left of a path in the plane, in (0, 2 pi].
 double interiorAngle(const Point2& before, const Point2& at, const Point2& after);
 
+/// The angle and whole turns that come nearest to a target.
+inline double nearestBranch(double angle, double target)
+{
+  return angle + 2.0 * pi * std::round((target - angle) / (2.0 * pi));
+}
+
 /// The planar angle of each node where the wires' vertices lie, on the branch next to its target. A
 /// wire that ends in a patch has its full turn there. \param positions per piece vertex
 std::vector<double> planarAngles(const AngleProblem& problem, const Points2& positions);
+
+/// Per stretch group how far its stretch may go.
+std::vector<double> stretchBounds(const AngleProblem& problem);
+
+/// Length of each wire edge with these stretches of elastic curves and connectors.
+std::vector<double> stretchedLengths(
+  const AngleProblem& problem, const std::vector<double>& stretch);
 
 /// 1/2 sum w (theta - alpha)^2 over the free nodes (Eq. 13).
 double angleObjective(const AngleProblem& problem, const std::vector<double>& theta);

@@ -435,16 +435,6 @@ DirectionsKkt::DirectionsKkt(const DirectionsForm& form)
   this->Assembler.finish();
 }
 
-std::vector<double> DirectionsKkt::bounds() const
-{
-  std::vector<double> tolerance;
-  for (const StretchGroup& group : this->Form.problem().groups)
-  {
-    tolerance.push_back(group.tolerance);
-  }
-  return tolerance;
-}
-
 double DirectionsKkt::objective(const Eigen::VectorXd& x, const Execution&) const
 {
   return this->Form.objective(x);

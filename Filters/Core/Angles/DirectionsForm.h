@@ -105,7 +105,7 @@ public:
 
   Index unknownCount() const override { return this->Form.unknownCount(); }
   Index constraintCount() const override { return this->Form.constraintCount(); }
-  std::vector<double> bounds() const override;
+  std::vector<double> bounds() const override { return stretchBounds(this->Form.problem()); }
   double objective(const Eigen::VectorXd& x, const Execution& execution = {}) const override;
   Eigen::VectorXd constraints(const Eigen::VectorXd& x) const override;
   double constraintRounding(const Eigen::VectorXd& x, double merit) const override;

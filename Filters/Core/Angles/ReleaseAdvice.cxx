@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace flattening
 {
@@ -59,24 +58,6 @@ bool better(const ReleaseTrial& a, const ReleaseTrial& b, ReleaseMeasure measure
   const bool flipsB = b.homogeneity <= 0.0;
   return flipsA != flipsB ? flipsB : a.areaError < b.areaError;
 }
-}
-
-bool liesPoorly(const TriangleMesh& mesh, const Points2& positions)
-{
-  double least = std::numeric_limits<double>::max();
-  double most = 0.0;
-  for (Index t = 0; t < mesh.triangleCount(); ++t)
-  {
-    const Triangle& c = mesh.triangle(t);
-    const Point2 p = positions[c[1]] - positions[c[0]];
-    const Point2 q = positions[c[2]] - positions[c[0]];
-    const Point3 u = mesh.point(c[1]) - mesh.point(c[0]);
-    const Point3 v = mesh.point(c[2]) - mesh.point(c[0]);
-    const double ratio = cross(p, q) / u.cross(v).norm();
-    least = std::min(least, ratio);
-    most = std::max(most, ratio);
-  }
-  return !(least >= poorHomogeneity * most);
 }
 
 ReleaseAdvice adviseRelease(const WireNetwork& network, const std::vector<FeatureCurve>& curves,

@@ -6,14 +6,6 @@
 
 namespace flattening
 {
-/// A piece whose homogeneity of distortion falls below this lies poorly: areas are changed by more
-/// than 2.5 against each other. Pieces as they are cut in practice stay above 0.48; below are those
-/// on which the curves have no good exact solution together.
-inline constexpr double poorHomogeneity = 0.4;
-
-/// Whether a triangle is flipped or the homogeneity (E_h) is poor.
-bool liesPoorly(const TriangleMesh& mesh, const Points2& positions);
-
 /// What came of flattening the piece without a curve, or without the shape of a key curve.
 struct ReleaseTrial
 {

@@ -62,6 +62,12 @@ inline double cross(const Point2& u, const Point2& v)
   return u.x() * v.y() - u.y() * v.x();
 }
 
+/// The angle between two vectors of space, in [0, pi].
+inline double angleBetween(const Point3& u, const Point3& v)
+{
+  return std::atan2(u.cross(v).norm(), u.dot(v));
+}
+
 /// How far a point of a polyline lies from the segment that joins its ends, at most.
 inline double farthestFromChord(const Points2& line)
 {

@@ -128,39 +128,6 @@ Status followCurves(
   }
   return {};
 }
-
-/// Triangles' connected components; numbered by their smallest triangle.
-Index findPieces(const TriangleMesh& mesh, Indices& pieceOfTriangle)
-{
-  pieceOfTriangle.assign(mesh.triangleCount(), none);
-  Index count = 0;
-  Indices stack;
-  for (Index seed = 0; seed < mesh.triangleCount(); ++seed)
-  {
-    if (pieceOfTriangle[seed] != none)
-    {
-      continue;
-    }
-    pieceOfTriangle[seed] = count;
-    stack.push_back(seed);
-    while (!stack.empty())
-    {
-      const Index t = stack.back();
-      stack.pop_back();
-      for (Index h = 3 * t; h < 3 * t + 3; ++h)
-      {
-        const Index other = mesh.twin(h);
-        if (other != none && pieceOfTriangle[other / 3] == none)
-        {
-          pieceOfTriangle[other / 3] = count;
-          stack.push_back(other / 3);
-        }
-      }
-    }
-    ++count;
-  }
-  return count;
-}
 }
 
 CurveLabels labelHalfedges(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves)
@@ -256,7 +223,7 @@ CutSurface openCuts(const TriangleMesh& mesh, CurveLabels labels)
       cut.seamPairs.push_back({ h, mesh.twin(h), cut.curveOfHalfedge[h] });
     }
   }
-  cut.pieceCount = findPieces(cut.mesh, cut.pieceOfTriangle);
+  cut.pieceCount = connectedParts(cut.mesh, {}, cut.pieceOfTriangle);
   return cut;
 }
 

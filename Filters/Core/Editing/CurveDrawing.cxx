@@ -177,20 +177,14 @@ Status drawImage(
 }
 }
 
-bool atBoundary(const TriangleMesh& mesh, const SurfacePoint& point)
-{
-  return (point.type == SurfacePointType::Vertex && mesh.onBoundary(point.id)) ||
-    (point.type == SurfacePointType::Edge && mesh.twin(point.id) == none);
-}
-
 SurfacePoint imageOf(const DrawingSurface& surface, const CurveSet& curves, const EditedCurve* own,
   const SurfacePoint& point)
 {
   const TriangleMesh& mesh = surface.mesh();
   const Point3 image = curves.mirror->image(point.position);
   SurfacePoint near = surface.pointNear(image);
-  const bool ofBoundary = atBoundary(mesh, point);
-  if (ofBoundary && atBoundary(mesh, near))
+  const bool ofBoundary = onBoundary(mesh, point);
+  if (ofBoundary && onBoundary(mesh, near))
   {
     return near;
   }

@@ -38,8 +38,6 @@ private:
   std::unique_ptr<PathSearch> Search;
 };
 
-bool atBoundary(const TriangleMesh& mesh, const SurfacePoint& point);
-
 /// Where the image of a point lies on the surface. That of a point on the boundary lies on it as
 /// well, that of a point on a mirrored curve on the curve's image, where these are within a
 /// twentieth of the surface's size: surfaces of bodies and their scans are nearly symmetric, and

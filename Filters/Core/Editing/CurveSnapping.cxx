@@ -55,7 +55,7 @@ void offerNodes(
     for (std::size_t k = 0; k < curve.nodes.size() && id != options.exceptCurve; ++k)
     {
       const bool tip = curve.traits.type == CurveType::Dart && !curve.closed &&
-        (k == 0 || k + 1 == curve.nodes.size()) && !atBoundary(surface.mesh(), curve.nodes[k]);
+        (k == 0 || k + 1 == curve.nodes.size()) && !onBoundary(surface.mesh(), curve.nodes[k]);
       if (tip ? options.dartTip : options.curve)
       {
         nearest.offer(curve.nodes[k], tip ? SnapTarget::DartTip : SnapTarget::Curve, id);
@@ -72,10 +72,7 @@ void offerBoundary(
   {
     const double fraction =
       sight.nearestFraction(mesh.point(mesh.from(h)), mesh.point(mesh.to(h)), point);
-    nearest.offer(fraction == 0.0 ? vertexPoint(mesh, mesh.from(h))
-        : fraction == 1.0         ? vertexPoint(mesh, mesh.to(h))
-                                  : edgePoint(mesh, h, fraction),
-      SnapTarget::Boundary);
+    nearest.offer(crossingPoint(mesh, h, fraction), SnapTarget::Boundary);
   }
 }
 

@@ -12,11 +12,6 @@ namespace
 constexpr double cornerTurn = pi / 6.0;
 /// Of the mean edge length, as the imprint's own default.
 constexpr double snapFraction = 1e-3;
-
-double turn(const Point3& before, const Point3& after)
-{
-  return std::atan2(before.cross(after).norm(), before.dot(after));
-}
 }
 
 DrawingSurface::DrawingSurface(TriangleMesh mesh)
@@ -32,7 +27,7 @@ DrawingSurface::DrawingSurface(TriangleMesh mesh)
       const Index before = loop[k];
       const Index after = loop[(k + 1) % loop.size()];
       const Point3& vertex = this->Mesh.point(this->Mesh.to(before));
-      if (turn(vertex - this->Mesh.point(this->Mesh.from(before)),
+      if (angleBetween(vertex - this->Mesh.point(this->Mesh.from(before)),
             this->Mesh.point(this->Mesh.to(after)) - vertex) > cornerTurn)
       {
         this->Corners.push_back(this->Mesh.to(before));

@@ -6,6 +6,7 @@
 #include "Flattening/PieceArrangement.h"
 #include "Flattening/PieceWires.h"
 #include "Quality/FlatteningQuality.h"
+#include "Surface/VertexFan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,17 +65,9 @@ double withinTurn(double angle)
 
 std::vector<double> sharesOfArea(const TriangleMesh& mesh)
 {
-  std::vector<double> share(mesh.vertexCount(), 0.0);
-  double sum = 0.0;
-  for (Index t = 0; t < mesh.triangleCount(); ++t)
-  {
-    const double area = mesh.area(t);
-    sum += area;
-    for (const Index v : mesh.triangle(t))
-    {
-      share[v] += area / 3.0;
-    }
-  }
+  std::vector<double> share =
+    vertexAreas(mesh.triangles(), mesh.vertexCount(), [&mesh](Index t) { return mesh.area(t); });
+  const double sum = mesh.area();
   for (double& s : share)
   {
     s /= sum;
@@ -184,16 +177,7 @@ public:
   Points2 turned(double angle, const Points2& positions) const
   {
     const double turn = this->angle(positions) - angle;
-    const double cosine = std::cos(turn);
-    const double sine = std::sin(turn);
-    Points2 result;
-    result.reserve(positions.size());
-    for (const Point2& p : positions)
-    {
-      const Point2 d = p - positions.front();
-      result.emplace_back(cosine * d.x() - sine * d.y(), sine * d.x() + cosine * d.y());
-    }
-    return result;
+    return turnedAroundFirst(positions, std::cos(turn), std::sin(turn));
   }
 
   /// Keeps the angle of the grain that the piece has: of a curve the direction of its line, of the

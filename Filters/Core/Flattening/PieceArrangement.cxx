@@ -144,16 +144,7 @@ Point2 longDirection(const Points2& points)
 Points2 turned(const Points2& points, const Point2& up)
 {
   const Point2 y = up.normalized();
-  const Point2 x(y.y(), -y.x());
-  // Around the first point, so that a piece far from the origin keeps its digits.
-  Points2 result;
-  result.reserve(points.size());
-  for (const Point2& p : points)
-  {
-    const Point2 d = p - points.front();
-    result.emplace_back(d.dot(x), d.dot(y));
-  }
-  return result;
+  return turnedAroundFirst(points, y.y(), y.x());
 }
 
 Points2 upright(const ArrangementPiece& piece)
@@ -190,6 +181,18 @@ Points2 upright(const ArrangementPiece& piece)
   }
   return result;
 }
+}
+
+Points2 turnedAroundFirst(const Points2& points, double cosine, double sine)
+{
+  Points2 result;
+  result.reserve(points.size());
+  for (const Point2& p : points)
+  {
+    const Point2 d = p - points.front();
+    result.emplace_back(cosine * d.x() - sine * d.y(), sine * d.x() + cosine * d.y());
+  }
+  return result;
 }
 
 std::vector<Point2> cornersInRows(const std::vector<Point2>& sizes, double spacing)

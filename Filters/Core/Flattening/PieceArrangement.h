@@ -24,6 +24,10 @@ struct ArrangementPiece
 /// \return the new positions, per piece; the lower left corner of the first piece is the origin.
 std::vector<Points2> arrangePieces(const std::vector<ArrangementPiece>& pieces, double spacing);
 
+/// Points turned by an angle around the first of them, which comes to the origin: those far from it
+/// keep their digits.
+Points2 turnedAroundFirst(const Points2& points, double cosine, double sine);
+
 /// Lower left corners of boxes of these sizes in such rows, the first at the origin.
 std::vector<Point2> cornersInRows(const std::vector<Point2>& sizes, double spacing);
 }

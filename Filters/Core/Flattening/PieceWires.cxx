@@ -254,18 +254,6 @@ std::optional<PieceSolution> releaseFoldingKeys(
   return released;
 }
 
-std::vector<double> stretchedLengths(
-  const AngleProblem& problem, const std::vector<double>& stretch)
-{
-  std::vector<double> lengths = problem.length;
-  for (std::size_t e = 0; e < lengths.size(); ++e)
-  {
-    const Index group = problem.stretchGroup[e];
-    lengths[e] *= group == none ? 1.0 : 1.0 + stretch[group];
-  }
-  return lengths;
-}
-
 double largestLengthError(const WireNetwork& network, const std::vector<double>& lengths,
   const Points2& positions, bool connectors)
 {

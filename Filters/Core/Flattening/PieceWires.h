@@ -25,10 +25,6 @@ void placeWires(const PieceContext& context, PieceSolution& solution);
 std::optional<PieceSolution> releaseFoldingKeys(
   const PieceContext& context, const PieceSolution& folded);
 
-/// Length of each wire edge with these stretches of elastic curves and connectors.
-std::vector<double> stretchedLengths(
-  const AngleProblem& problem, const std::vector<double>& stretch);
-
 /// Largest relative error of a wire edge against the lengths that were solved for. \param
 /// connectors whether they count
 double largestLengthError(const WireNetwork& network, const std::vector<double>& lengths,

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -279,31 +280,6 @@ ImprintedSurface refuse(Status status)
   return result;
 }
 
-/// The triangles of the connected part of the surface that the point lies on, in order.
-Indices partOf(const TriangleMesh& mesh, const SurfacePoint& point)
-{
-  std::vector<char> reached(static_cast<std::size_t>(mesh.triangleCount()), 0);
-  Indices part = trianglesAround(mesh, point);
-  for (const Index t : part)
-  {
-    reached[t] = 1;
-  }
-  for (std::size_t next = 0; next < part.size(); ++next)
-  {
-    for (Index h = 3 * part[next]; h < 3 * part[next] + 3; ++h)
-    {
-      const Index twin = mesh.twin(h);
-      if (twin != none && !reached[twin / 3])
-      {
-        reached[twin / 3] = 1;
-        part.push_back(twin / 3);
-      }
-    }
-  }
-  std::sort(part.begin(), part.end());
-  return part;
-}
-
 /// Identity: the mesh as it is.
 ImprintedSurface keepMesh(const TriangleMesh& mesh)
 {
@@ -315,10 +291,7 @@ ImprintedSurface keepMesh(const TriangleMesh& mesh)
     result.vertexSource[v].vertices = { v, v, v };
   }
   result.originalTriangle.resize(mesh.triangleCount());
-  for (Index t = 0; t < mesh.triangleCount(); ++t)
-  {
-    result.originalTriangle[t] = t;
-  }
+  std::iota(result.originalTriangle.begin(), result.originalTriangle.end(), 0);
   return result;
 }
 
@@ -508,9 +481,7 @@ private:
       const Index vertex = this->Placement.vertex(c, i);
       const SurfacePoint here =
         vertex != none ? vertexPoint(this->Mesh, vertex) : snapToMesh(this->Mesh, snap, located[i]);
-      const bool same = i > 0 && here.type == last.type && here.id == last.id &&
-        (here.type == SurfacePointType::Vertex || here.weights == last.weights);
-      if (i > 0 && !same)
+      if (i > 0 && !samePlace(here, last))
       {
         SurfacePath path = traceSegment(this->Mesh, snap, last, here);
         if (!path.arrived)
@@ -532,16 +503,21 @@ private:
   Status betweenParts(
     std::size_t c, const Indices& ids, const SurfacePoint& from, const SurfacePoint& to) const
   {
-    const Indices part = partOf(this->Mesh, from);
-    if (std::binary_search(part.begin(), part.end(), trianglesAround(this->Mesh, to).front()))
+    Indices part;
+    connectedParts(this->Mesh, {}, part);
+    const Index one = part[trianglesAround(this->Mesh, from).front()];
+    const Index other = part[trianglesAround(this->Mesh, to).front()];
+    if (one == other)
     {
       return {};
     }
+    const auto size = [&part](Index p) {
+      return std::to_string(std::count(part.begin(), part.end(), p));
+    };
     return { StatusCode::CurveLeavesSurface,
       curveName(this->Polylines[c], c) + ": points " + std::to_string(ids[0]) + " and " +
-        std::to_string(ids[1]) + " lie on separate parts of the surface, of " +
-        std::to_string(part.size()) + " and " + std::to_string(partOf(this->Mesh, to).size()) +
-        " triangles",
+        std::to_string(ids[1]) + " lie on separate parts of the surface, of " + size(one) +
+        " and " + size(other) + " triangles",
       { ElementKind::CurvePoints, ids }, { Remedy::RedrawCurve, Remedy::JoinByEdge } };
   }
 

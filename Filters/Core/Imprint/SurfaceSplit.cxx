@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <tuple>
 
@@ -401,10 +402,7 @@ private:
   {
     this->Cells = this->Mesh.triangles();
     result.originalTriangle.resize(this->Cells.size());
-    for (std::size_t t = 0; t < this->Cells.size(); ++t)
-    {
-      result.originalTriangle[t] = static_cast<Index>(t);
-    }
+    std::iota(result.originalTriangle.begin(), result.originalTriangle.end(), 0);
     for (const FaceTask& task : this->Tasks)
     {
       const Point3 normal = triangleNormal(this->Mesh, task.triangle);

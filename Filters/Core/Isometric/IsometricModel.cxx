@@ -14,22 +14,12 @@ namespace
 /// Stiffness against turns of a cloth that nothing holds: unstrained it knows of none, and rounding
 /// in the gradient must not turn it.
 constexpr double leastTurning = 1e-7;
-
-double rootOfMeanArea(const TriangleMesh& mesh)
-{
-  double sum = 0.0;
-  for (Index t = 0; t < mesh.triangleCount(); ++t)
-  {
-    sum += mesh.area(t);
-  }
-  return std::sqrt(sum / mesh.triangleCount());
-}
 }
 
 IsometricModel::IsometricModel(const Piece& piece, const AngleProblem& problem,
   const SheetEnergy& energy, double bendingWeight, const GrainHold& hold)
   : Problem(problem)
-  , Unit(rootOfMeanArea(piece.mesh))
+  , Unit(std::sqrt(piece.mesh.area() / piece.mesh.triangleCount()))
   , Sheet(piece.mesh, Unit, energy)
   , Hold(energy.turnsFreely() ? GrainHold() : hold)
   , Stiffness(bendingWeight, piece.mesh.triangleCount(), Sheet.modulus())
@@ -199,13 +189,11 @@ std::vector<double> IsometricModel::stretches(const Eigen::VectorXd& x) const
 
 /// The interior angle to the left of the path before - at - after, on the branch next to its
 /// target.
-double IsometricModel::nodeAngle(const Node& node, const Eigen::VectorXd& x) const
+double IsometricModel::nodeAngle(const Node& node, const Eigen::VectorXd& x)
 {
-  const Eigen::Vector2d in = planePoint(x, node.at) - planePoint(x, node.before);
-  const Eigen::Vector2d out = planePoint(x, node.after) - planePoint(x, node.at);
-  const double turn = std::atan2(cross(in, out), in.dot(out));
-  const double angle = pi - turn;
-  return angle + 2.0 * pi * std::round((node.target - angle) / (2.0 * pi));
+  return nearestBranch(
+    interiorAngle(planePoint(x, node.before), planePoint(x, node.at), planePoint(x, node.after)),
+    node.target);
 }
 
 IsometricModel::Terms IsometricModel::terms(
@@ -280,16 +268,6 @@ Eigen::VectorXd IsometricModel::constraints(const Eigen::VectorXd& x) const
     c[this->holdRow()] = sum;
   }
   return c;
-}
-
-std::vector<double> IsometricModel::bounds() const
-{
-  std::vector<double> tolerance;
-  for (const StretchGroup& group : this->Problem.groups)
-  {
-    tolerance.push_back(group.tolerance);
-  }
-  return tolerance;
 }
 
 /// That of lengths between points as far from the origin as these.
@@ -466,10 +444,10 @@ Eigen::Matrix<double, 6, 1> IsometricModel::nodeGradient(const Node& node, const
 }
 
 IsometricModel::NodeGeometry IsometricModel::nodeGeometry(
-  const Node& node, const Eigen::VectorXd& x, bool second) const
+  const Node& node, const Eigen::VectorXd& x, bool second)
 {
   NodeGeometry geometry;
-  geometry.angle = this->nodeAngle(node, x);
+  geometry.angle = nodeAngle(node, x);
   geometry.gradient = nodeGradient(node, x);
   geometry.hessian.setZero();
   if (second)

@@ -41,7 +41,7 @@ public:
   Index coordinateCount() const { return this->CoordinateCount; }
   Index groupCount() const { return static_cast<Index>(this->Problem.groups.size()); }
   Index constraintCount() const override { return this->holdRow() + (this->Hold.holds() ? 1 : 0); }
-  std::vector<double> bounds() const override;
+  std::vector<double> bounds() const override { return stretchBounds(this->Problem); }
   /// Constraints 0 .. lengthCount() - 1 are lengths, the others locked angles, the last the hold.
   Index lengthCount() const { return static_cast<Index>(this->LengthEdges.size()); }
   double unit() const { return this->Unit; }
@@ -115,9 +115,9 @@ private:
   Node makeNode(Index node, const Indices& lengthOfEdge) const;
   void declareEntries();
   std::vector<char> hubsOfWires() const;
-  double nodeAngle(const Node& node, const Eigen::VectorXd& x) const;
+  static double nodeAngle(const Node& node, const Eigen::VectorXd& x);
   static Eigen::Matrix<double, 6, 1> nodeGradient(const Node& node, const Eigen::VectorXd& x);
-  NodeGeometry nodeGeometry(const Node& node, const Eigen::VectorXd& x, bool second) const;
+  static NodeGeometry nodeGeometry(const Node& node, const Eigen::VectorXd& x, bool second);
   void addAngles(const Eigen::VectorXd& x, bool exact, Eigen::VectorXd& gradient);
   void addStretches(const Eigen::VectorXd& x, Eigen::VectorXd& gradient) const;
   Eigen::Vector2d takeLengthRow(Index k, const Eigen::VectorXd& x);

@@ -181,20 +181,13 @@ void correctLengths(const AngleProblem& problem, IsometricSolution& solution)
     return;
   }
   const WireNetwork& network = *problem.network;
-  std::vector<double> length = problem.length;
+  std::vector<double> length = stretchedLengths(problem, solution.stretch);
   for (Index e = 0; e < network.edgeCount(); ++e)
   {
-    const Index group = problem.stretchGroup[e];
-    if (network.edges[e].connector)
-    {
-      length[e] =
-        (solution.positions[network.edges[e].to] - solution.positions[network.edges[e].from])
-          .norm();
-    }
-    else if (group != none)
-    {
-      length[e] *= 1.0 + solution.stretch[group];
-    }
+    const WireEdge& edge = network.edges[e];
+    length[e] = edge.connector
+      ? (solution.positions[edge.to] - solution.positions[edge.from]).norm()
+      : length[e];
   }
   correctWireLengths(network, length, solution.positions);
 }

@@ -24,11 +24,6 @@ struct VertexDirection
 /// Of two sides that are equally sharp but for rounding the right one is taken.
 constexpr double equalAngles = 1e-10;
 
-double angleBetween(const Point3& a, const Point3& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 /// The half-edge of the triangle that leaves the vertex.
 Index leaving(const TriangleMesh& mesh, Index triangle, Index vertex)
 {
@@ -161,8 +156,6 @@ constexpr std::size_t fewestTurns = 1000;
 constexpr std::size_t turnsPerVertex = 10;
 /// What rounding may make of the length of two segments; who is shorter than that is shorter.
 constexpr double leastGain = 1.0 - 1e-14;
-/// How near to the end of an edge a crossing is taken for the vertex, as a fraction of the edge.
-constexpr double atVertex = 1e-13;
 
 /// Straightens in passes. Each leads every run of vertices that are too sharp on one side round
 /// them at once, and draws the whole strip between the vertices before and after tight.
@@ -247,9 +240,7 @@ private:
       {
         const GeodesicPath tight = this->ledRound(k, next);
         fresh.back() = 1;
-        after.segments.insert(after.segments.end(), tight.segments.begin(), tight.segments.end());
-        after.vertices.insert(
-          after.vertices.end(), tight.vertices.begin() + 1, tight.vertices.end());
+        after.append(tight);
         fresh.resize(after.vertices.size(), 1);
         changed = true;
       }
@@ -347,12 +338,7 @@ void appendVertex(
   {
     return;
   }
-  GeodesicPath tight = shortestInStrip(mesh, start, strip, vertex);
-  for (std::size_t i = 0; i < tight.segments.size(); ++i)
-  {
-    geodesic.segments.push_back(std::move(tight.segments[i]));
-    geodesic.vertices.push_back(tight.vertices[i + 1]);
-  }
+  geodesic.append(shortestInStrip(mesh, start, strip, vertex));
 }
 }
 
@@ -411,13 +397,7 @@ SurfacePath pathAlong(const TriangleMesh& mesh, const GeodesicPath& geodesic)
     const std::vector<double> fractions = crossingFractions(mesh, from, crossed, to);
     for (std::size_t i = 0; i < crossed.size(); ++i)
     {
-      const Index h = crossed[i];
-      const Index low = edgeOf(mesh, h);
-      const double f = fractions[i];
-      push(f < atVertex        ? vertexPoint(mesh, mesh.from(h))
-          : f > 1.0 - atVertex ? vertexPoint(mesh, mesh.to(h))
-                               : edgePoint(mesh, low, low == h ? f : 1.0 - f),
-        h / 3);
+      push(crossingPoint(mesh, crossed[i], fractions[i]), crossed[i] / 3);
     }
     push(to, crossed.empty() ? commonTriangle(mesh, from, to) : mesh.twin(crossed.back()) / 3);
   }

@@ -795,10 +795,9 @@ Status checkDistance(
 
 Status checkOffset(const TriangleMesh& mesh, const SurfacePath& path, double distance)
 {
-  if (mesh.triangleCount() == 0)
+  if (Status status = checkPoints(mesh, {}, ""); !status.ok())
   {
-    return { StatusCode::EmptySurface, "there is no triangle to draw on", {},
-      { Remedy::GiveTriangles } };
+    return status;
   }
   if (!liesOn(mesh, path) || !(lengthOf(path) > 0.0))
   {

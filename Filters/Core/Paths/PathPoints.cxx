@@ -69,10 +69,24 @@ bool liesOn(const TriangleMesh& mesh, const SurfacePath& path)
   return true;
 }
 
-bool samePlace(const SurfacePoint& a, const SurfacePoint& b)
+Status checkPoints(
+  const TriangleMesh& mesh, const std::vector<SurfacePoint>& points, const std::string& what)
 {
-  return a.type == b.type && a.id == b.id &&
-    (a.type == SurfacePointType::Vertex || a.weights == b.weights);
+  if (mesh.triangleCount() == 0)
+  {
+    return { StatusCode::EmptySurface, "there is no triangle to draw on", {},
+      { Remedy::GiveTriangles } };
+  }
+  for (const SurfacePoint& point : points)
+  {
+    if (!liesOn(mesh, point))
+    {
+      return { StatusCode::InvalidPointId,
+        what + " in " + std::to_string(point.id) +
+          ", which is no vertex, edge or triangle of the surface" };
+    }
+  }
+  return {};
 }
 
 SurfacePoint pointOf(const TriangleMesh& mesh, Index triangle, const std::array<double, 3>& weights)
@@ -94,9 +108,7 @@ SurfacePoint pointOf(const TriangleMesh& mesh, Index triangle, const std::array<
   if (corners.size() == 2)
   {
     const Index h = 3 * triangle + ((corners[0] + 1) % 3 == corners[1] ? corners[0] : corners[1]);
-    const double atEnd = weights[(h + 1) % 3];
-    const Index low = edgeOf(mesh, h);
-    return edgePoint(mesh, low, low == h ? atEnd : 1.0 - atEnd);
+    return edgePoint(mesh, h, weights[(h + 1) % 3]);
   }
   return { SurfacePointType::Face, triangle, weights, position };
 }

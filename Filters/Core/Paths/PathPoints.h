@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/Status.h"
 #include "Surface/SurfaceTrace.h"
 
 namespace flattening
@@ -10,12 +11,14 @@ bool liesOn(const TriangleMesh& mesh, const SurfacePoint& point);
 /// Whether each two neighbours lie in the triangle between them, and all ids are of the mesh.
 bool liesOn(const TriangleMesh& mesh, const SurfacePath& path);
 
+/// Errors: EmptySurface; InvalidPointId (a point of no such vertex, edge or triangle). \param what
+/// ends or starts there, in the message.
+Status checkPoints(
+  const TriangleMesh& mesh, const std::vector<SurfacePoint>& points, const std::string& what);
+
 /// Weights of a triangle's corners at a point of it.
 std::array<double, 3> weightsIn(
   const TriangleMesh& mesh, Index triangle, const SurfacePoint& point);
-
-/// Whether two points have the same type, id and weights.
-bool samePlace(const SurfacePoint& a, const SurfacePoint& b);
 
 /// A point of a triangle by the weights of its corners; on an edge or at a vertex where weights
 /// are zero.

@@ -163,12 +163,7 @@ GeodesicPath PathSearch::geodesicTo(const SurfacePoint& target)
   GeodesicPath geodesic;
   geodesic.vertices.push_back(this->Source);
   const auto append = [&](const SurfacePoint& vertex, const Indices& crossed) {
-    GeodesicPath tight = shortestInStrip(mesh, geodesic.vertices.back(), crossed, vertex);
-    for (std::size_t i = 0; i < tight.segments.size(); ++i)
-    {
-      geodesic.segments.push_back(std::move(tight.segments[i]));
-      geodesic.vertices.push_back(tight.vertices[i + 1]);
-    }
+    geodesic.append(shortestInStrip(mesh, geodesic.vertices.back(), crossed, vertex));
   };
   Index before = none;
   for (const Index v : this->chainTo(last))

@@ -13,9 +13,6 @@ namespace flattening
 {
 namespace
 {
-/// How near to the end of an edge a crossing is taken for the vertex, as a fraction of the edge.
-constexpr double atSectionVertex = 1e-13;
-
 /// The section of a surface with the plane through a point. Vertices in the plane count as in front
 /// of it, so that the section crosses edges only and cannot branch: each triangle that has corners
 /// in front of the plane and behind it is entered over one edge and left over another.
@@ -49,9 +46,7 @@ public:
     const Index edge = edgeOf(this->Mesh, h);
     const double from = this->height(this->Mesh.from(edge));
     const double s = from / (from - this->height(this->Mesh.to(edge)));
-    return s < atSectionVertex    ? vertexPoint(this->Mesh, this->Mesh.from(edge))
-      : s > 1.0 - atSectionVertex ? vertexPoint(this->Mesh, this->Mesh.to(edge))
-                                  : edgePoint(this->Mesh, edge, s);
+    return crossingPoint(this->Mesh, edge, s);
   }
 
   /// The curve through a point of a triangle that the section goes through.
@@ -116,19 +111,13 @@ PlaneSection planeSection(const TriangleMesh& mesh, const SurfacePoint& point, c
 {
   return withinMemory([&] {
     PlaneSection section;
+    section.status = checkPoints(mesh, { point }, "a section starts");
     const double size = normal.norm();
-    if (mesh.triangleCount() == 0)
+    if (!section.status.ok())
     {
-      section.status = { StatusCode::EmptySurface, "there is no triangle to draw on", {},
-        { Remedy::GiveTriangles } };
+      return section;
     }
-    else if (!liesOn(mesh, point))
-    {
-      section.status = { StatusCode::InvalidPointId,
-        "a section starts in " + std::to_string(point.id) +
-          ", which is no vertex, edge or triangle of the surface" };
-    }
-    else if (!(size > 0.0) || !std::isfinite(size))
+    if (!(size > 0.0) || !std::isfinite(size))
     {
       section.status = { StatusCode::InvalidOption, "the normal of a section has no direction", {},
         { { Remedy::Give, "a normal that is not zero" } } };

@@ -20,25 +20,6 @@ constexpr int mostRelaxations = 6;
 /// Rounds that gain less are not worth their time.
 constexpr double leastShortening = 1e-6;
 
-Status checkEnds(const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to)
-{
-  if (mesh.triangleCount() == 0)
-  {
-    return { StatusCode::EmptySurface, "there is no triangle to draw on", {},
-      { Remedy::GiveTriangles } };
-  }
-  for (const SurfacePoint* point : { &from, &to })
-  {
-    if (!liesOn(mesh, *point))
-    {
-      return { StatusCode::InvalidPointId,
-        "a path ends in " + std::to_string(point->id) +
-          ", which is no vertex, edge or triangle of the surface" };
-    }
-  }
-  return {};
-}
-
 /// Both ends in one triangle, where no path is shorter than the segment.
 bool withinTriangle(
   const TriangleMesh& mesh, const SurfacePoint& from, const SurfacePoint& to, StraightPath& result)
@@ -197,7 +178,7 @@ StraightPath withEndsChecked(
 {
   return withinMemory([&] {
     StraightPath result;
-    result.status = checkEnds(mesh, from, to);
+    result.status = checkPoints(mesh, { from, to }, "a path ends");
     return result.status.ok() && !withinTriangle(mesh, from, to, result) ? search() : result;
   });
 }
@@ -233,7 +214,7 @@ StraightPath straightPathNear(
   return withinMemory([&] {
     const TriangleMesh& mesh = graph.mesh();
     StraightPath result;
-    result.status = checkEnds(mesh, from, to);
+    result.status = checkPoints(mesh, { from, to }, "a path ends");
     if (!result.status.ok())
     {
       return result;

@@ -316,16 +316,10 @@ Indices reducedStrip(const TriangleMesh& mesh, const SurfacePoint& start, const 
       strip.push_back(h);
     }
   }
-  const auto holds = [&mesh](Index h, const SurfacePoint& point) {
-    return point.type == SurfacePointType::Vertex
-      ? mesh.from(h) == point.id || mesh.to(h) == point.id
-      : point.type == SurfacePointType::Edge ? edgeOf(mesh, h) == point.id
-                                             : false;
-  };
   const auto first =
-    std::find_if(strip.begin(), strip.end(), [&](Index h) { return !holds(h, start); });
+    std::find_if(strip.begin(), strip.end(), [&](Index h) { return !edgeHolds(mesh, h, start); });
   strip.erase(strip.begin(), first);
-  while (!strip.empty() && holds(strip.back(), end))
+  while (!strip.empty() && edgeHolds(mesh, strip.back(), end))
   {
     strip.pop_back();
   }

@@ -25,6 +25,13 @@ struct GeodesicPath
 {
   std::vector<SurfacePoint> vertices;
   std::vector<GeodesicSegment> segments; ///< segments[i] joins vertices[i] and vertices[i + 1]
+
+  /// Adds a path that starts where this one ends.
+  void append(const GeodesicPath& more)
+  {
+    this->segments.insert(this->segments.end(), more.segments.begin(), more.segments.end());
+    this->vertices.insert(this->vertices.end(), more.vertices.begin() + 1, more.vertices.end());
+  }
 };
 
 /// The shortest path between two points inside of the strip of triangles that a list of half-edges

@@ -6,6 +6,7 @@
 #include "Sewing/SewingModel.h"
 #include "Sewing/SewnTopology.h"
 #include "Surface/TriangleMesh.h"
+#include "Surface/VertexFan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -120,16 +121,9 @@ ReshapedSurface ReshapedSurface::partOfTheWay(double share) const
 SurfaceShift measureShift(const TriangleMesh& design, const Points3& points)
 {
   SurfaceShift shift;
-  std::vector<double> areas(points.size(), 0.0);
-  double area = 0.0;
-  for (Index t = 0; t < design.triangleCount(); ++t)
-  {
-    area += design.area(t);
-    for (Index v : design.triangle(t))
-    {
-      areas[v] += design.area(t) / 3.0;
-    }
-  }
+  const std::vector<double> areas =
+    vertexAreas(design.triangles(), points.size(), [&design](Index t) { return design.area(t); });
+  const double area = design.area();
   std::vector<AreaValue> values;
   const Points3 outwards = vertexNormals(design);
   for (std::size_t v = 0; v < points.size(); ++v)

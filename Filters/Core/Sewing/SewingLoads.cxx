@@ -117,15 +117,21 @@ double InnerPressure::energy(const Eigen::VectorXd& x) const
   return this->Pressure == 0.0 ? 0.0 : this->Offset - this->Pressure * this->volume(x);
 }
 
+void InnerPressure::declare(SpaceMatrix& matrix)
+{
+  for (std::size_t t = 0; this->Pressure != 0.0 && t < this->Sheet.triangles().size(); ++t)
+  {
+    this->Blocks.emplace_back(matrix, this->Unknowns.of(this->Sheet.triangles()[t]));
+  }
+}
+
 void InnerPressure::add(const Eigen::VectorXd& x, Curvature curvature, SpaceMatrix& matrix,
   Eigen::VectorXd& gradient) const
 {
-  if (this->Pressure == 0.0)
+  for (std::size_t t = 0; t < this->Blocks.size(); ++t)
   {
-    return;
-  }
-  for (const Triangle& c : this->Sheet.triangles())
-  {
+    const Triangle& c = this->Sheet.triangles()[t];
+    Eigen::Matrix<double, 9, 9> hessian = Eigen::Matrix<double, 9, 9>::Zero();
     std::array<Point3, 3> p;
     for (int k = 0; k < 3; ++k)
     {
@@ -136,12 +142,13 @@ void InnerPressure::add(const Eigen::VectorXd& x, Curvature curvature, SpaceMatr
       const int n = (k + 1) % 3;
       const int m = (k + 2) % 3;
       this->Unknowns.scatter(c[k], -this->Pressure / 6.0 * p[n].cross(p[m]), gradient);
-      if (curvature == Curvature::Exact)
-      {
-        // det = p_k . (p_n x p_m): by p_k and p_n it is -[p_m] as a cross matrix.
-        matrix.addPair(this->Unknowns.first[c[k]], this->Unknowns.first[c[n]],
-          this->Pressure / 6.0 * crossMatrix(p[m]));
-      }
+      // det = p_k . (p_n x p_m): by p_k and p_n it is -[p_m] as a cross matrix.
+      hessian.block<3, 3>(3 * k, 3 * n) = this->Pressure / 6.0 * crossMatrix(p[m]);
+      hessian.block<3, 3>(3 * n, 3 * k) = hessian.block<3, 3>(3 * k, 3 * n).transpose();
+    }
+    if (curvature == Curvature::Exact)
+    {
+      this->Blocks[t].add(matrix, hessian);
     }
   }
 }

@@ -45,8 +45,8 @@ public:
   InnerPressure(const SpaceUnknowns& unknowns, const SewnMembrane& sheet, double pressure);
 
   double energy(const Eigen::VectorXd& x) const;
+  void declare(SpaceMatrix& matrix);
   /// Adds the gradient and, where it is the exact one, the Hessian at x: no part of it is convex.
-  /// \param matrix coupled as the sheet's own.
   void add(const Eigen::VectorXd& x, Curvature curvature, SpaceMatrix& matrix,
     Eigen::VectorXd& gradient) const;
 
@@ -56,7 +56,8 @@ private:
   const SpaceUnknowns& Unknowns;
   const SewnMembrane& Sheet;
   double Pressure;
-  double Offset = 0.0; ///< so that the energy is not below zero
+  double Offset = 0.0;                   ///< so that the energy is not below zero
+  std::vector<SymmetricBlock<9>> Blocks; ///< of the triangles
 };
 
 /// The weight of a sheet: minus force times displacement from the design, a third of each

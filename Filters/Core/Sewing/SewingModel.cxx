@@ -123,6 +123,7 @@ SewingModel::SewingModel(const SewnCloth& cloth, const ClothProperties& properti
   }
   this->Membrane.declare(this->Hessian);
   this->Bending.declare(this->Hessian);
+  this->Pressure.declare(this->Hessian);
   this->Hessian.finish();
 }
 
@@ -235,7 +236,10 @@ void SewingModel::holdMotion(const Eigen::VectorXd& x)
 
 void SewingModel::shift(double tau)
 {
-  this->Hessian.shift(tau);
+  for (Index x = 0; x < this->Count; x += 3)
+  {
+    this->Hessian.addOwn(x, tau * Eigen::Matrix3d::Identity());
+  }
 }
 
 Dissection SewingModel::eliminationOrder() const

@@ -3,6 +3,7 @@
 
 #include "Quality/StrainMeasures.h"
 #include "Surface/SurfaceLocator.h"
+#include "Surface/VertexFan.h"
 
 #include <Eigen/SVD>
 
@@ -16,20 +17,11 @@ namespace
 /// Per vertex a third of the triangles around it, at rest, over the whole.
 std::vector<double> vertexShares(const SewnCloth& cloth)
 {
-  std::vector<double> shares(cloth.points.size(), 0.0);
-  double sum = 0.0;
-  for (std::size_t t = 0; t < cloth.triangles.size(); ++t)
-  {
-    const double area = cloth.restArea(t);
-    sum += area;
-    for (Index v : cloth.triangles[t])
-    {
-      shares[v] += area / 3.0;
-    }
-  }
+  std::vector<double> shares = vertexAreas(
+    cloth.triangles, cloth.points.size(), [&cloth](Index t) { return cloth.restArea(t); });
   for (double& share : shares)
   {
-    share /= sum;
+    share /= cloth.restArea();
   }
   return shares;
 }
@@ -62,11 +54,6 @@ std::vector<double> distancesFrom(
 Point3 areaVectorOf(const Points3& points, const Triangle& c)
 {
   return areaVector(points[c[0]], points[c[1]], points[c[2]]);
-}
-
-double angleBetween(const Point3& u, const Point3& v)
-{
-  return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
 /// Of a triangle without extent at rest, which has no strain, that of the identity.

@@ -3,6 +3,7 @@
 
 #include "Base/ConvexPart.h"
 #include "Base/Execution.h"
+#include "Surface/VertexFan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,15 +68,8 @@ SewnMembrane::SewnMembrane(const SpaceUnknowns& unknowns, Triangles triangles,
 
 std::vector<double> SewnMembrane::vertexAreas() const
 {
-  std::vector<double> areas(this->Unknowns.points.size(), 0.0);
-  for (std::size_t t = 0; t < this->Cells.size(); ++t)
-  {
-    for (const Index v : this->Cells[t])
-    {
-      areas[v] += this->Frames[t].area / 3.0;
-    }
-  }
-  return areas;
+  return flattening::vertexAreas(
+    this->Cells, this->Unknowns.points.size(), [this](Index t) { return this->Frames[t].area; });
 }
 
 Eigen::Matrix<double, 3, 2> SewnMembrane::mapOf(Index t, const Eigen::VectorXd& x) const
@@ -104,14 +98,11 @@ double SewnMembrane::energy(const Eigen::VectorXd& x, const Execution& execution
   return sum;
 }
 
-void SewnMembrane::declare(SpaceMatrix& matrix) const
+void SewnMembrane::declare(SpaceMatrix& matrix)
 {
   for (const Triangle& c : this->Cells)
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      matrix.couple(this->Unknowns.first[c[k]], this->Unknowns.first[c[(k + 1) % 3]]);
-    }
+    this->Blocks.emplace_back(matrix, this->Unknowns.of(c));
   }
 }
 
@@ -123,8 +114,6 @@ SewnMembrane::Derivatives SewnMembrane::derive(Index t, const Eigen::VectorXd& x
   const double area = this->Frames[t].area;
   if (!(area > 0.0))
   {
-    result.gradient.setZero();
-    result.hessian.fill(Eigen::Matrix3d::Zero());
     return result;
   }
   const Eigen::Matrix<double, 3, 2> map = this->mapOf(t, x);
@@ -152,12 +141,11 @@ SewnMembrane::Derivatives SewnMembrane::derive(Index t, const Eigen::VectorXd& x
     }
   }
   const Eigen::Matrix<double, 3, 9> half = area * (density.hessian * metricDerivative);
-  std::size_t next = 0;
   for (int a = 0; a < 3; ++a)
   {
     for (int b = 0; b <= a; ++b)
     {
-      Eigen::Matrix3d& block = result.hessian[next++];
+      auto block = result.hessian.block<3, 3>(3 * a, 3 * b);
       block = metricDerivative.block<3, 3>(0, 3 * a).transpose() * half.block<3, 3>(0, 3 * b);
       block.diagonal().array() += area * hat[a].dot(stress * hat[b]);
     }
@@ -172,23 +160,9 @@ void SewnMembrane::add(const Eigen::VectorXd& x, Curvature curvature, SpaceMatri
   computeAndAdd<Derivatives>(
     static_cast<Index>(this->Cells.size()), execution,
     [&](Index t) { return this->derive(t, x, convex); },
-    [&](Index t, const Derivatives& derived) { this->addOne(t, derived, matrix, gradient); });
-}
-
-void SewnMembrane::addOne(
-  Index t, const Derivatives& derived, SpaceMatrix& matrix, Eigen::VectorXd& gradient) const
-{
-  const Triangle& c = this->Cells[t];
-  std::size_t next = 0;
-  for (int a = 0; a < 3; ++a)
-  {
-    const Index first = this->Unknowns.first[c[a]];
-    this->Unknowns.scatter(c[a], derived.gradient.segment<3>(3 * a), gradient);
-    for (int b = 0; b < a; ++b)
-    {
-      matrix.addPair(first, this->Unknowns.first[c[b]], derived.hessian[next++]);
-    }
-    matrix.addOwn(first, derived.hessian[next++]);
-  }
+    [&](Index t, const Derivatives& derived) {
+      this->Blocks[t].add(matrix, derived.hessian);
+      this->Blocks[t].scatter(derived.gradient, gradient);
+    });
 }
 }

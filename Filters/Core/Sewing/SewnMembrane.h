@@ -3,8 +3,8 @@
 
 #include "Base/Execution.h"
 #include "Sewing/SheetDensity.h"
-#include "Sewing/SpaceMatrix.h"
 #include "Sparse/NewtonKktStep.h"
+#include "Sparse/SymmetricAssembler.h"
 #include "Surface/TriangleFrame.h"
 
 namespace flattening
@@ -28,6 +28,45 @@ struct SpaceUnknowns
       whole.segment<3>(this->first[vertex]) += part;
     }
   }
+  /// The unknowns of some vertices, x, y and z of each in turn; none of those that are held.
+  template <std::size_t N>
+  std::array<Index, 3 * N> of(const std::array<Index, N>& vertices) const
+  {
+    std::array<Index, 3 * N> all{};
+    for (std::size_t k = 0; k < all.size(); ++k)
+    {
+      const Index x = this->first[vertices[k / 3]];
+      all[k] = x == none ? none : x + static_cast<Index>(k % 3);
+    }
+    return all;
+  }
+};
+
+/// The lower triangle of the Hessian of a sheet in space, in which the unknowns of each vertex are
+/// coupled.
+class SpaceMatrix : public SymmetricAssembler
+{
+public:
+  /// \param size how many unknowns.
+  explicit SpaceMatrix(Index size)
+    : SymmetricAssembler(size)
+  {
+    for (Index x = 0; x < size; x += 3)
+    {
+      this->Own.emplace_back(*this, std::array<Index, 3>{ x, x + 1, x + 2 });
+    }
+  }
+  /// Adds a symmetric block of the vertex whose x is this unknown; none where it is held.
+  void addOwn(Index x, const Eigen::Matrix3d& block)
+  {
+    if (x != none)
+    {
+      this->Own[x / 3].add(*this, block);
+    }
+  }
+
+private:
+  std::vector<SymmetricBlock<3>> Own;
 };
 
 /// What stretching a sheet in space costs, which is flat at rest: the sum over its triangles of the
@@ -45,7 +84,7 @@ public:
   std::vector<double> vertexAreas() const;
 
   double energy(const Eigen::VectorXd& x, const Execution& execution) const;
-  void declare(SpaceMatrix& matrix) const;
+  void declare(SpaceMatrix& matrix);
   /// Adds gradient and Hessian at x. Convex: without the part of the stresses that compress, which
   /// is where a sheet buckles.
   void add(const Eigen::VectorXd& x, Curvature curvature, SpaceMatrix& matrix,
@@ -56,18 +95,16 @@ private:
   /// Of the energy of one triangle.
   struct Derivatives
   {
-    Eigen::Matrix<double, 9, 1> gradient;
-    /// Of corners (0, 0), (1, 0), (1, 1), (2, 0), (2, 1) and (2, 2).
-    std::array<Eigen::Matrix3d, 6> hessian;
+    Eigen::Matrix<double, 9, 1> gradient = Eigen::Matrix<double, 9, 1>::Zero();
+    Eigen::Matrix<double, 9, 9> hessian = Eigen::Matrix<double, 9, 9>::Zero(); ///< lower blocks
   };
   Derivatives derive(Index t, const Eigen::VectorXd& x, bool convex) const;
-  void addOne(
-    Index t, const Derivatives& derived, SpaceMatrix& matrix, Eigen::VectorXd& gradient) const;
 
   const SpaceUnknowns& Unknowns;
   Triangles Cells;
   std::vector<TriangleFrame> Frames;
   SheetDensity Density;
+  std::vector<SymmetricBlock<9>> Blocks; ///< of the triangles
 };
 
 /// A triangle at rest in the plane, with the gradients of its frame along the axes of the plane,

@@ -84,17 +84,14 @@ double SheetBending::energy(const Eigen::VectorXd& x) const
   return sum;
 }
 
-void SheetBending::declare(SpaceMatrix& matrix) const
+void SheetBending::declare(SpaceMatrix& matrix)
 {
-  for (const Hinge& hinge : this->Hinges)
+  for (Hinge& hinge : this->Hinges)
   {
-    for (int a = 0; a < 4; ++a)
+    const std::array<Index, 12> all = this->Unknowns.of(hinge.vertices);
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      for (int b = 0; b < a; ++b)
-      {
-        matrix.coupleAxes(
-          this->Unknowns.first[hinge.vertices[a]], this->Unknowns.first[hinge.vertices[b]]);
-      }
+      hinge.blocks[axis] = { matrix, { all[axis], all[3 + axis], all[6 + axis], all[9 + axis] } };
     }
   }
 }
@@ -105,16 +102,11 @@ void SheetBending::add(
   for (const Hinge& hinge : this->Hinges)
   {
     const Point3 force = hinge.stiffness * this->bend(hinge, x);
-    for (int a = 0; a < 4; ++a)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      const Index first = this->Unknowns.first[hinge.vertices[a]];
-      const double weight = hinge.stiffness * hinge.weights[a];
-      this->Unknowns.scatter(hinge.vertices[a], hinge.weights[a] * force, gradient);
-      for (int b = 0; b < a; ++b)
-      {
-        matrix.addPair(first, this->Unknowns.first[hinge.vertices[b]], weight * hinge.weights[b]);
-      }
-      matrix.addOwn(first, weight * hinge.weights[a] * Eigen::Matrix3d::Identity());
+      hinge.blocks[axis].add(matrix,
+        [&](int a, int b) { return hinge.stiffness * hinge.weights[a] * hinge.weights[b]; });
+      hinge.blocks[axis].scatter(Eigen::Vector4d(force[axis] * hinge.weights), gradient);
     }
   }
 }

@@ -23,7 +23,7 @@ public:
     double stiffness);
 
   double energy(const Eigen::VectorXd& x) const;
-  void declare(SpaceMatrix& matrix) const;
+  void declare(SpaceMatrix& matrix);
   /// Adds gradient and Hessian at x.
   void add(const Eigen::VectorXd& x, SpaceMatrix& matrix, Eigen::VectorXd& gradient) const;
   /// Vertices that it couples, for an order of elimination.
@@ -35,6 +35,7 @@ private:
     std::array<Index, 4> vertices; ///< ends of the edge, then the corners opposite to it
     Eigen::Vector4d weights;
     double stiffness;
+    std::array<SymmetricBlock<4>, 3> blocks; ///< of x, y and z
   };
   Point3 bend(const Hinge& hinge, const Eigen::VectorXd& x) const;
 

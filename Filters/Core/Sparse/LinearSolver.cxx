@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sparse/LinearSolver.h"
 
+#include "Base/CompressedRows.h"
 #include "Base/Execution.h"
 #include "Base/Memory.h"
 #include "Base/Types.h"
@@ -14,7 +15,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 
 namespace flattening
 {
@@ -37,15 +37,7 @@ Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> leadingColumnsFirs
   }
   place.resize(size);
   place.setIdentity();
-  Indices parent(leading); // of a forest with a tree for each part
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](Index k) {
-    while (parent[k] != k)
-    {
-      k = parent[k] = parent[parent[k]];
-    }
-    return k;
-  };
+  JoinedSets parts(leading);
   std::vector<Eigen::Triplet<double>> couplings;
   const auto forEntries = [&lower](Index begin, Index end, const auto& visit) {
     for (Index column = begin; column < end; ++column)
@@ -62,13 +54,13 @@ Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> leadingColumnsFirs
   forEntries(0, leading, [&](Index row, Index column) {
     if (row < leading)
     {
-      parent[root(row)] = root(column);
+      parts.join(row, column);
     }
   });
   forEntries(0, leading, [&](Index row, Index column) {
     if (row >= leading)
     {
-      couplings.emplace_back(root(column), row - leading, 1.0);
+      couplings.emplace_back(parts.find(column), row - leading, 1.0);
     }
   });
   SparseMatrix neighbors(leading, size - leading);

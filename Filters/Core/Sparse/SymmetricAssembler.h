@@ -65,7 +65,7 @@ private:
   Eigen::SparseMatrix<double> Matrix;
 };
 
-/// A dense symmetric block, its lower triangle.
+/// A dense symmetric block, its lower triangle. An unknown may stand in it twice.
 template <int N>
 class SymmetricBlock
 {
@@ -86,7 +86,10 @@ public:
   void add(SymmetricAssembler& assembler, const Values& values) const
   {
     Index entry = this->First;
-    forEach(this->Unknowns, [&](int a, int b) { assembler.add(entry++, values(a, b)); });
+    forEach(this->Unknowns, [&](int a, int b) {
+      const bool twice = a != b && this->Unknowns[a] == this->Unknowns[b];
+      assembler.add(entry++, twice ? 2.0 * values(a, b) : values(a, b));
+    });
   }
   /// Adds the block's part of a vector to the whole.
   template <class Part>

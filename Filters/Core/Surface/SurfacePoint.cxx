@@ -8,6 +8,12 @@
 
 namespace flattening
 {
+namespace
+{
+/// How near to the end of an edge a crossing is taken for the vertex, as a fraction of the edge.
+constexpr double atVertex = 1e-13;
+}
+
 SnapDistance::SnapDistance(const TriangleMesh& mesh, double fraction)
   : Mesh(mesh)
   , Fraction(fraction)
@@ -78,9 +84,17 @@ SurfacePoint vertexPoint(const TriangleMesh& mesh, Index vertex)
 
 SurfacePoint edgePoint(const TriangleMesh& mesh, Index halfedge, double fraction)
 {
-  const Point3 position =
-    (1.0 - fraction) * mesh.point(mesh.from(halfedge)) + fraction * mesh.point(mesh.to(halfedge));
-  return { SurfacePointType::Edge, halfedge, { 1.0 - fraction, fraction, 0.0 }, position };
+  const Index low = edgeOf(mesh, halfedge);
+  const double s = low == halfedge ? fraction : 1.0 - fraction;
+  return { SurfacePointType::Edge, low, { 1.0 - s, s, 0.0 },
+    (1.0 - s) * mesh.point(mesh.from(low)) + s * mesh.point(mesh.to(low)) };
+}
+
+SurfacePoint crossingPoint(const TriangleMesh& mesh, Index halfedge, double fraction)
+{
+  return fraction < atVertex    ? vertexPoint(mesh, mesh.from(halfedge))
+    : fraction > 1.0 - atVertex ? vertexPoint(mesh, mesh.to(halfedge))
+                                : edgePoint(mesh, halfedge, fraction);
 }
 
 SurfacePoint snapToMesh(
@@ -115,13 +129,18 @@ SurfacePoint snapToMesh(
   {
     return { SurfacePointType::Face, t, closest.weights, closest.position };
   }
-  const Index low = edgeOf(mesh, edge);
-  const SurfacePoint point = edgePoint(mesh, low, low == edge ? fraction : 1.0 - fraction);
-  const double length = mesh.length(low);
+  const SurfacePoint point = edgePoint(mesh, edge, fraction);
+  const double length = mesh.length(point.id);
   const bool atFrom = point.weights[1] < 0.5;
-  const Index end = atFrom ? mesh.from(low) : mesh.to(low);
+  const Index end = atFrom ? mesh.from(point.id) : mesh.to(point.id);
   const double toEnd = length * (atFrom ? point.weights[1] : point.weights[0]);
   return toEnd <= snap.ofVertex(end) ? vertexPoint(mesh, end) : point;
+}
+
+bool samePlace(const SurfacePoint& a, const SurfacePoint& b)
+{
+  return a.type == b.type && a.id == b.id &&
+    (a.type == SurfacePointType::Vertex || a.weights == b.weights);
 }
 
 Indices trianglesAround(const TriangleMesh& mesh, const SurfacePoint& point)
@@ -165,6 +184,20 @@ bool contains(const TriangleMesh& mesh, Index triangle, const SurfacePoint& poin
   return std::find(corners.begin(), corners.end(), point.id) != corners.end();
 }
 
+bool edgeHolds(const TriangleMesh& mesh, Index halfedge, const SurfacePoint& point)
+{
+  return point.type == SurfacePointType::Vertex
+    ? mesh.from(halfedge) == point.id || mesh.to(halfedge) == point.id
+    : point.type == SurfacePointType::Edge && edgeOf(mesh, halfedge) == point.id;
+}
+
+bool onBoundary(const TriangleMesh& mesh, const SurfacePoint& point)
+{
+  return point.type == SurfacePointType::Vertex
+    ? mesh.onBoundary(point.id)
+    : point.type == SurfacePointType::Edge && mesh.twin(point.id) == none;
+}
+
 Index commonEdge(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)
 {
   if (a.type == SurfacePointType::Face || b.type == SurfacePointType::Face)
@@ -180,9 +213,9 @@ Index commonEdge(const TriangleMesh& mesh, const SurfacePoint& a, const SurfaceP
   {
     return a.id == b.id ? a.id : none;
   }
-  const Index vertex = a.type == SurfacePointType::Vertex ? a.id : b.id;
+  const SurfacePoint& vertex = a.type == SurfacePointType::Vertex ? a : b;
   const Index edge = a.type == SurfacePointType::Vertex ? b.id : a.id;
-  return mesh.from(edge) == vertex || mesh.to(edge) == vertex ? edge : none;
+  return edgeHolds(mesh, edge, vertex) ? edge : none;
 }
 
 Index commonTriangle(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b)

@@ -54,16 +54,26 @@ private:
 /// The smaller half-edge of an edge stands for both.
 Index edgeOf(const TriangleMesh& mesh, Index halfedge);
 SurfacePoint vertexPoint(const TriangleMesh& mesh, Index vertex);
-/// \pre halfedge is the smaller one of its edge.
+/// At a fraction of a half-edge.
 SurfacePoint edgePoint(const TriangleMesh& mesh, Index halfedge, double fraction);
+/// The same, or the vertex of an end that it is next to but for rounding: nearer than 1e-13 of the
+/// edge.
+SurfacePoint crossingPoint(const TriangleMesh& mesh, Index halfedge, double fraction);
 /// The point with what lies within the snap distance taken for its type.
 SurfacePoint snapToMesh(
   const TriangleMesh& mesh, const SnapDistance& snap, const ClosestPoint& closest);
+
+/// Whether two points have the same type, id and weights.
+bool samePlace(const SurfacePoint& a, const SurfacePoint& b);
 
 /// The triangles around a point: one, two, or a vertex's fan.
 Indices trianglesAround(const TriangleMesh& mesh, const SurfacePoint& point);
 /// True where the point lies in the closed triangle.
 bool contains(const TriangleMesh& mesh, Index triangle, const SurfacePoint& point);
+/// True where the point lies on the closed edge of the half-edge.
+bool edgeHolds(const TriangleMesh& mesh, Index halfedge, const SurfacePoint& point);
+/// Whether it is a vertex of the boundary or lies on an edge of it.
+bool onBoundary(const TriangleMesh& mesh, const SurfacePoint& point);
 /// A half-edge whose closed edge holds both points; none if there is none.
 Index commonEdge(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
 /// A triangle that holds both points; none if there is none.

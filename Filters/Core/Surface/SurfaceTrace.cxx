@@ -149,12 +149,10 @@ private:
       }
       if (h == none)
       {
-        this->Path.atBoundary = this->onBoundary(here);
+        this->Path.atBoundary = onBoundary(this->Mesh, here);
         return false;
       }
-      const Index low = edgeOf(this->Mesh, h);
-      const double s = this->fraction(h);
-      this->push(edgePoint(this->Mesh, low, low == h ? s : 1.0 - s), triangle);
+      this->push(edgePoint(this->Mesh, h, this->fraction(h)), triangle);
       const Index entry = this->Mesh.twin(h);
       if (entry == none || this->Left < 0.0)
       {
@@ -168,20 +166,6 @@ private:
       }
       const Index next = TriangleMesh::next(entry);
       exit.halfedge = this->crossesForward(next) ? next : TriangleMesh::next(next);
-    }
-    return false;
-  }
-
-  bool onBoundary(const SurfacePoint& point) const
-  {
-    switch (point.type)
-    {
-      case SurfacePointType::Vertex:
-        return this->Mesh.onBoundary(point.id);
-      case SurfacePointType::Edge:
-        return this->Mesh.twin(point.id) == none;
-      case SurfacePointType::Face:
-        break;
     }
     return false;
   }
@@ -202,7 +186,7 @@ private:
     {
       for (Index h = 3 * t; h < 3 * t + 3; ++h)
       {
-        if (this->crossesForward(h) && !this->carries(h, here) &&
+        if (this->crossesForward(h) && !edgeHolds(this->Mesh, h, here) &&
           progress(this->crossing(h)) > most + equalProgress)
         {
           most = progress(this->crossing(h));
@@ -231,20 +215,6 @@ private:
       }
     }
     return best;
-  }
-
-  bool carries(Index h, const SurfacePoint& point) const
-  {
-    switch (point.type)
-    {
-      case SurfacePointType::Vertex:
-        return this->Mesh.from(h) == point.id || this->Mesh.to(h) == point.id;
-      case SurfacePointType::Edge:
-        return edgeOf(this->Mesh, h) == point.id;
-      case SurfacePointType::Face:
-        break;
-    }
-    return false;
   }
 
   const TriangleMesh& Mesh;

@@ -72,9 +72,7 @@ bool TriangleMesh::identical(const TriangleMesh& other) const
 double TriangleMesh::angle(Index h) const
 {
   const Point3& apex = this->point(this->from(h));
-  const Point3 a = this->point(this->to(h)) - apex;
-  const Point3 b = this->point(this->from(previous(h))) - apex;
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  return angleBetween(this->point(this->to(h)) - apex, this->point(this->from(previous(h))) - apex);
 }
 
 double TriangleMesh::area(Index t) const
@@ -137,6 +135,40 @@ Index eulerCharacteristic(const TriangleMesh& mesh)
   }
   const Index edges = (mesh.halfedgeCount() + boundary) / 2;
   return vertices - edges + mesh.triangleCount();
+}
+
+Index connectedParts(
+  const TriangleMesh& mesh, const std::vector<char>& barred, Indices& partOfTriangle)
+{
+  partOfTriangle.assign(mesh.triangleCount(), none);
+  Index count = 0;
+  Indices stack;
+  for (Index seed = 0; seed < mesh.triangleCount(); ++seed)
+  {
+    if (partOfTriangle[seed] != none)
+    {
+      continue;
+    }
+    partOfTriangle[seed] = count;
+    stack.push_back(seed);
+    while (!stack.empty())
+    {
+      const Index t = stack.back();
+      stack.pop_back();
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      {
+        const Index twin = mesh.twin(h);
+        const bool crosses = twin != none && (barred.empty() || !barred[h]);
+        if (crosses && partOfTriangle[twin / 3] == none)
+        {
+          partOfTriangle[twin / 3] = count;
+          stack.push_back(twin / 3);
+        }
+      }
+    }
+    ++count;
+  }
+  return count;
 }
 
 Points3 vertexNormals(const TriangleMesh& mesh)

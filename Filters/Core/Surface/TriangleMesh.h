@@ -70,6 +70,11 @@ private:
 /// V - E + F of the mesh (vertices that no triangle uses do not count).
 Index eulerCharacteristic(const TriangleMesh& mesh);
 
+/// The parts of a surface that hang together, numbered by their first triangle. \param barred per
+/// half-edge whether it divides; empty: none does. \return how many there are
+Index connectedParts(
+  const TriangleMesh& mesh, const std::vector<char>& barred, Indices& partOfTriangle);
+
 /// Twice the area is the length of this vector, the orientation its direction.
 inline Point3 areaVector(const Point3& a, const Point3& b, const Point3& c)
 {

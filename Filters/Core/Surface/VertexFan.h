@@ -61,6 +61,23 @@ double angleSum(const TriangleMesh& mesh, Index vertex);
 /// A third of the area of the triangles at a vertex.
 double vertexArea(const TriangleMesh& mesh, Index vertex);
 
+/// Per vertex a third of the areas of its triangles. \param areaOf gives that of a triangle.
+template <class Area>
+std::vector<double> vertexAreas(
+  const Triangles& triangles, std::size_t vertexCount, const Area& areaOf)
+{
+  std::vector<double> areas(vertexCount, 0.0);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    const double third = areaOf(static_cast<Index>(t)) / 3.0;
+    for (Index v : triangles[t])
+    {
+      areas[v] += third;
+    }
+  }
+  return areas;
+}
+
 /// By how much a boundary loop turns to its left in the surface, in radians: 2 pi around a flat
 /// disk, -2 pi around a hole in it, 0 at the end of a cylinder.
 double turnOf(const TriangleMesh& mesh, const Indices& loop);

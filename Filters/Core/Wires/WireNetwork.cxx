@@ -196,36 +196,12 @@ private:
   void findPatches()
   {
     Indices& patch = this->Network.patchOfTriangle;
-    patch.assign(this->Mesh.triangleCount(), none);
-    Indices stack;
-    for (Index seed = 0; seed < this->Mesh.triangleCount(); ++seed)
+    this->Network.patchCount = connectedParts(this->Mesh, this->IsWire, patch);
+    this->FirstWireOfPatch.assign(this->Network.patchCount, none);
+    for (Index h = 0; h < this->Mesh.halfedgeCount(); ++h)
     {
-      if (patch[seed] != none)
-      {
-        continue;
-      }
-      Index firstWire = none;
-      patch[seed] = this->Network.patchCount;
-      stack.push_back(seed);
-      while (!stack.empty())
-      {
-        const Index t = stack.back();
-        stack.pop_back();
-        for (Index h = 3 * t; h < 3 * t + 3; ++h)
-        {
-          if (this->IsWire[h])
-          {
-            firstWire = firstWire == none ? h : std::min(firstWire, h);
-          }
-          else if (patch[this->Mesh.twin(h) / 3] == none)
-          {
-            patch[this->Mesh.twin(h) / 3] = this->Network.patchCount;
-            stack.push_back(this->Mesh.twin(h) / 3);
-          }
-        }
-      }
-      this->FirstWireOfPatch.push_back(firstWire);
-      ++this->Network.patchCount;
+      Index& first = this->FirstWireOfPatch[patch[h / 3]];
+      first = first == none && this->IsWire[h] ? h : first;
     }
   }
 
