@@ -5,8 +5,10 @@
 #include "Editing/CurveEditor.h"
 #include "TestMeshes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 
 namespace drawncurves
@@ -28,6 +30,19 @@ inline EditedCurve through(
   }
   curve.kinds.assign(points.size() - 1, kind);
   return curve;
+}
+
+/// How far a point is from a line in space.
+inline double gap(const Points3& line, const Point3& point)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < line.size(); ++k)
+  {
+    const Point3 side = line[k] - line[k - 1];
+    const double s = std::clamp(side.dot(point - line[k - 1]) / side.squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (line[k - 1] + s * side - point).norm());
+  }
+  return least;
 }
 
 inline testmeshes::Surface sheet(

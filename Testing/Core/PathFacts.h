@@ -17,7 +17,7 @@ using namespace flattening;
 
 inline double angleAt(const Point3& apex, const Point3& a, const Point3& b)
 {
-  return std::atan2((a - apex).cross(b - apex).norm(), (a - apex).dot(b - apex));
+  return angleBetween(a - apex, b - apex);
 }
 
 /// The smaller of the angles on both sides of an interior point of a path, over the surface.

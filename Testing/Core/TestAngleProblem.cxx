@@ -37,18 +37,6 @@ std::vector<Surface> wiredSurfaces()
 }
 }
 
-TEST(AngleProblem, DirectionsTurnByPiMinusThetaAtEachNode)
-{
-  // A unit square: phi_1 = pi - theta_1, then a quarter turn at each corner (Eq. 3).
-  const Surface square = flatPatch(1, 1);
-  const WiredSurface wired(square);
-  const std::vector<double> phi = sideDirections(wired.network, std::vector<double>(4, 0.5 * pi));
-  for (int k = 0; k < 4; ++k)
-  {
-    EXPECT_NEAR(phi[k], 0.5 * pi * (k + 1), 1e-14);
-  }
-}
-
 TEST(AngleProblem, AllConstraintsHoldForTheAnglesOfAFlatSurface)
 {
   Surface surface = flatPatch(6, 6);
@@ -75,19 +63,6 @@ TEST(AngleProblem, CountsVariablesAndConstraintsAsThePaper)
   EXPECT_EQ(constraints.rowCount(), 3 * 4 + 4);
 }
 
-TEST(AngleProblem, ResidualOfAnOpenLoopIsTheGap)
-{
-  const WiredSurface wired(flatPatch(1, 1));
-  AngleProblem problem = wired.problem();
-  const std::vector<double> square(4, 0.5 * pi);
-  problem.length = { 1.0, 1.0, 1.25, 1.0 };
-  EXPECT_NEAR(closureResidual(wired.network, square, problem.length), 0.25, 1e-15);
-  const Eigen::VectorXd residual = AngleConstraints(problem).residual(square);
-  EXPECT_NEAR(residual[0], 0.0, 1e-15);
-  EXPECT_NEAR(std::hypot(residual[1], residual[2]), 0.25, 1e-15);
-  EXPECT_NEAR(perimeter(problem), 4.25, 1e-15);
-}
-
 TEST(AngleProblem, TheJacobianIsTheDerivativeOfTheResidual)
 {
   for (const Surface& surface : wiredSurfaces())
@@ -108,42 +83,5 @@ TEST(AngleProblem, TheJacobianIsTheDerivativeOfTheResidual)
         (constraints.residual(forward) - constraints.residual(backward)) / (2.0 * step);
       EXPECT_LT((jacobian.col(k) - difference).cwiseAbs().maxCoeff(), 1e-8) << "column " << k;
     }
-  }
-}
-
-TEST(AngleProblem, TheObjectiveCountsFreeNodesOnly)
-{
-  Surface surface = cushion(6, 6, 0.5);
-  surface.curves = { curveOf(CurveType::Key, "key", rowCurve(6, 3).vertices) };
-  const WiredSurface wired(surface);
-  const AngleProblem problem = wired.problem();
-  std::vector<double> theta = wired.network.alpha;
-  double expected = 0.0;
-  for (std::size_t i = 0; i < theta.size(); ++i)
-  {
-    const double change = 0.01 * static_cast<double>(i);
-    theta[i] += change;
-    expected += problem.locks.locked[i] ? 0.0 : 0.5 * change * change;
-  }
-  EXPECT_NEAR(angleObjective(problem, theta), expected, 1e-12 * expected);
-}
-
-TEST(AngleProblem, EdgeDirectionsOfAFlatSurfaceAreThoseOfItsEdges)
-{
-  Surface surface = flatPatch(6, 6);
-  surface.curves = { rowCurve(6, 2), columnCurve(6, 6, 4),
-    curveOf(CurveType::Dart, "eye", { 29, 30, 31 }) };
-  const WiredSurface wired(surface);
-  const std::vector<double> psi = edgeDirections(wired.network, wired.network.alpha);
-  const auto drawn = [&](const WireEdge& edge) {
-    const Point2 d =
-      surface.unrolled[wired.original(edge.to)] - surface.unrolled[wired.original(edge.from)];
-    return std::atan2(d.y(), d.x());
-  };
-  const double turn = psi[0] - drawn(wired.network.edges[0]);
-  for (Index e = 0; e < wired.network.edgeCount(); ++e)
-  {
-    EXPECT_NEAR(
-      std::remainder(psi[e] - drawn(wired.network.edges[e]) - turn, 2.0 * pi), 0.0, 1e-12);
   }
 }

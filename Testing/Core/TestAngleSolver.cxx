@@ -119,37 +119,6 @@ TEST(AngleSolver, NewtonConvergesQuadraticallyInAFewSteps)
   }
 }
 
-TEST(AngleSolver, LockedAnglesStayAsTheyAre)
-{
-  Surface surface = cushion(8, 6, 0.15);
-  surface.curves = { curveOf(CurveType::Key, "key", rowCurve(8, 4).vertices), rowCurve(8, 2) };
-  const WiredSurface wired(surface);
-  const NodeLocks locks = wired.locks();
-  ASSERT_GT(locks.lockedCount, 0);
-  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
-  {
-    const AngleSolution solution = wired.solve(method);
-    for (Index i = 0; i < wired.network.nodeCount(); ++i)
-    {
-      if (locks.locked[i])
-      {
-        EXPECT_DOUBLE_EQ(solution.theta[i], locks.angle[i]);
-      }
-    }
-  }
-}
-
-TEST(AngleSolver, ALockedOptimumCostsNoLessThanAFreeOne)
-{
-  Surface surface = cushion(8, 6, 0.15);
-  surface.curves = { rowCurve(8, 4), rowCurve(8, 2) };
-  const WiredSurface loose(surface);
-  surface.curves[0].type = CurveType::Key;
-  const WiredSurface keyed(surface);
-  const AngleSolution locked = keyed.solve();
-  EXPECT_GT(angleObjective(loose.problem(), locked.theta), loose.solve().objective);
-}
-
 TEST(AngleSolver, SensitivityIsTheDerivativeOfTheOptimumByEachLength)
 {
   for (const Surface& surface : curvedSurfaces())

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Types.h"
 #include "Cloth/ClothMaterial.h"
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "StatusTesting.h"
 #include "WiredSurface.h"
 
@@ -28,11 +28,6 @@ FlatteningOptions along(const std::string& material, const std::string& curve, d
   options.cloth->grainAngles = { degrees * pi / 180.0 };
   options.cloth->grainCurves = { curve };
   return options;
-}
-
-FlatteningResult flatten(const Surface& surface, const FlatteningOptions& options)
-{
-  return flattenSurface(surface.mesh, surface.curves, options, {});
 }
 
 /// At its minimum with all promises but that of the limits.

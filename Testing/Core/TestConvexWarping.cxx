@@ -2,21 +2,13 @@
 // Starts that never fold: deep caps of a sphere, with and without wires across their pole.
 #include "ClosedMeshes.h"
 #include "Embedding/ConvexEmbedding.h"
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "SphereCap.h"
 
 #include <gtest/gtest.h>
 
 using namespace flattening;
 using namespace testmeshes;
-
-namespace
-{
-FlatteningResult flatten(const Surface& surface)
-{
-  return flattenSurface(surface.mesh, surface.curves, {}, {});
-}
-}
 
 TEST(ConvexEmbedding, FoldsNothingHoweverDeepTheSurfaceIs)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,7 @@ constexpr Index size = 10;
 Surface seamedCushion(double tolerance)
 {
   Surface surface = cushion(size, size, 0.4);
-  FeatureCurve seam = columnCurve(size, size, 4);
-  seam.type = CurveType::Seam;
+  FeatureCurve seam = columnCurve(size, size, 4, CurveType::Seam);
   seam.name = "seam";
   seam.tolerance = tolerance;
   FeatureCurve hem = rowCurve(size, 0);
@@ -27,11 +26,11 @@ Surface seamedCushion(double tolerance)
   return surface;
 }
 
-FlatteningResult flatten(const Surface& surface, const std::vector<CurveEase>& eases)
+FlatteningResult flattened(const Surface& surface, const std::vector<CurveEase>& eases = {})
 {
   FlatteningOptions options;
   options.eases = eases;
-  return flattenSurface(surface.mesh, surface.curves, options, {});
+  return flatten(surface, options);
 }
 
 /// By how much a curve's edges are longer in a piece than on the surface: the least and the most.
@@ -68,7 +67,7 @@ TEST(CurveEase, OneSideIsLongerByItAndTheOtherIsAsOnTheSurface)
 {
   for (const double ease : { 0.03, -0.02 })
   {
-    const FlatteningResult result = flatten(seamedCushion(0.05), { { "seam", 1, ease } });
+    const FlatteningResult result = flattened(seamedCushion(0.05), { { "seam", 1, ease } });
     ASSERT_TRUE(result.status.ok()) << result.status.message;
     for (const double stretch : stretchesOf(result, 0, 1))
     {
@@ -83,7 +82,7 @@ TEST(CurveEase, OneSideIsLongerByItAndTheOtherIsAsOnTheSurface)
 
 TEST(CurveEase, AnEdgeOfOnePieceNeedsNoNumber)
 {
-  const FlatteningResult result = flatten(seamedCushion(0.05), { { "hem", none, 0.04 } });
+  const FlatteningResult result = flattened(seamedCushion(0.05), { { "hem", none, 0.04 } });
   ASSERT_TRUE(result.status.ok()) << result.status.message;
   const Index piece = stretchesOf(result, 1, 0)[1] > -10.0 ? 0 : 1;
   for (const double stretch : stretchesOf(result, 1, piece))
@@ -99,7 +98,7 @@ TEST(CurveEase, ACurveBringsItsOwnUnlessOneIsGivenForItsName)
   const std::vector<double> own{ 0.0, 0.03 };
   for (Index piece : { 0, 1 })
   {
-    for (const double stretch : stretchesOf(flatten(surface, {}), 0, piece))
+    for (const double stretch : stretchesOf(flattened(surface), 0, piece))
     {
       EXPECT_NEAR(stretch, own[piece], 1e-9);
     }
@@ -107,26 +106,27 @@ TEST(CurveEase, ACurveBringsItsOwnUnlessOneIsGivenForItsName)
   const std::vector<double> given{ -0.02, 0.0 };
   for (Index piece : { 0, 1 })
   {
-    for (const double stretch : stretchesOf(flatten(surface, { { "seam", 0, -0.02 } }), 0, piece))
+    for (const double stretch : stretchesOf(flattened(surface, { { "seam", 0, -0.02 } }), 0, piece))
     {
       EXPECT_NEAR(stretch, given[piece], 1e-9);
     }
   }
   surface.curves[0].ease = { 0.06, 1 };
-  expectRefusal(flatten(surface, {}), { "seam", "6 %", "5 %" });
+  expectRefusal(flattened(surface), { "seam", "6 %", "5 %" });
 }
 
 TEST(CurveEase, MoreThanTheToleranceOfTheCurveIsRefusedWithBoth)
 {
-  expectRefusal(flatten(seamedCushion(0.02), { { "seam", 0, 0.03 } }), { "seam", "3 %", "2 %" });
-  expectRefusal(flatten(seamedCushion(0.0), { { "seam", 0, 0.03 } }), { "seam", "3 %", "nothing" });
+  expectRefusal(flattened(seamedCushion(0.02), { { "seam", 0, 0.03 } }), { "seam", "3 %", "2 %" });
+  expectRefusal(
+    flattened(seamedCushion(0.0), { { "seam", 0, 0.03 } }), { "seam", "3 %", "nothing" });
 }
 
 TEST(CurveEase, ASeamOfTwoPiecesNeedsTheNumberOfOneOfThem)
 {
-  expectRefusal(flatten(seamedCushion(0.05), { { "seam", none, 0.03 } }), { "no piece", "1, 2" });
-  expectRefusal(flatten(seamedCushion(0.05), { { "seam", 2, 0.03 } }), { "piece 3", "1, 2" });
-  expectRefusal(flatten(seamedCushion(0.05), { { "cuff", 0, 0.03 } }), { "cuff" });
+  expectRefusal(flattened(seamedCushion(0.05), { { "seam", none, 0.03 } }), { "no piece", "1, 2" });
+  expectRefusal(flattened(seamedCushion(0.05), { { "seam", 2, 0.03 } }), { "piece 3", "1, 2" });
+  expectRefusal(flattened(seamedCushion(0.05), { { "cuff", 0, 0.03 } }), { "cuff" });
 }
 
 TEST(CurveEase, ADartWhoseSidesAreInOnePieceCannotBeEased)
@@ -134,5 +134,5 @@ TEST(CurveEase, ADartWhoseSidesAreInOnePieceCannotBeEased)
   Surface surface = cushion(size, size, 0.4);
   surface.curves = { curveOf(CurveType::Dart, "dart", { 4, 4 + 11, 4 + 22 }) };
   surface.curves[0].tolerance = 0.05;
-  expectRefusal(flatten(surface, { { "dart", 0, 0.03 } }), { "both sides", "dart" });
+  expectRefusal(flattened(surface, { { "dart", 0, 0.03 } }), { "both sides", "dart" });
 }

@@ -3,7 +3,6 @@
 #include "ClosedMeshes.h"
 #include "DrawnCurves.h"
 #include "Editing/CurveEditor.h"
-#include "Surface/SurfacePreparation.h"
 
 #include <gtest/gtest.h>
 
@@ -329,11 +328,6 @@ TEST(CurveEditor, ImagesOfEndsOnTheBoundaryLieOnItWhereTheSurfaceIsNotQuiteSymme
     {
       CurveEditor editor(drawing(testmeshes::patch(20, 20, shape)));
       const TriangleMesh& mesh = editor.surface().mesh();
-      const auto onBoundary = [&mesh](const SurfacePoint& point) {
-        return point.type == SurfacePointType::Edge
-          ? mesh.twin(point.id) == none
-          : point.type == SurfacePointType::Vertex && mesh.onBoundary(point.id);
-      };
       ASSERT_TRUE(editor.setMirror(MirrorPlane{ scale * Point3(10, 0, 0), Point3::UnitX() }).ok());
       for (const Point3& start : { Point3(0, 1, 0), Point3(0, 5.37, 0), Point3(0, 9, 0),
              Point3(0, 12.61, 0), Point3(3.3, 20, 0), Point3(7, 20, 0) })
@@ -343,11 +337,11 @@ TEST(CurveEditor, ImagesOfEndsOnTheBoundaryLieOnItWhereTheSurfaceIsNotQuiteSymme
             shape(7.0, 0.7 * start.y() + 3.0) },
           kind);
         curve.traits.mirrored = true;
-        ASSERT_TRUE(onBoundary(curve.nodes.front()));
+        ASSERT_TRUE(onBoundary(mesh, curve.nodes.front()));
         ASSERT_TRUE(editor.add(curve).ok());
         const std::size_t own = editor.state().curves.size() - 1;
         const SurfacePoint image = editor.curve(own).image.front().points.front();
-        EXPECT_TRUE(onBoundary(image)) << scale << ": " << start.transpose();
+        EXPECT_TRUE(onBoundary(mesh, image)) << scale << ": " << start.transpose();
         EXPECT_LT(
           (image.position - scale * Point3(20 - start.x(), start.y(), 0)).norm(), 1.2 * scale);
         // An end within the surface stays the image that it was.
@@ -356,7 +350,7 @@ TEST(CurveEditor, ImagesOfEndsOnTheBoundaryLieOnItWhereTheSurfaceIsNotQuiteSymme
         EXPECT_LT(
           (editor.curve(own).image.back().points.back().position - place).norm(), 0.5 * scale);
         ASSERT_TRUE(editor.addImage(own).ok());
-        EXPECT_TRUE(onBoundary(editor.curve(own + 1).nodes.front()));
+        EXPECT_TRUE(onBoundary(mesh, editor.curve(own + 1).nodes.front()));
       }
     }
   }
@@ -376,16 +370,6 @@ TEST(CurveEditor, ImagesOfEndsOnAMirroredCurveLieOnItsImage)
     EditedCurve seam = through(editor.surface(), { shape(0, 9), shape(8.3, 9.4) });
     seam.traits.mirrored = true;
     ASSERT_TRUE(editor.add(seam).ok());
-    const auto distance = [](const Points3& line, const Point3& point) {
-      double least = 1e300;
-      for (std::size_t k = 1; k < line.size(); ++k)
-      {
-        const Point3 side = line[k] - line[k - 1];
-        const double along = side.dot(point - line[k - 1]) / side.squaredNorm();
-        least = std::min(least, (line[k - 1] + std::clamp(along, 0.0, 1.0) * side - point).norm());
-      }
-      return least;
-    };
     const Points3 whole = pointsAlong(editor.curve(0).segments);
     for (const std::size_t at : { whole.size() / 4, whole.size() / 2, whole.size() - 3 })
     {
@@ -396,7 +380,7 @@ TEST(CurveEditor, ImagesOfEndsOnAMirroredCurveLieOnItsImage)
       ASSERT_TRUE(editor.add(dart).ok());
       const std::size_t own = editor.state().curves.size() - 1;
       const Point3 image = editor.curve(own).image.front().points.front().position;
-      EXPECT_LT(distance(pointsAlong(editor.curve(0).image), image), 1e-6 * scale) << scale;
+      EXPECT_LT(gap(pointsAlong(editor.curve(0).image), image), 1e-6 * scale) << scale;
       EXPECT_LT((image - Point3(2 * scale * 10 - start.x(), start.y(), start.z())).norm(), scale);
       // Moved off the curve its image follows it alone.
       const SurfacePoint off = editor.surface().pointNear(start + scale * Point3(0.3, 1.2, 0.0));
@@ -411,18 +395,10 @@ TEST(CurveEditor, ImagesOfEndsOnAMirroredCurveLieOnItsImage)
 TEST(CurveEditor, AnImageFarFromAnyBoundaryStaysWhereItIs)
 {
   // A hole at the left alone.
-  const TriangleMesh whole = plane().mesh;
-  Triangles kept;
-  for (const Triangle& t : whole.triangles())
-  {
-    const Point3 middle = (whole.point(t[0]) + whole.point(t[1]) + whole.point(t[2])) / 3.0;
-    if ((middle - Point3(5, 10, 0)).norm() > 2.0)
-    {
-      kept.push_back(t);
-    }
-  }
   testmeshes::Surface holed;
-  holed.mesh = prepareSurface(whole.points(), kept).mesh;
+  holed.mesh = testmeshes::partWhere(plane().mesh, [](const Point3& p) {
+    return (p - Point3(5, 10, 0)).norm() > 2.0;
+  }).mesh;
   CurveEditor editor(drawing(holed));
   ASSERT_TRUE(editor.setMirror(MirrorPlane{ { 10, 0, 0 }, Point3::UnitX() }).ok());
   EditedCurve curve = through(editor.surface(), { { 6.9, 10, 0 }, { 9, 14, 0 } });

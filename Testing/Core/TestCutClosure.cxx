@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cut/CutClosure.h"
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -72,10 +72,9 @@ Surface cutCone(const std::vector<double>& angles)
 
 FlatteningResult flattened(const Surface& surface, Scheme scheme, bool closeCuts)
 {
-  FlatteningOptions options;
-  options.scheme = scheme;
+  FlatteningOptions options = withScheme(scheme);
   options.closeCuts = closeCuts;
-  return flattenSurface(surface.mesh, surface.curves, options, {});
+  return flatten(surface, options);
 }
 }
 
@@ -281,13 +280,12 @@ TEST(CutClosure, JoinedBanksLeaveNothingInTheCache)
 {
   const Surface surface = cutCone({ 5.6, 5.6, 6.6, 7.4, 7.8 });
   FlatteningOptions options;
-  options.scheme = Scheme::Isometric;
   FlatteningCache cache;
   for (const bool closeCuts : { false, true, true, false })
   {
     options.closeCuts = closeCuts;
-    const FlatteningResult with = flattenSurface(surface.mesh, surface.curves, options, {}, &cache);
-    const FlatteningResult without = flattenSurface(surface.mesh, surface.curves, options, {});
+    const FlatteningResult with = flatten(surface, options, {}, &cache);
+    const FlatteningResult without = flatten(surface, options);
     EXPECT_EQ(with.positions, without.positions);
     EXPECT_EQ(with.patchOfTriangle, without.patchOfTriangle);
     EXPECT_EQ(with.pieces[0].closedEdges, without.pieces[0].closedEdges);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Quality/SurfaceDevelopability.h"
 
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ Surface grid(Index columns, Index rows, std::vector<FeatureCurve> curves)
 
 std::vector<double> cutLengthsOf(const Surface& surface)
 {
-  const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, {}, {});
+  const FlatteningResult result = flatten(surface);
   EXPECT_TRUE(result.status.ok()) << result.status.message;
   std::vector<double> lengths;
   for (const PieceReport& piece : result.pieces)

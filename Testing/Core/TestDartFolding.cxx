@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Types.h"
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -32,10 +32,9 @@ Surface dartedCushion()
 
 FlatteningResult flatten(const Surface& surface, DartLegs legs, Scheme scheme = Scheme::Isometric)
 {
-  FlatteningOptions options;
-  options.scheme = scheme;
+  FlatteningOptions options = withScheme(scheme);
   options.dartLegs = legs;
-  return flattenSurface(surface.mesh, surface.curves, options, {});
+  return flatten(surface, options);
 }
 
 /// The two legs of a dart, from its first vertex on.
@@ -159,9 +158,7 @@ TEST(DartFolding, KeysAreNotGivenUpForLegs)
 {
   // The key crosses the dart's mouth row and forbids what straight legs would need.
   Surface surface = dartedCushion();
-  FeatureCurve key = rowCurve(size, 0);
-  key.type = CurveType::Key;
-  surface.curves.push_back(key);
+  surface.curves.push_back(rowCurve(size, 0, CurveType::Key));
   const FlatteningResult result = flatten(surface, DartLegs::Straight);
   EXPECT_TRUE(result.status.ok()) << result.status.message;
   EXPECT_FALSE(result.curves[2].released);

@@ -1,39 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Offsets and strokes as curves of an editor.
+#include "DrawnCurves.h"
 #include "Editing/CurveEditor.h"
 #include "Editing/DerivedCurves.h"
 #include "Paths/PathPoints.h"
-#include "TestMeshes.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
 using namespace flattening;
+using namespace drawncurves;
 
 namespace
 {
-/// 20 x 20, vertices at whole numbers.
-CurveEditor sheet(double height)
+CurveEditor editorOf(double height)
 {
-  return CurveEditor(
-    std::make_shared<const DrawingSurface>(testmeshes::patch(20, 20, [=](double i, double j) {
-      return Point3(i, j, height * std::sin(pi * i / 20) * std::sin(pi * j / 20));
-    }).mesh));
-}
-
-EditedCurve through(const CurveEditor& editor, const Points3& points, SegmentKind kind)
-{
-  EditedCurve curve;
-  for (const Point3& point : points)
-  {
-    curve.nodes.push_back(editor.surface().pointNear(point));
-  }
-  curve.kinds.assign(points.size() - 1, kind);
-  curve.traits.name = "hem";
-  curve.traits.type = CurveType::Key;
-  curve.traits.tolerance = 0.01;
-  return curve;
+  return CurveEditor(drawing(sheet([height](double i, double j) {
+    return height * std::sin(pi * i / 20) * std::sin(pi * j / 20);
+  })));
 }
 
 /// The farthest that a curve goes from places that were meant.
@@ -43,14 +28,7 @@ double farthest(const EditedCurve& curve, const Points3& meant)
   double most = 0.0;
   for (const Point3& point : meant)
   {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 1; k < line.size(); ++k)
-    {
-      const Point3 side = line[k] - line[k - 1];
-      const double s = std::clamp(side.dot(point - line[k - 1]) / side.squaredNorm(), 0.0, 1.0);
-      least = std::min(least, (line[k - 1] + s * side - point).norm());
-    }
-    most = std::max(most, least);
+    most = std::max(most, gap(line, point));
   }
   return most;
 }
@@ -58,9 +36,12 @@ double farthest(const EditedCurve& curve, const Points3& meant)
 
 TEST(DerivedCurves, AnOffsetIsACurveOfItsOwnThatCanBeUndone)
 {
-  CurveEditor editor = sheet(0.0);
-  ASSERT_TRUE(
-    editor.add(through(editor, { { 0, 8, 0 }, { 20, 8, 0 } }, SegmentKind::Geodesic)).ok());
+  CurveEditor editor = editorOf(0.0);
+  EditedCurve hem = through(editor.surface(), { { 0, 8, 0 }, { 20, 8, 0 } });
+  hem.traits.name = "hem";
+  hem.traits.type = CurveType::Key;
+  hem.traits.tolerance = 0.01;
+  ASSERT_TRUE(editor.add(hem).ok());
   const CurveSet before = editor.state();
   ASSERT_TRUE(editor.addOffset(0, 2.5).ok());
   ASSERT_EQ(editor.curveCount(), 2U);
@@ -82,10 +63,11 @@ TEST(DerivedCurves, AnOffsetHasFewNodesAndKeepsItsDistance)
 {
   for (const SegmentKind kind : { SegmentKind::Geodesic, SegmentKind::Spline })
   {
-    CurveEditor editor = sheet(0.0);
-    ASSERT_TRUE(
-      editor.add(through(editor, { { 3, 3, 0 }, { 9, 6, 0 }, { 15, 4, 0 }, { 18, 9, 0 } }, kind))
-        .ok());
+    CurveEditor editor = editorOf(0.0);
+    ASSERT_TRUE(editor
+                  .add(through(editor.surface(),
+                    { { 3, 3, 0 }, { 9, 6, 0 }, { 15, 4, 0 }, { 18, 9, 0 } }, kind))
+                  .ok());
     ASSERT_TRUE(editor.addOffset(0, 1.5).ok());
     const EditedCurve& offset = editor.curve(1);
     EXPECT_LT(offset.nodes.size(), 30U) << static_cast<int>(kind);
@@ -93,15 +75,8 @@ TEST(DerivedCurves, AnOffsetHasFewNodesAndKeepsItsDistance)
     const Points3 source = pointsAlong(editor.curve(0).segments);
     for (const Point3& point : pointsAlong(offset.segments))
     {
-      double least = std::numeric_limits<double>::infinity();
-      for (std::size_t k = 1; k < source.size(); ++k)
-      {
-        const Point3 side = source[k] - source[k - 1];
-        const double s = std::clamp(side.dot(point - source[k - 1]) / side.squaredNorm(), 0.0, 1.0);
-        least = std::min(least, (source[k - 1] + s * side - point).norm());
-      }
       // 3 thousandths for its nodes, and one for the tangents of arcs.
-      EXPECT_NEAR(least, 1.5, 4.1e-3 * 1.5);
+      EXPECT_NEAR(gap(source, point), 1.5, 4.1e-3 * 1.5);
     }
   }
 }
@@ -110,7 +85,7 @@ TEST(DerivedCurves, AStrokeBecomesASmoothCurveWithinItsTolerance)
 {
   for (const double height : { 0.0, 4.0 })
   {
-    CurveEditor editor = sheet(height);
+    CurveEditor editor = editorOf(height);
     std::mt19937 random(1);
     std::uniform_real_distribution<double> shaking(-0.02, 0.02);
     std::vector<SurfacePoint> stroke;
@@ -136,7 +111,7 @@ TEST(DerivedCurves, AStrokeBecomesASmoothCurveWithinItsTolerance)
 
 TEST(DerivedCurves, AStrokeThatComesBackIsClosed)
 {
-  CurveEditor editor = sheet(2.0);
+  CurveEditor editor = editorOf(2.0);
   std::vector<SurfacePoint> stroke;
   for (int k = 0; k <= 100; ++k)
   {
@@ -156,10 +131,11 @@ TEST(DerivedCurves, SplitAndJoinedACurveIsItselfAgain)
 {
   for (const SegmentKind kind : { SegmentKind::Geodesic, SegmentKind::Section, SegmentKind::Edges })
   {
-    CurveEditor editor = sheet(3.0);
-    ASSERT_TRUE(
-      editor.add(through(editor, { { 3, 3, 0 }, { 9, 6, 2 }, { 15, 4, 2 }, { 18, 9, 1 } }, kind))
-        .ok());
+    CurveEditor editor = editorOf(3.0);
+    ASSERT_TRUE(editor
+                  .add(through(editor.surface(),
+                    { { 3, 3, 0 }, { 9, 6, 2 }, { 15, 4, 2 }, { 18, 9, 1 } }, kind))
+                  .ok());
     const Points3 before = pointsAlong(editor.curve(0).segments);
     ASSERT_TRUE(editor.split(0, 2).ok());
     ASSERT_EQ(editor.curveCount(), 2U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -13,10 +13,9 @@ FlatteningResult flatten(double tolerance, Scheme scheme)
 {
   Surface surface = quarterSphere();
   surface.curves[0].tolerance = tolerance;
-  FlatteningOptions options;
-  options.scheme = scheme;
+  FlatteningOptions options = withScheme(scheme);
   options.interior.method = InteriorMethod::Laplacian;
-  return flattenSurface(surface.mesh, surface.curves, options, {});
+  return flatten(surface, options);
 }
 }
 
@@ -69,7 +68,7 @@ TEST(ElasticCurves, OfAFlatSurfaceKeepTheirLength)
   Surface surface = flatPatch(6, 6);
   surface.curves = { rowCurve(6, 3), columnCurve(6, 6, 2) };
   surface.curves[0].tolerance = 0.1;
-  const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, {}, {});
+  const FlatteningResult result = flatten(surface);
   ASSERT_TRUE(result.status.ok()) << result.status.message;
   EXPECT_LT(result.curves[0].error, 1e-10);
   EXPECT_LT(rigidDistance(result.positions, surface.unrolled), 1e-9);
@@ -80,15 +79,12 @@ TEST(ElasticCurves, ASeamBetweenTwoPiecesIsAsLongOnBothSides)
   // One half of the surface is curved more than the other, so each by itself would choose another
   // length.
   Surface surface = cushion(10, 8, 0.5);
-  surface.curves = { columnCurve(10, 8, 3), rowCurve(10, 4) };
-  surface.curves[0].type = CurveType::Seam;
+  surface.curves = { columnCurve(10, 8, 3, CurveType::Seam), rowCurve(10, 4) };
   surface.curves[0].tolerance = 0.05;
   for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
   {
     SCOPED_TRACE(static_cast<int>(scheme));
-    FlatteningOptions options;
-    options.scheme = scheme;
-    const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
+    const FlatteningResult result = flatten(surface, withScheme(scheme));
     ASSERT_FALSE(result.status.refused()) << result.status.message;
     ASSERT_EQ(result.pieces.size(), 2U);
     const TriangleMesh& mesh = result.cut->mesh;

@@ -195,7 +195,6 @@ TEST(Errors, BrokenPromisesKeepAResult)
     return codeOf(result.status);
   };
   FlatteningOptions few;
-  few.scheme = Scheme::Isometric;
   few.isometric.maximumIterations = 1;
   EXPECT_EQ(run(cushion(6, 6, 0.4), few), StatusCode::NotConverged);
 
@@ -211,11 +210,8 @@ TEST(Errors, BrokenPromisesKeepAResult)
 
   // The patch in the middle has all its angles prescribed, and they are not those of a flat one.
   Surface framed = cushion(8, 8, 0.3);
-  framed.curves = { rowCurve(8, 2), rowCurve(8, 6), columnCurve(8, 8, 2), columnCurve(8, 8, 6) };
-  for (FeatureCurve& curve : framed.curves)
-  {
-    curve.type = CurveType::Key;
-  }
+  framed.curves = { rowCurve(8, 2, CurveType::Key), rowCurve(8, 6, CurveType::Key),
+    columnCurve(8, 8, 2, CurveType::Key), columnCurve(8, 8, 6, CurveType::Key) };
   EXPECT_EQ(run(framed, {}), StatusCode::IncompatibleKeys);
 
   // A spiral staircase turns more than once: it lies on itself in the plane.

@@ -23,17 +23,6 @@ Surface dome()
   return cushion(12, 12, 0.2);
 }
 
-/// The vertices of a row of the patch, from side to side.
-Indices rowOf(Index columns, Index row)
-{
-  Indices vertices;
-  for (Index i = 0; i <= columns; ++i)
-  {
-    vertices.push_back(row * (columns + 1) + i);
-  }
-  return vertices;
-}
-
 double lengthChange(const TriangleMesh& mesh, const TriangleMesh& moved, Index a, Index b)
 {
   const double before = (mesh.point(b) - mesh.point(a)).norm();
@@ -69,7 +58,7 @@ TEST(FlattenableSurface, MeetsTheBoundAndTheBoundaryStays)
 TEST(FlattenableSurface, KeptCurvesStayAndKeepTheirLengthsInThePlane)
 {
   Surface surface = dome();
-  surface.curves = { accessory("middle", rowOf(12, 6)) };
+  surface.curves = { rowCurve(12, 6) };
   FlattenableOptions options;
   options.kept = { 0 };
   const FlattenableSurface result = flattenable(surface, options);
@@ -126,8 +115,7 @@ TEST(FlattenableSurface, ADartLessensTheShift)
     Surface surface = cushion(12, 12, 0.35);
     if (dart)
     {
-      surface.curves = { accessory("dart", { 6, 19, 32, 45, 58 }) };
-      surface.curves.front().type = CurveType::Dart;
+      surface.curves = { curveOf(CurveType::Dart, "dart", { 6, 19, 32, 45, 58 }) };
     }
     const FlattenableSurface result = flattenable(surface);
     EXPECT_TRUE(result.boundMet);
@@ -160,7 +148,7 @@ TEST(FlattenableSurface, ABoundThatIsNotMetIsToldWithTheLeastStrain)
   FlattenableOptions options;
   for (Index row = 1; row < 4; ++row)
   {
-    surface.curves.push_back(accessory("row" + std::to_string(row), rowOf(4, row)));
+    surface.curves.push_back(rowCurve(4, row));
     options.kept.push_back(row - 1);
   }
   const FlattenableSurface result = flattenable(surface, options);
@@ -179,13 +167,8 @@ TEST(FlattenableSurface, UnitAndThreadsChangeNothing)
   const FlattenableSurface one = flattenable(surface);
   const FlattenableSurface three = flattenable(surface, {}, withThreads(3));
   EXPECT_TRUE(one.mesh.identical(three.mesh));
-  Points3 large;
-  for (const Point3& p : surface.mesh.points())
-  {
-    large.push_back(1024.0 * p);
-  }
   Surface scaled = surface;
-  scaled.mesh = TriangleMesh(large, surface.mesh.triangles());
+  scaled.mesh = moved(surface.mesh, [](const Point3& p) -> Point3 { return 1024.0 * p; });
   const FlattenableSurface other = flattenable(scaled);
   EXPECT_NEAR(other.shift.mean / one.shift.mean / 1024.0, 1.0, 1e-6);
   EXPECT_NEAR(other.strainAfter / one.strainAfter, 1.0, 1e-6);
@@ -358,12 +341,8 @@ TEST(FlattenableSurface, DoesNotEnterABody)
 {
   // The dome sinks as it is made flattenable; the body fills it up to a little below the top.
   const Surface surface = dome();
-  Points3 within;
-  for (const Point3& p : surface.mesh.points())
-  {
-    within.emplace_back(p.x(), p.y(), 0.95 * p.z() - 1e-3);
-  }
-  const TriangleMesh body(within, surface.mesh.triangles());
+  const TriangleMesh body =
+    moved(surface.mesh, [](const Point3& p) { return Point3(p.x(), p.y(), 0.95 * p.z() - 1e-3); });
   FlattenableOptions options;
   options.body = &body;
   options.bound = 0.03;

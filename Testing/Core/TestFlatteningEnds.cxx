@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How a run that is refused or told to stop ends, and what it tells on its way.
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -10,20 +10,6 @@ using namespace testmeshes;
 
 namespace
 {
-FlatteningOptions optionsOf(Scheme scheme, InteriorMethod interior = InteriorMethod::Laplacian)
-{
-  FlatteningOptions options;
-  options.scheme = scheme;
-  options.interior.method = interior;
-  options.arrange = false;
-  return options;
-}
-
-FlatteningResult flatten(const Surface& surface, const FlatteningOptions& options)
-{
-  return flattenSurface(surface.mesh, surface.curves, options, {});
-}
-
 void expectEmpty(const FlatteningResult& result)
 {
   EXPECT_TRUE(result.status.refused());
@@ -56,27 +42,19 @@ TEST(FlatteningEnds, AMeshWithoutTrianglesIsRefused)
   expectEmpty(result);
 }
 
-TEST(FlatteningEnds, APlanarShapeOfAnotherNumberOfPointsIsRefused)
+TEST(FlatteningEnds, APlanarShapeOfAnotherNumberOfPointsOrWithoutAnAngleIsRefused)
 {
   Surface surface = cushion(4, 4, 0.2);
   surface.curves = { curveOf(CurveType::Key, "k", { 10, 11, 12, 13, 14 }) };
   surface.curves[0].keyShape = KeyShape::Planar;
-  surface.curves[0].planarShape = { Point2(0, 0), Point2(1, 0) };
-  const FlatteningResult result = flatten(surface, {});
-  EXPECT_STREQ(statusName(result.status.code), "InvalidCurve");
-  expectEmpty(result);
-}
-
-TEST(FlatteningEnds, APlanarShapeWithoutAnAngleIsRefused)
-{
-  Surface surface = cushion(4, 4, 0.2);
-  surface.curves = { curveOf(CurveType::Key, "k", { 10, 11, 12, 13, 14 }) };
-  surface.curves[0].keyShape = KeyShape::Planar;
-  surface.curves[0].planarShape = { Point2(0, 0), Point2(1, 0), Point2(2, 0), Point2(2, 0),
-    Point2(3, 1) };
-  const FlatteningResult result = flatten(surface, {});
-  EXPECT_STREQ(statusName(result.status.code), "InvalidCurve");
-  expectEmpty(result);
+  for (const Points2& shape :
+    { Points2{ { 0, 0 }, { 1, 0 } }, Points2{ { 0, 0 }, { 1, 0 }, { 2, 0 }, { 2, 0 }, { 3, 1 } } })
+  {
+    surface.curves[0].planarShape = shape;
+    const FlatteningResult result = flatten(surface, {});
+    EXPECT_STREQ(statusName(result.status.code), "InvalidCurve");
+    expectEmpty(result);
+  }
 }
 
 TEST(FlatteningEnds, ToldToStopItLeavesNothingWheneverThatIs)
@@ -92,7 +70,7 @@ TEST(FlatteningEnds, ToldToStopItLeavesNothingWheneverThatIs)
       ++asked;
       return false;
     };
-    const FlatteningResult whole = flattenSurface(surface.mesh, surface.curves, options, execution);
+    const FlatteningResult whole = flatten(surface, options, execution);
     ASSERT_FALSE(whole.status.refused());
     const int all = asked;
     ASSERT_GT(all, 5);
@@ -100,8 +78,7 @@ TEST(FlatteningEnds, ToldToStopItLeavesNothingWheneverThatIs)
     {
       asked = 0;
       execution.cancel = [&asked, stop] { return asked++ >= stop; };
-      const FlatteningResult result =
-        flattenSurface(surface.mesh, surface.curves, options, execution);
+      const FlatteningResult result = flatten(surface, options, execution);
       EXPECT_STREQ(statusName(result.status.code), "Cancelled") << stop << " of " << all;
       expectEmpty(result);
     }
@@ -111,15 +88,14 @@ TEST(FlatteningEnds, ToldToStopItLeavesNothingWheneverThatIs)
 TEST(FlatteningEnds, ReportsProgressInOrder)
 {
   Surface surface = cushion(9, 6, 0.2);
-  surface.curves = { columnCurve(9, 6, 4) };
-  surface.curves[0].type = CurveType::Seam;
+  surface.curves = { columnCurve(9, 6, 4, CurveType::Seam) };
   std::vector<double> fractions;
   Execution execution;
   execution.progress = [&fractions](double fraction, const char* phase) {
     EXPECT_NE(std::string(phase), "");
     fractions.push_back(fraction);
   };
-  flattenSurface(surface.mesh, surface.curves, {}, execution);
+  flatten(surface, {}, execution);
   ASSERT_GE(fractions.size(), 3U);
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_DOUBLE_EQ(fractions.front(), 0.0);

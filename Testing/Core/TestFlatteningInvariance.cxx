@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What must not change a result: where the surface lies, its unit, the order of its parts, threads.
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -14,34 +14,20 @@ using namespace testmeshes;
 
 namespace
 {
-FlatteningOptions paper(Scheme scheme)
-{
-  FlatteningOptions options;
-  options.scheme = scheme;
-  options.interior.method = InteriorMethod::Laplacian;
-  return options;
-}
-
 /// What a user gets who chooses nothing, and the paper's two schemes.
-const std::vector<FlatteningOptions> methods{ FlatteningOptions(), paper(Scheme::Global),
-  paper(Scheme::Progressive) };
+const std::vector<FlatteningOptions> methods{ optionsOf(Scheme::Isometric,
+                                                FlatteningOptions().interior.method),
+  optionsOf(Scheme::Global), optionsOf(Scheme::Progressive) };
 
 /// Two pieces with a dart, a key, an accessory curve and a floating one.
 Surface garment()
 {
   Surface surface = cushion(10, 8, 0.15);
-  surface.curves = { columnCurve(10, 8, 6), curveOf(CurveType::Dart, "dart", { 2, 13, 24 }),
-    curveOf(CurveType::Key, "key", rowCurve(10, 5).vertices), columnCurve(10, 8, 4),
-    accessory("floating", { 30, 31, 42 }) };
-  surface.curves[0].type = CurveType::Seam;
+  surface.curves = { columnCurve(10, 8, 6, CurveType::Seam),
+    curveOf(CurveType::Dart, "dart", { 2, 13, 24 }), rowCurve(10, 5, CurveType::Key),
+    columnCurve(10, 8, 4), accessory("floating", { 30, 31, 42 }) };
   surface.curves[2].keyShape = KeyShape::Straight;
   return surface;
-}
-
-FlatteningResult flatten(const Surface& surface, FlatteningOptions options)
-{
-  options.arrange = false;
-  return flattenSurface(surface.mesh, surface.curves, options, {});
 }
 
 /// Flat corners of every triangle, which needs no numbering of the copies of vertices.
@@ -125,12 +111,7 @@ TEST(FlatteningInvariance, TheUnitOfLengthChangesNothing)
   for (const double scale : { 1e-6, 1e-3, 1e6 })
   {
     Surface scaled = surface;
-    Points3 points = surface.mesh.points();
-    for (Point3& p : points)
-    {
-      p *= scale;
-    }
-    scaled.mesh = TriangleMesh(points, surface.mesh.triangles());
+    scaled.mesh = moved(surface.mesh, [&](const Point3& p) -> Point3 { return scale * p; });
     for (const FlatteningOptions& options : methods)
     {
       expectSame(flatten(surface, options), flatten(scaled, options),
@@ -184,7 +165,7 @@ TEST(FlatteningInvariance, TheNumbersOfTrianglesChangeNothing)
   }
   Surface renumbered = surface;
   renumbered.mesh = TriangleMesh(surface.mesh.points(), triangles);
-  for (const FlatteningOptions& options : { FlatteningOptions(), paper(Scheme::Global) })
+  for (const FlatteningOptions& options : { methods[0], methods[1] })
   {
     expectSame(flatten(surface, options), flatten(renumbered, options), number, 1.0, 1e-9);
   }

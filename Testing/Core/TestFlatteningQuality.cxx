@@ -58,6 +58,8 @@ TEST(FlatteningQuality, AnExactUnrollingHasNoError)
     EXPECT_LT(quality.summary.areaError, 1e-13);
     EXPECT_NEAR(quality.summary.globalHomogeneity, 1.0, 1e-13);
     EXPECT_NEAR(quality.summary.globalAspectRatio, 1.0, 1e-13);
+    EXPECT_LT(quality.summary.strainP95, 1e-12);
+    EXPECT_LT(quality.summary.rigidEnergy, 1e-24);
     EXPECT_TRUE(quality.summary.flipped.empty());
   }
 }
@@ -67,7 +69,9 @@ TEST(FlatteningQuality, OneLinearMapGivesItsSingularValuesEverywhere)
   const Surface surface = flatPatch(6, 5);
   Eigen::Matrix2d matrix;
   matrix << 1.7, 0.4, -0.3, 0.8;
-  const Eigen::Vector2d singular = Eigen::JacobiSVD<Eigen::Matrix2d>(matrix).singularValues();
+  const Eigen::JacobiSVD<Eigen::Matrix2d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Vector2d singular = svd.singularValues();
+  const Eigen::Matrix2d rotation = svd.matrixU() * svd.matrixV().transpose();
   const auto quality = measureFlattening(surface.mesh, mapped(surface.unrolled, matrix), {}, {});
   for (const TriangleQuality& q : quality.triangles)
   {
@@ -80,6 +84,9 @@ TEST(FlatteningQuality, OneLinearMapGivesItsSingularValuesEverywhere)
   EXPECT_NEAR(quality.summary.globalAspectRatio, singular[1] / singular[0], 1e-13);
   EXPECT_NEAR(quality.summary.globalHomogeneity, 1.0, 1e-13);
   EXPECT_NEAR(quality.summary.areaError, matrix.determinant() - 1.0, 1e-13);
+  EXPECT_NEAR(
+    quality.summary.strainP95, std::max(std::log(singular[0]), -std::log(singular[1])), 1e-13);
+  EXPECT_NEAR(quality.summary.rigidEnergy, (matrix - rotation).squaredNorm(), 1e-13);
 }
 
 TEST(FlatteningQuality, SingularValuesAgreeWithASingularValueDecompositionOfEachTriangle)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Curves anywhere on a surface: holes, darts that meet, wires that end or float inside.
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -39,8 +39,7 @@ struct Case
 std::vector<Case> cases()
 {
   const FeatureCurve row = rowCurve(size, 4);
-  FeatureCurve seam = columnCurve(size, size, 3);
-  seam.type = CurveType::Seam;
+  const FeatureCurve seam = columnCurve(size, size, 3, CurveType::Seam);
   FeatureCurve closedSeam = curveOf(CurveType::Seam, "ring", ring());
   return {
     { "fish-eye dart", { dart({ at(4, 2), at(4, 3), at(4, 4), at(4, 5) }) }, 1 },
@@ -82,13 +81,9 @@ std::vector<Case> cases()
   };
 }
 
-FlatteningResult flatten(const Surface& surface, Scheme scheme)
+FlatteningResult flattened(const Surface& surface, Scheme scheme)
 {
-  FlatteningOptions options;
-  options.scheme = scheme;
-  options.arrange = false;
-  options.interior.method = InteriorMethod::AsRigidAsPossible;
-  return flattenSurface(surface.mesh, surface.curves, options, {});
+  return flatten(surface, optionsOf(scheme, InteriorMethod::AsRigidAsPossible));
 }
 
 /// Largest distance of a piece's flat vertices from the unrolling, each piece moved on its own.
@@ -118,7 +113,7 @@ TEST(FlatteningTopology, FlatSurfacesFlattenToThemselvesWhateverTheCurves)
     surface.curves = curveSet.curves;
     for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
     {
-      const FlatteningResult result = flatten(surface, scheme);
+      const FlatteningResult result = flattened(surface, scheme);
       ASSERT_TRUE(result.status.ok()) << curveSet.name << ": " << result.status.message;
       ASSERT_EQ(result.pieces.size(), curveSet.pieces) << curveSet.name;
       EXPECT_LT(worstPiece(surface, result), 1e-10) << curveSet.name;
@@ -138,7 +133,7 @@ TEST(FlatteningTopology, WiresOfCurvedSurfacesMeetWhateverTheCurves)
     surface.curves = curveSet.curves;
     for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
     {
-      const FlatteningResult result = flatten(surface, scheme);
+      const FlatteningResult result = flattened(surface, scheme);
       ASSERT_FALSE(result.status.refused()) << curveSet.name << ": " << result.status.message;
       EXPECT_STRNE(statusName(result.status.code), "NotConverged") << curveSet.name;
       for (const Wire& wire : result.wires)
@@ -156,7 +151,7 @@ TEST(FlatteningTopology, FloatingWiresGetConnectorsThatAreMarked)
 {
   Surface surface = cushion(size, size, 0.2);
   surface.curves = { accessory("floating", { at(3, 3), at(4, 3), at(5, 3) }) };
-  const FlatteningResult result = flatten(surface, Scheme::Global);
+  const FlatteningResult result = flattened(surface, Scheme::Global);
   ASSERT_FALSE(result.status.refused());
   const auto connectors = std::count_if(
     result.wires.begin(), result.wires.end(), [](const Wire& wire) { return wire.connector; });
@@ -167,40 +162,19 @@ TEST(FlatteningTopology, ASurfaceWithTwoBoundaryLoopsLiesFlatAroundItsHole)
 {
   // A flat sheet with its middle left out.
   Surface surface = flatPatch(size, size);
-  Triangles triangles;
-  for (Index t = 0; t < surface.mesh.triangleCount(); ++t)
-  {
-    const Index i = t / 2 % size;
-    const Index j = t / 2 / size;
-    if (i < 3 || i > 4 || j < 3 || j > 5)
-    {
-      triangles.push_back(surface.mesh.triangle(t));
-    }
-  }
-  const Points3& all = surface.mesh.points();
-  Points3 points;
+  const Point3 middle = surface.mesh.point(at(4, 4));
+  const PreparedSurface holed =
+    partWhere(surface.mesh, [&middle](const Point3& p) { return (p - middle).norm() > 1.3; });
   Points2 unrolled;
-  Indices vertexOf(all.size(), none);
-  for (Triangle& t : triangles)
+  for (const Index v : holed.originalPoint)
   {
-    for (Index& v : t)
-    {
-      if (vertexOf[v] == none)
-      {
-        vertexOf[v] = static_cast<Index>(points.size());
-        points.push_back(all[v]);
-        unrolled.push_back(surface.unrolled[v]);
-      }
-      v = vertexOf[v];
-    }
+    unrolled.push_back(surface.unrolled[v]);
   }
-  surface.mesh = TriangleMesh(points, triangles);
-  surface.unrolled = unrolled;
-  surface.curves.clear();
+  surface.mesh = holed.mesh;
   ASSERT_EQ(surface.mesh.boundaryLoops().size(), 2U);
   for (const Scheme scheme : { Scheme::Global, Scheme::Progressive })
   {
-    const FlatteningResult result = flatten(surface, scheme);
+    const FlatteningResult result = flattened(surface, scheme);
     ASSERT_TRUE(result.status.ok()) << result.status.message;
     EXPECT_LT(rigidDistance(result.positions, unrolled), 1e-10);
   }
@@ -220,8 +194,7 @@ TEST(FlatteningTopology, SeamsCutAClosedSurfaceIntoFlatPieces)
   {
     seams.push_back(curveOf(CurveType::Seam, "seam", { a, b }));
   }
-  FlatteningOptions options;
-  const FlatteningResult result = flattenSurface(cube, seams, options, {});
+  const FlatteningResult result = flattenSurface(cube, seams, {}, {});
   ASSERT_TRUE(result.status.ok()) << result.status.message;
   EXPECT_EQ(result.pieces.size(), 1U);
   EXPECT_EQ(result.cut->seamPairs.size(), 7U);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Surfaces with vertices of many triangles: domes with a pole, cones, fans.
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
+
+#include "MeshTriangles.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 using namespace flattening;
+using namespace testmeshes;
 
 namespace
 {
@@ -14,7 +17,6 @@ namespace
 TriangleMesh dome(Index meridians, Index parallels, double height)
 {
   Points3 points{ { 0.0, 0.0, height } };
-  Triangles triangles;
   for (Index j = 1; j <= parallels; ++j)
   {
     const double r = static_cast<double>(j) / parallels;
@@ -24,17 +26,7 @@ TriangleMesh dome(Index meridians, Index parallels, double height)
       points.emplace_back(r * std::cos(a), r * std::sin(a), height * std::cos(1.3 * r));
     }
   }
-  const auto id = [=](Index j, Index i) { return 1 + j * meridians + i % meridians; };
-  for (Index i = 0; i < meridians; ++i)
-  {
-    triangles.push_back({ 0, id(0, i), id(0, i + 1) });
-    for (Index j = 1; j < parallels; ++j)
-    {
-      triangles.push_back({ id(j - 1, i), id(j, i), id(j, i + 1) });
-      triangles.push_back({ id(j - 1, i), id(j, i + 1), id(j - 1, i + 1) });
-    }
-  }
-  return { std::move(points), std::move(triangles) };
+  return { std::move(points), ringTriangles(meridians, parallels, meridians) };
 }
 
 /// Of the boundary edges, between the surface and the plane.
@@ -62,9 +54,7 @@ TEST(HighValence, DomesWithAPoleKeepTheirBoundarysLengthInEveryScheme)
     const TriangleMesh mesh = dome(meridians, parallels, 0.4);
     for (Scheme scheme : { Scheme::Progressive, Scheme::Global, Scheme::Isometric })
     {
-      FlatteningOptions options;
-      options.scheme = scheme;
-      const FlatteningResult result = flattenSurface(mesh, {}, options, {});
+      const FlatteningResult result = flattenSurface(mesh, {}, withScheme(scheme), {});
       EXPECT_TRUE(result.status.ok()) << meridians << ": " << result.status.message;
       ASSERT_EQ(result.positions.size(), static_cast<std::size_t>(mesh.vertexCount()));
       EXPECT_LT(greatestLengthError(result), 1e-9) << meridians;
@@ -83,9 +73,7 @@ TEST(HighValence, ConesAndDomesOfTensOfThousandsOfTrianglesTakeLittleMemory)
     const TriangleMesh mesh = dome(meridians, parallels, 0.4);
     for (Scheme scheme : { Scheme::Global, Scheme::Isometric })
     {
-      FlatteningOptions options;
-      options.scheme = scheme;
-      const FlatteningResult result = flattenSurface(mesh, {}, options, execution);
+      const FlatteningResult result = flattenSurface(mesh, {}, withScheme(scheme), execution);
       EXPECT_TRUE(result.status.ok()) << result.status.message;
       ASSERT_FALSE(result.positions.empty());
       EXPECT_LT(greatestLengthError(result), 1e-9);
@@ -98,32 +86,22 @@ TEST(HighValence, WiresByTheThousandMeetInOneVertex)
   // Half of the spokes of a flat half disc whose hub is on the boundary, in any numbering.
   constexpr Index spokes = 6000;
   Points3 points{ { 0.0, 0.0, 0.0 } };
-  Triangles triangles;
   std::vector<FeatureCurve> curves;
   for (Index k = 0; k <= spokes; ++k)
   {
     const double a = pi * k / spokes;
     points.emplace_back(std::cos(a), std::sin(a), 0.0);
-    if (k > 0)
-    {
-      triangles.push_back({ 0, k, k + 1 });
-    }
     if (k % 2 == 1)
     {
-      FeatureCurve curve;
-      curve.name = "spoke " + std::to_string(k);
-      curve.vertices = { 0, k + 1 };
-      curves.push_back(curve);
+      curves.push_back(accessory("spoke " + std::to_string(k), { 0, k + 1 }));
     }
   }
-  const TriangleMesh mesh(points, triangles);
+  const TriangleMesh mesh(points, ringTriangles(spokes, 1, spokes + 1));
   Execution execution;
   execution.factorMemory = 50'000'000;
   for (Scheme scheme : { Scheme::Progressive, Scheme::Global, Scheme::Isometric })
   {
-    FlatteningOptions options;
-    options.scheme = scheme;
-    const FlatteningResult result = flattenSurface(mesh, curves, options, execution);
+    const FlatteningResult result = flattenSurface(mesh, curves, withScheme(scheme), execution);
     EXPECT_TRUE(result.status.ok()) << result.status.message;
     ASSERT_FALSE(result.positions.empty());
     for (const Wire& wire : result.wires)

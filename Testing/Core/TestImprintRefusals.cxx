@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is no curve on the surface is refused with the ids of its points.
 #include "ImprintTesting.h"
+#include "TestMeshes.h"
 
 #include <limits>
 #include <string>
@@ -39,17 +40,9 @@ TEST(CurveImprintRefusal, ACurveWithoutTwoDifferentPointsIsRefusedWithItsId)
 TEST(CurveImprintRefusal, ASegmentThatLeavesTheSurfaceIsRefusedWithItsPoints)
 {
   // A horseshoe: the grid without the middle of its lower half.
-  const TriangleMesh whole = grid(6);
-  Triangles kept;
-  for (const Triangle& t : whole.triangles())
-  {
-    const Point3 c = (whole.point(t[0]) + whole.point(t[1]) + whole.point(t[2])) / 3.0;
-    if (c.x() < 2 || c.x() > 4 || c.y() > 3)
-    {
-      kept.push_back(t);
-    }
-  }
-  const TriangleMesh mesh = prepareSurface(whole.points(), kept).mesh;
+  const TriangleMesh mesh = testmeshes::partWhere(grid(6), [](const Point3& p) {
+    return p.x() < 2 || p.x() > 4 || p.y() > 3;
+  }).mesh;
   const Polyline bad = polyline({ Point3(0.2, 0.3, 0), Point3(1.1, 1.4, 0), Point3(5.1, 1.6, 0) });
   const auto result = imprintCurves(mesh, { bad }, {});
   EXPECT_EQ(result.status.code, StatusCode::CurveLeavesSurface);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/InteriorEmbedding.h"
 
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "Quality/FlatteningQuality.h"
 #include "Reference/InteriorRelaxation.h"
 #include "WiredSurface.h"
@@ -118,12 +118,11 @@ TEST(InteriorEmbedding, RelaxationStaysWithinItsIterationLimits)
 TEST(InteriorEmbedding, AsRigidAsPossibleReachesTheKnownQuarterSphere)
 {
   const Surface surface = quarterSphere();
-  FlatteningOptions options;
-  options.scheme = Scheme::Global;
+  FlatteningOptions options = withScheme(Scheme::Global);
   for (InteriorMethod method : allMethods)
   {
     options.interior = with(method);
-    const auto result = flattenSurface(surface.mesh, surface.curves, options, {});
+    const auto result = flatten(surface, options);
     ASSERT_EQ(result.pieces.size(), 1u) << result.status.message;
     const QualitySummary& quality = result.pieces[0].quality;
     if (method == InteriorMethod::AsRigidAsPossible)
@@ -136,21 +135,6 @@ TEST(InteriorEmbedding, AsRigidAsPossibleReachesTheKnownQuarterSphere)
       // Table 1
       EXPECT_NEAR(quality.angleError, 0.1488, 0.00005);
       EXPECT_NEAR(quality.globalHomogeneity, 0.404, 0.0005);
-    }
-  }
-}
-
-TEST(InteriorEmbedding, WiresStayWhereTheyAre)
-{
-  const WiredSurface wired(wiredCushion());
-  const Points2 before = pinnedBy(wired, shadow);
-  for (InteriorMethod method : allMethods)
-  {
-    Points2 positions = before;
-    placeInterior(wired.piece, wired.network, with(method), {}, positions);
-    for (Index v : wired.network.hostVertices)
-    {
-      EXPECT_EQ(positions[v], before[v]);
     }
   }
 }
@@ -220,17 +204,6 @@ TEST(InteriorEmbedding, RefusesOptionsOutOfRange)
   options = with(InteriorMethod::AsRigidAsPossible);
   options.maximumRigidIterations = 0;
   EXPECT_EQ(code(options), StatusCode::InvalidOption);
-}
-
-TEST(InteriorEmbedding, SaysWhenTooFewIterationsWereAllowed)
-{
-  const WiredSurface wired(wiredCushion(2.0));
-  InteriorOptions options = with(InteriorMethod::AsRigidAsPossible);
-  options.maximumRigidIterations = 1;
-  Points2 positions = pinnedBy(wired, shadow);
-  const auto result = placeInterior(wired.piece, wired.network, options, {}, positions);
-  EXPECT_EQ(result.status.code, StatusCode::NotConverged);
-  EXPECT_FALSE(result.status.ids.empty());
 }
 
 TEST(InteriorEmbedding, APieceWithoutInteriorVerticesIsLeftAsItIs)

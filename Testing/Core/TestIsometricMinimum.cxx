@@ -3,7 +3,7 @@
 // means: an augmented Lagrangian, minimized by a quasi-Newton method from gradients alone. How
 // stiff the wires are is taken from the scheme; TestWireStiffness.cxx holds that against the
 // mechanics.
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "Isometric/IsometricWarping.h"
 #include "WiredSurface.h"
 
@@ -17,13 +17,6 @@ using namespace testmeshes;
 
 namespace
 {
-FlatteningResult flattenWith(const Surface& surface, Scheme scheme)
-{
-  FlatteningOptions options;
-  options.scheme = scheme;
-  return flattenSurface(surface.mesh, surface.curves, options, {});
-}
-
 /// sum a_t |J - R|^2 + sum k_i (theta_i - alpha_i)^2 under exact lengths, in units of the root of
 /// the mean triangle area.
 class Problem
@@ -142,7 +135,7 @@ public:
 private:
   void solve(const Surface& surface)
   {
-    const FlatteningResult start = flattenWith(surface, Scheme::Global);
+    const FlatteningResult start = flatten(surface, withScheme(Scheme::Global));
     Points2 positions;
     for (Index v : this->Wired.piece.vertices)
     {
@@ -249,14 +242,14 @@ TEST(IsometricMinimum, AnotherMinimizerFindsNothingBelow)
 {
   const Surface surface = smallCushion();
   const Problem problem(surface);
-  const FlatteningResult result = flattenWith(surface, Scheme::Isometric);
+  const FlatteningResult result = flatten(surface);
   ASSERT_TRUE(result.status.ok()) << result.status.message;
   const Eigen::VectorXd solution = problem.unknowns(result);
   Eigen::VectorXd gradient;
   const double least = problem.energy(solution, gradient);
   EXPECT_LT(problem.lengthErrors(solution).cwiseAbs().maxCoeff(), 1e-11);
 
-  const Eigen::VectorXd global = problem.unknowns(flattenWith(surface, Scheme::Global));
+  const Eigen::VectorXd global = problem.unknowns(flatten(surface, withScheme(Scheme::Global)));
   EXPECT_GT(problem.energy(global, gradient), 1.005 * least) << "the start is the answer already";
   std::mt19937 random(2);
   std::uniform_real_distribution<double> uniform(-0.3, 0.3);
@@ -277,7 +270,7 @@ TEST(IsometricMinimum, TheReportedEnergiesAreThoseOfThePositions)
 {
   const Surface surface = smallCushion();
   const Problem problem(surface);
-  const FlatteningResult result = flattenWith(surface, Scheme::Isometric);
+  const FlatteningResult result = flatten(surface);
   Eigen::VectorXd gradient;
   const double energy = problem.energy(problem.unknowns(result), gradient);
   const PieceReport& report = result.pieces[0];

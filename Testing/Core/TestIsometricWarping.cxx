@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isometric/IsometricWarping.h"
 
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "Imprint/CurveImprint.h"
 #include "WiredSurface.h"
 
@@ -15,20 +15,9 @@ using namespace testmeshes;
 
 namespace
 {
-FlatteningResult flatten(
-  const Surface& surface, const FlatteningOptions& options = [] {
-    FlatteningOptions isometric;
-    isometric.scheme = Scheme::Isometric;
-    return isometric;
-  }())
-{
-  return flattenSurface(surface.mesh, surface.curves, options, {});
-}
-
 FlatteningOptions isometricWith(DistortionEnergy energy, double angleWeight = 5.0)
 {
   FlatteningOptions options;
-  options.scheme = Scheme::Isometric;
   options.isometric.energy = energy;
   options.isometric.angleWeight = angleWeight;
   return options;
@@ -62,9 +51,7 @@ std::array<Surface, 2> developables()
 TEST(IsometricWarping, KeepsEveryWireExactAndBeatsThePinnedInterior)
 {
   const Surface surface = fineCushionWithCurves();
-  FlatteningOptions pinned;
-  pinned.scheme = Scheme::Global;
-  const FlatteningResult before = flatten(surface, pinned);
+  const FlatteningResult before = flatten(surface, withScheme(Scheme::Global));
   const FlatteningResult after = flatten(surface);
   ASSERT_TRUE(after.status.ok()) << after.status.message;
   const QualitySummary& a = before.pieces[0].quality;

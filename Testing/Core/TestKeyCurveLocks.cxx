@@ -72,13 +72,6 @@ TEST(KeyCurveLocks, FollowEquation1OnTheSurface)
   EXPECT_EQ(locked, 2 * 7 + 2) << "two nodes a vertex, four where the accessory curve crosses";
 }
 
-TEST(KeyCurveLocks, AccessoryCurvesLockNothing)
-{
-  Surface surface = cushion(6, 6, 0.5);
-  surface.curves = { rowCurve(6, 3), columnCurve(6, 6, 2) };
-  EXPECT_EQ(WiredSurface(surface).locks().lockedCount, 0);
-}
-
 TEST(KeyCurveLocks, AStraightKeyHasAStraightAngleOnBothItsSides)
 {
   Surface surface = cushion(6, 6, 0.5);

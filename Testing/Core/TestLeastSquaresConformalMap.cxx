@@ -152,14 +152,9 @@ TEST(LeastSquaresConformalMap, DoesNotDependOnPoseAndScalesWithTheSurface)
     Eigen::AngleAxisd(1.1, Point3(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
   for (double scale : { 1e-9, 1.0, 1e9 })
   {
-    Points3 points;
-    for (const Point3& p : mesh.points())
-    {
-      points.push_back(scale * (turn * p + Point3(0.3, -4.0, 2.0)));
-    }
-    Points2 flat =
-      leastSquaresConformalMap(TriangleMesh(points, mesh.triangles()), { { 0, 69 }, true })
-        .positions;
+    const TriangleMesh other = moved(
+      mesh, [&](const Point3& p) -> Point3 { return scale * (turn * p + Point3(0.3, -4.0, 2.0)); });
+    Points2 flat = leastSquaresConformalMap(other, { { 0, 69 }, true }).positions;
     ASSERT_EQ(flat.size(), reference.size());
     for (Point2& p : flat)
     {

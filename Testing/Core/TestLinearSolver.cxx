@@ -109,20 +109,6 @@ TEST(LinearSolver, OneStepOfRefinementTakesTheRegularizationOut)
   EXPECT_LT(after, 1e-4 * before);
 }
 
-TEST(LinearSolver, ReadsTheLowerTriangleOnly)
-{
-  const SparseMatrix matrix = gridLaplacian(8);
-  const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
-  const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
-  for (Method method : allMethods)
-  {
-    LinearSolver solver = make(method, matrix.rows());
-    ASSERT_TRUE(solver.factorize(lower));
-    EXPECT_LT((matrix * solver.solve(rhs) - rhs).norm(), 1e-12 * rhs.norm());
-    EXPECT_LT((matrix * solver.solveRefined(lower, rhs) - rhs).norm(), 1e-12 * rhs.norm());
-  }
-}
-
 TEST(LinearSolver, RefusesWhatItCannotFactor)
 {
   SparseMatrix singular = gridLaplacian(4);
@@ -159,25 +145,6 @@ TEST(LinearSolver, SolvesTheEmptySystem)
   EXPECT_EQ(solver.solve(Eigen::MatrixXd(0, 2)).rows(), 0);
 }
 
-TEST(LinearSolver, LeadingColumnsChangeTheSolutionByRoundingOnly)
-{
-  const int side = 20;
-  const SparseMatrix matrix = gridLaplacian(side);
-  const SparseMatrix lower = matrix.triangularView<Eigen::Lower>();
-  const Eigen::MatrixXd rhs = someRightHandSide(matrix.rows());
-  for (Index leading : { 0, side, static_cast<int>(matrix.rows()) })
-  {
-    LinearSolver solver(LeadingColumns{ leading });
-    const SparseMatrix& given = leading == side ? matrix : lower; // the upper one is not read
-    for (double factor : { 1.0, 3.0 })
-    {
-      ASSERT_TRUE(solver.factorize(factor * given));
-      EXPECT_LT((factor * matrix * solver.solve(rhs) - rhs).norm(), 1e-12 * rhs.norm()) << leading;
-    }
-    EXPECT_EQ(solver.positive(), matrix.rows());
-  }
-}
-
 TEST(LinearSolver, ConstraintsBehindTheirUnknownsKeepTheirDigits)
 {
   // Pivots of -1e-12 would leave four.
@@ -188,37 +155,6 @@ TEST(LinearSolver, ConstraintsBehindTheirUnknownsKeepTheirDigits)
   ASSERT_TRUE(solver.factorize(matrix));
   EXPECT_EQ(solver.negative(), 40);
   EXPECT_LT((matrix * solver.solve(rhs) - rhs).norm(), 1e-11 * rhs.norm());
-}
-
-TEST(LinearSolver, OrdersWhatTheLeadingColumnsLeaveByMinimumDegree)
-{
-  // A star of chains: the memory of the factor shows whether each chain couples its ends alone.
-  constexpr Index chains = 3000;
-  constexpr Index length = 3;
-  std::vector<Eigen::Triplet<double>> entries;
-  const Index size = chains * length + chains + 1;
-  for (Index k = 0; k < size; ++k)
-  {
-    entries.emplace_back(k, k, 10.0 + (k == chains * length ? chains : 0));
-  }
-  for (Index chain = 0; chain < chains; ++chain)
-  {
-    const Index first = chain * length;
-    for (Index k = 1; k < length; ++k)
-    {
-      entries.emplace_back(first + k, first + k - 1, 1.0);
-    }
-    // The hub's number comes before those of the other ends.
-    entries.emplace_back(chains * length, first, 1.0);
-    entries.emplace_back(chains * length + 1 + chain, first + length - 1, 1.0);
-  }
-  SparseMatrix matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  Execution execution;
-  execution.factorMemory = 1'000'000;
-  LinearSolver solver(LeadingColumns{ chains * length });
-  EXPECT_TRUE(solver.factorize(matrix, execution));
-  EXPECT_EQ(solver.positive(), size);
 }
 
 /// x + y = 2 twice, once doubled: of (2 - t, t) the shortest is (1, 1).

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Cut/SurfaceCut.h"
+#include "Surface/SurfacePreparation.h"
 #include "Surface/TriangleMesh.h"
 
 #include <Eigen/Geometry>
@@ -28,6 +29,25 @@ inline FeatureCurve accessory(const std::string& name, Indices vertices)
   curve.name = name;
   curve.vertices = std::move(vertices);
   return curve;
+}
+
+inline FeatureCurve curveOf(CurveType type, const std::string& name, Indices vertices)
+{
+  FeatureCurve curve = accessory(name, std::move(vertices));
+  curve.type = type;
+  return curve;
+}
+
+/// The mesh with each vertex where a function of its place puts it.
+template <class Place>
+TriangleMesh moved(const TriangleMesh& mesh, const Place& place)
+{
+  Points3 points;
+  for (const Point3& p : mesh.points())
+  {
+    points.push_back(place(p));
+  }
+  return { std::move(points), mesh.triangles() };
 }
 
 /// (columns + 1) x (rows + 1) vertices, vertex (i, j) = j (columns + 1) + i, whose places come from
@@ -212,16 +232,27 @@ inline TriangleMesh torus(Index n, double radius)
   return TriangleMesh(std::move(points), std::move(triangles));
 }
 
+/// The triangles whose centers are to be kept, without the vertices of no other.
+inline PreparedSurface partWhere(
+  const TriangleMesh& mesh, const std::function<bool(const Point3&)>& isKept)
+{
+  Triangles kept;
+  for (const Triangle& t : mesh.triangles())
+  {
+    if (isKept((mesh.point(t[0]) + mesh.point(t[1]) + mesh.point(t[2])) / 3.0))
+    {
+      kept.push_back(t);
+    }
+  }
+  return prepareSurface(mesh.points(), kept);
+}
+
 /// The surface turned and moved as a whole.
 inline Surface movedRigidly(Surface surface)
 {
   const Eigen::AngleAxisd turn(1.2, Point3(1.0, -2.0, 0.5).normalized());
-  Points3 points = surface.mesh.points();
-  for (Point3& p : points)
-  {
-    p = turn * p + Point3(3.0, -7.0, 11.0);
-  }
-  surface.mesh = TriangleMesh(points, surface.mesh.triangles());
+  surface.mesh = moved(
+    surface.mesh, [&](const Point3& p) -> Point3 { return turn * p + Point3(3.0, -7.0, 11.0); });
   return surface;
 }
 
@@ -232,23 +263,24 @@ inline Piece onlyPiece(const Surface& surface)
 }
 
 /// Vertices i = 0 .. columns of row j of a patch(), as a curve across it.
-inline FeatureCurve rowCurve(Index columns, Index j)
+inline FeatureCurve rowCurve(Index columns, Index j, CurveType type = CurveType::Accessory)
 {
   Indices vertices;
   for (Index i = 0; i <= columns; ++i)
   {
     vertices.push_back(j * (columns + 1) + i);
   }
-  return accessory("row" + std::to_string(j), std::move(vertices));
+  return curveOf(type, "row" + std::to_string(j), std::move(vertices));
 }
 
-inline FeatureCurve columnCurve(Index columns, Index rows, Index i)
+inline FeatureCurve columnCurve(
+  Index columns, Index rows, Index i, CurveType type = CurveType::Accessory)
 {
   Indices vertices;
   for (Index j = 0; j <= rows; ++j)
   {
     vertices.push_back(j * (columns + 1) + i);
   }
-  return accessory("column" + std::to_string(i), std::move(vertices));
+  return curveOf(type, "column" + std::to_string(i), std::move(vertices));
 }
 }

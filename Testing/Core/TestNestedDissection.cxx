@@ -73,17 +73,6 @@ TEST(NestedDissection, PutsASmallSeparatorThatDividesTheMeshLast)
   }
 }
 
-TEST(NestedDissection, TakesPartsThatDoNotHangTogetherAndVerticesAlone)
-{
-  Triangles triangles;
-  for (Index t = 0; t < 30; ++t)
-  {
-    triangles.push_back({ 4 * t, 4 * t + 1, 4 * t + 2 }); // 4 t + 3 is alone
-  }
-  expectOrderInRanges(dissect(triangles, 120), 120);
-  EXPECT_TRUE(dissect({}, Index{ 0 }).order.empty());
-}
-
 TEST(NestedDissection, EndsWithEachVertexOnceForGraphsOfEveryShape)
 {
   std::mt19937 generator(2);
@@ -139,42 +128,4 @@ TEST(NestedDissection, CutsRingsOfLongTrianglesAcrossInsteadOfAlongAPlane)
     EXPECT_LT(end - begin, 100) << "a dense block of so many vertices";
     begin = end;
   }
-}
-
-TEST(NestedDissection, FindsTheWaistOfASheetBesideTheMiddle)
-{
-  // 41 columns of 21 rows, of which columns 23 to 25 have but five: the plane in the middle of all
-  // vertices lies beside that waist.
-  Triangles triangles;
-  Points3 positions;
-  Indices column(41 * 21, none);
-  const auto lies = [](Index x, Index y) { return x < 23 || x > 25 || (y >= 8 && y <= 12); };
-  for (Index x = 0; x < 41; ++x)
-  {
-    for (Index y = 0; y < 21; ++y)
-    {
-      if (lies(x, y))
-      {
-        column[21 * x + y] = static_cast<Index>(positions.size());
-        positions.emplace_back(x, y, 0.0);
-      }
-    }
-  }
-  for (Index x = 0; x < 40; ++x)
-  {
-    for (Index y = 0; y < 20; ++y)
-    {
-      const std::array<Index, 4> c{ column[21 * x + y], column[21 * (x + 1) + y],
-        column[21 * (x + 1) + y + 1], column[21 * x + y + 1] };
-      if (*std::min_element(c.begin(), c.end()) != none)
-      {
-        triangles.push_back({ c[0], c[1], c[2] });
-        triangles.push_back({ c[0], c[2], c[3] });
-      }
-    }
-  }
-  const auto count = static_cast<Index>(positions.size());
-  const Dissection dissection = dissect(triangles, positions);
-  expectOrderInRanges(dissection, count);
-  EXPECT_EQ(count - dissection.end[dissection.end.size() - 2], 5);
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 using namespace flattening;
 
@@ -104,24 +105,6 @@ private:
   SparseMatrix Sparse;
 };
 
-/// Least of f on the unit circle.
-DenseModel onTheCircle()
-{
-  DenseModel model;
-  model.c = [](const Eigen::VectorXd& x) { return 0.5 * (x.head(2).squaredNorm() - 1.0); };
-  model.cGradient = [](const Eigen::VectorXd& x) {
-    Eigen::VectorXd g = x;
-    g.tail(x.size() - 2).setZero();
-    return g;
-  };
-  model.cHessian = [](const Eigen::VectorXd& x) {
-    Eigen::MatrixXd h = Eigen::MatrixXd::Identity(x.size(), x.size());
-    h.diagonal().tail(x.size() - 2).setZero();
-    return h;
-  };
-  return model;
-}
-
 /// Least of sum (x - goal)^2 / 2.
 DenseModel nearestTo(const Eigen::VectorXd& goal)
 {
@@ -133,6 +116,38 @@ DenseModel nearestTo(const Eigen::VectorXd& goal)
     return Eigen::MatrixXd(Eigen::MatrixXd::Identity(x.size(), x.size()));
   };
   return model;
+}
+
+/// With all unknowns on the unit circle.
+DenseModel onTheCircle(DenseModel model = {})
+{
+  model.c = [](const Eigen::VectorXd& x) { return 0.5 * (x.squaredNorm() - 1.0); };
+  model.cGradient = [](const Eigen::VectorXd& x) { return x; };
+  model.cHessian = [](const Eigen::VectorXd& x) {
+    return Eigen::MatrixXd(Eigen::MatrixXd::Identity(x.size(), x.size()));
+  };
+  return model;
+}
+
+/// With row x = right.
+DenseModel onThePlane(const Eigen::VectorXd& row, double right, DenseModel model)
+{
+  model.c = [=](const Eigen::VectorXd& x) { return row.dot(x) - right; };
+  model.cGradient = [=](const Eigen::VectorXd&) { return row; };
+  model.cHessian = [](const Eigen::VectorXd& x) {
+    return Eigen::MatrixXd(Eigen::MatrixXd::Zero(x.size(), x.size()));
+  };
+  return model;
+}
+
+/// One that leaves its unknowns in their order.
+LinearSolver inSinglePrecision(const DenseModel& model)
+{
+  Dissection order;
+  order.end = { model.unknowns + model.constraintCount() };
+  order.order.resize(order.end.front());
+  std::iota(order.order.begin(), order.order.end(), 0);
+  return LinearSolver(order, FactorPrecision::Single);
 }
 
 NewtonKktState solved(
@@ -156,14 +171,9 @@ TEST(NewtonKkt, KeepsTheFactorInDoublePrecisionWhereSingleIsNotEnough)
   model.hessian = [](const Eigen::VectorXd&) {
     return Eigen::MatrixXd(Eigen::Matrix2d{ { 1e-9, 1.0 }, { 1.0, 0.6 } });
   };
-  model.c = [](const Eigen::VectorXd& x) { return x[1] - 2.0 * x[0]; };
-  model.cGradient = [](const Eigen::VectorXd&) { return Eigen::Vector2d(-2.0, 1.0); };
-  model.cHessian = [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Zero(2, 2); };
-  Dissection order;
-  order.order = { 0, 1, 2 };
-  order.end = { 3 };
-  const NewtonKktState end = minimize(
-    model, { Eigen::Vector2d(3.0, 1.0), {} }, LinearSolver(order, FactorPrecision::Single), {}, {});
+  model = onThePlane(Eigen::Vector2d(-2.0, 1.0), 0.0, model);
+  const NewtonKktState end =
+    minimize(model, { Eigen::Vector2d(3.0, 1.0), {} }, inSinglePrecision(model), {}, {});
   EXPECT_TRUE(end.converged());
   EXPECT_NEAR(end.x[0], -2.0 / (1e-9 + 6.4), 1e-9);
   EXPECT_LE(model.matrices, 3);
@@ -196,20 +206,12 @@ TEST(NewtonKkt, AFactorInSinglePrecisionEndsAtTheSameMinimumWhereTheMultiplierIs
   model.f = [&](const Eigen::VectorXd& x) { return 1.0 + 0.5 * x.dot(h * x) + pull.dot(x); };
   model.gradient = [&](const Eigen::VectorXd& x) { return Eigen::VectorXd(h * x + pull); };
   model.hessian = [&](const Eigen::VectorXd&) { return h; };
-  model.c = [&](const Eigen::VectorXd& x) { return a.dot(x); };
-  model.cGradient = [&](const Eigen::VectorXd&) { return a; };
-  model.cHessian = [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Zero(n, n); };
-  Dissection order;
-  order.end = { n + 1 };
-  for (Index k = 0; k <= n; ++k)
-  {
-    order.order.push_back(k);
-  }
+  model = onThePlane(a, 0.0, model);
   NewtonKktOptions options;
   options.stepTolerance = 0.0;
 
-  const NewtonKktState end = minimize(model, { Eigen::VectorXd::Zero(n), {} },
-    LinearSolver(order, FactorPrecision::Single), options, {});
+  const NewtonKktState end =
+    minimize(model, { Eigen::VectorXd::Zero(n), {} }, inSinglePrecision(model), options, {});
 
   EXPECT_TRUE(end.converged());
   EXPECT_LE(model.matrices, 6);
@@ -222,10 +224,8 @@ TEST(NewtonKkt, AFactorInSinglePrecisionEndsAtTheSameMinimumWhereTheMultiplierIs
 
 TEST(NewtonKkt, FindsTheNearestPointOfALineInOneStepAndItsMultiplier)
 {
-  DenseModel model = nearestTo(Eigen::Vector2d(0.0, 0.0));
-  model.c = [](const Eigen::VectorXd& x) { return x.sum() - 1.0; };
-  model.cGradient = [](const Eigen::VectorXd&) { return Eigen::VectorXd::Ones(2); };
-  model.cHessian = [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Zero(2, 2); };
+  DenseModel model =
+    onThePlane(Eigen::VectorXd::Ones(2), 1.0, nearestTo(Eigen::Vector2d(0.0, 0.0)));
   int steps = 0;
   NewtonKktOptions options;
   options.observe = [&](const NewtonKktRecord& record) { steps = record.iteration; };
@@ -240,15 +240,13 @@ TEST(NewtonKkt, FindsTheNearestPointOfALineInOneStepAndItsMultiplier)
 TEST(NewtonKkt, AModelSettlesOnceWithTheMultipliersAtItsMinimumAndIsSolvedAnew)
 {
   // The point of the circle next to (2, 0), where the multiplier is 1; then that next to (0, 3).
-  DenseModel model = onTheCircle();
-  Eigen::Vector2d goal(2.0, 0.0);
-  model.f = [&](const Eigen::VectorXd& x) { return 0.5 * (x - goal).squaredNorm(); };
-  model.gradient = [&](const Eigen::VectorXd& x) { return Eigen::VectorXd(x - goal); };
-  model.hessian = [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Identity(2, 2); };
+  DenseModel model = onTheCircle(nearestTo(Eigen::Vector2d(2.0, 0.0)));
   std::vector<double> told;
   model.whenSettling = [&](const Eigen::VectorXd& multipliers) {
     told.push_back(multipliers[0]);
-    goal = Eigen::Vector2d(0.0, 3.0);
+    const DenseModel other = nearestTo(Eigen::Vector2d(0.0, 3.0));
+    model.f = other.f;
+    model.gradient = other.gradient;
     return true;
   };
   const NewtonKktState end = solved(model, Eigen::Vector2d(0.8, 0.5));
@@ -264,11 +262,7 @@ TEST(NewtonKkt, CorrectionsOfShorterStepsGoRoundASharpBend)
   // Along a narrow ring, nearly half round it: each step leaves the ring by the square of its
   // length.
   const auto iterations = [](int corrections) {
-    DenseModel model = onTheCircle();
-    const Eigen::Vector2d goal(-100.0, 0.0);
-    model.f = [=](const Eigen::VectorXd& x) { return 0.5 * (x - goal).squaredNorm(); };
-    model.gradient = [=](const Eigen::VectorXd& x) { return Eigen::VectorXd(x - goal); };
-    model.hessian = [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Identity(2, 2); };
+    DenseModel model = onTheCircle(nearestTo(Eigen::Vector2d(-100.0, 0.0)));
     int steps = 0;
     NewtonKktOptions options;
     options.corrections = corrections;
@@ -305,10 +299,8 @@ TEST(NewtonKkt, EndsAtAMinimumNotAtASaddleWhereTheHessianIsIndefinite)
 TEST(NewtonKkt, AnUnknownGoesToItsBoundExactlyAndTheOthersAdapt)
 {
   // Nearest point to (2, 1) with x + y = 3 would be itself; with |y| <= 0.25 it is (2.75, 0.25).
-  DenseModel model = nearestTo(Eigen::Vector2d(2.0, 1.0));
-  model.c = [](const Eigen::VectorXd& x) { return x.sum() - 3.0; };
-  model.cGradient = [](const Eigen::VectorXd&) { return Eigen::VectorXd::Ones(2); };
-  model.cHessian = [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Zero(2, 2); };
+  DenseModel model =
+    onThePlane(Eigen::VectorXd::Ones(2), 3.0, nearestTo(Eigen::Vector2d(2.0, 1.0)));
   model.bound = { 0.25 };
   const NewtonKktState end = solved(model, Eigen::Vector2d(0.0, 0.0));
   EXPECT_TRUE(end.converged());
@@ -346,12 +338,8 @@ TEST(NewtonKkt, ManyBoundsAreHeldOrFreedAtOnce)
 
 TEST(NewtonKkt, SaysWhereIterationsRunOutOrTheRunIsCancelled)
 {
-  DenseModel model = onTheCircle();
   const Eigen::Vector2d goal(0.6, 0.8);
-  DenseModel sphere = nearestTo(5.0 * goal);
-  model.f = sphere.f;
-  model.gradient = sphere.gradient;
-  model.hessian = sphere.hessian;
+  DenseModel model = onTheCircle(nearestTo(5.0 * goal));
   NewtonKktOptions options;
   options.maximumIterations = 1;
   const NewtonKktState early = solved(model, Eigen::Vector2d(1.0, -0.5), options);
@@ -444,10 +432,8 @@ TEST(PenaltyDescent, GivesTheMultipliersOfItsLastWeightWhereverItEnds)
       {
         SCOPED_TRACE(std::to_string(another) + ", " + std::to_string(steps) + " steps, from " +
           std::to_string(offset));
-        DenseModel model = nearestTo(Eigen::Vector2d(2.0, 2.0));
-        model.c = [](const Eigen::VectorXd& x) { return x.sum() - 1.0; };
-        model.cGradient = [](const Eigen::VectorXd&) { return Eigen::VectorXd::Ones(2); };
-        model.cHessian = [](const Eigen::VectorXd&) { return Eigen::MatrixXd::Zero(2, 2); };
+        DenseModel model =
+          onThePlane(Eigen::VectorXd::Ones(2), 1.0, nearestTo(Eigen::Vector2d(2.0, 2.0)));
         model.whenSettling = [another](const Eigen::VectorXd&) { return another; };
         PenaltyDescentOptions options;
         options.mostSteps = steps;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Memory that runs out is a status of its own, whatever wanted it.
 #include "Base/Memory.h"
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "Reference/SuperLUFactorization.h"
 #include "Surface/SurfacePreparation.h"
 #include "TestGraphs.h"
@@ -71,18 +71,17 @@ TEST(OutOfMemory, IsTheStatusOfARunWhoseFactorsMayNotBeAsLargeAndTellsHowLargeTh
   for (Scheme scheme :
     { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::LeastSquaresConformal })
   {
-    FlatteningOptions options;
-    options.scheme = scheme;
+    FlatteningOptions options = withScheme(scheme);
     FlatteningCache cache;
     Execution execution = withThreads(3);
     execution.factorMemory = 10000;
-    const FlatteningResult refused = flattenSurface(surface.mesh, {}, options, execution, &cache);
+    const FlatteningResult refused = flatten(surface, options, execution, &cache);
     EXPECT_EQ(refused.status.code, StatusCode::OutOfMemory);
     EXPECT_TRUE(refused.status.refused());
     EXPECT_NE(refused.status.message.find("wants"), std::string::npos) << refused.status.message;
     EXPECT_TRUE(refused.positions.empty());
     // What was left half done serves no later run.
-    const FlatteningResult after = flattenSurface(surface.mesh, {}, options, {}, &cache);
+    const FlatteningResult after = flatten(surface, options, {}, &cache);
     const FlatteningResult fresh = flattenSurface(surface.mesh, {}, options, {});
     EXPECT_TRUE(after.status.ok()) << after.status.message;
     EXPECT_EQ(after.positions, fresh.positions);

@@ -18,12 +18,7 @@ namespace
 std::vector<TriangleMesh> hardSurfaces(double scale = 1.0)
 {
   const auto scaled = [scale](const TriangleMesh& mesh) {
-    Points3 points = mesh.points();
-    for (Point3& point : points)
-    {
-      point *= scale;
-    }
-    return TriangleMesh(points, mesh.triangles());
+    return moved(mesh, [scale](const Point3& p) -> Point3 { return scale * p; });
   };
   const TriangleMesh bumps = patch(40, 40, [](double i, double j) {
     return Point3(i, j, 5.0 * std::sin(0.9 * i) * std::sin(0.7 * j));

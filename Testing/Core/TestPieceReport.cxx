@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a run reports of its pieces, against what follows from the flat positions by themselves.
+#include "Flattened.h"
 #include "Flattening/PieceReports.h"
 #include "Flattening/PieceWires.h"
-#include "Flattening/SurfaceFlattening.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -16,13 +16,6 @@ using namespace testmeshes;
 
 namespace
 {
-double cornerAngle(const Point3& at, const Point3& a, const Point3& b)
-{
-  const Point3 u = a - at;
-  const Point3 v = b - at;
-  return std::atan2(u.cross(v).norm(), u.dot(v));
-}
-
 /// Half the sum of the squared changes of the angles between wires: at each wire vertex those of
 /// the triangles of one wire-patch together, in the plane against in space.
 double objectiveOfTriangles(const FlatteningResult& result)
@@ -46,8 +39,8 @@ double objectiveOfTriangles(const FlatteningResult& result)
       const Index b = mesh.triangle(t)[(k + 2) % 3];
       if (onWires.count(at))
       {
-        change[{ at, result.patchOfTriangle[t] }] += cornerAngle(flat(at), flat(a), flat(b)) -
-          cornerAngle(mesh.point(at), mesh.point(a), mesh.point(b));
+        change[{ at, result.patchOfTriangle[t] }] +=
+          angleBetween(flat(a) - flat(at), flat(b) - flat(at)) - mesh.angle(3 * t + k);
       }
     }
   }
@@ -64,13 +57,6 @@ Surface cushionWithCross()
   Surface surface = cushion(6, 8, 0.3);
   surface.curves = { columnCurve(6, 8, 3), rowCurve(6, 4) };
   return surface;
-}
-
-FlatteningResult flatten(const Surface& surface, Scheme scheme)
-{
-  FlatteningOptions options;
-  options.scheme = scheme;
-  return flattenSurface(surface.mesh, surface.curves, options, {});
 }
 
 double perimeterOf(const FlatteningResult& result)
@@ -105,7 +91,7 @@ TEST(PieceReport, TheObjectiveIsThatOfTheFlatTrianglesInEveryScheme)
     for (Scheme scheme :
       { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::LeastSquaresConformal })
     {
-      const FlatteningResult result = flatten(surface, scheme);
+      const FlatteningResult result = flatten(surface, withScheme(scheme));
       ASSERT_FALSE(result.status.refused()) << result.status.message;
       EXPECT_NEAR(result.pieces[0].objective, objectiveOfTriangles(result), 1e-9)
         << static_cast<int>(scheme);
@@ -118,19 +104,19 @@ TEST(PieceReport, TheClosureIsThatOfTheFlatPiece)
   const Surface surface = cushionWithCross();
   for (Scheme scheme : { Scheme::Progressive, Scheme::Global, Scheme::Isometric })
   {
-    const FlatteningResult result = flatten(surface, scheme);
+    const FlatteningResult result = flatten(surface, withScheme(scheme));
     EXPECT_LT(result.pieces[0].closureResidual, 1e-11 * perimeterOf(result));
   }
   // A conformal map keeps no length, so loops of the true lengths do not close with its angles.
-  const FlatteningResult conformal = flatten(surface, Scheme::LeastSquaresConformal);
+  const FlatteningResult conformal = flatten(surface, withScheme(Scheme::LeastSquaresConformal));
   EXPECT_GT(conformal.pieces[0].closureResidual, 1e-3 * perimeterOf(conformal));
 }
 
 TEST(PieceReport, TheTwoHistoriesAreThoseOfTheirPhases)
 {
   const Surface surface = cushionWithCross();
-  const FlatteningResult global = flatten(surface, Scheme::Global);
-  const FlatteningResult isometric = flatten(surface, Scheme::Isometric);
+  const FlatteningResult global = flatten(surface, withScheme(Scheme::Global));
+  const FlatteningResult isometric = flatten(surface, withScheme(Scheme::Isometric));
   EXPECT_TRUE(global.pieces[0].isometricHistory.empty());
   ASSERT_FALSE(global.pieces[0].history.empty());
   ASSERT_EQ(isometric.pieces[0].history.size(), global.pieces[0].history.size());
@@ -149,12 +135,12 @@ TEST(PieceReport, AdviceWithAnElasticCurveIsWhatFollowingItGives)
   for (const auto& [tolerance, objective] : objectives)
   {
     const Surface surface = twoArcs(tolerance);
-    const FlatteningResult result = flatten(surface, Scheme::Global);
+    const FlatteningResult result = flatten(surface, withScheme(Scheme::Global));
     const ReleaseTrial first = result.pieces[0].advice.first();
     ASSERT_TRUE(first.solved);
     EXPECT_EQ(first.curve, 1);
     EXPECT_NEAR(first.objective, objective, 1e-6);
-    const FlatteningResult followed = flatten(without(surface, 1), Scheme::Global);
+    const FlatteningResult followed = flatten(without(surface, 1), withScheme(Scheme::Global));
     EXPECT_NEAR(first.objective, followed.pieces[0].objective, 1e-9);
   }
 }
@@ -162,14 +148,14 @@ TEST(PieceReport, AdviceWithAnElasticCurveIsWhatFollowingItGives)
 TEST(PieceReport, AdviceOfTheIsometricSchemeIsWhatFollowingItGives)
 {
   const Surface surface = quarterSphereWithTwoArcs();
-  const FlatteningResult result = flatten(surface, Scheme::Isometric);
+  const FlatteningResult result = flatten(surface, withScheme(Scheme::Isometric));
   const ReleaseAdvice& advice = result.pieces[0].advice;
   ASSERT_EQ(advice.trials.size(), 2u);
   for (const ReleaseTrial& trial : advice.trials)
   {
     ASSERT_TRUE(trial.solved);
-    const FlatteningResult followed =
-      flatten(without(surface, static_cast<std::size_t>(trial.curve)), Scheme::Isometric);
+    const FlatteningResult followed = flatten(
+      without(surface, static_cast<std::size_t>(trial.curve)), withScheme(Scheme::Isometric));
     EXPECT_NEAR(trial.areaError, followed.pieces[0].quality.areaError, 1e-7);
     EXPECT_NEAR(trial.homogeneity, followed.pieces[0].quality.globalHomogeneity, 1e-7);
     EXPECT_NEAR(trial.objective, followed.pieces[0].objective, 1e-7);
@@ -183,7 +169,7 @@ TEST(PieceReport, TrialsEndWhereAnotherOneWouldTakeMoreWorkThanTheyMay)
   const auto tried = [&](double work) {
     FlatteningOptions options;
     options.trialWork = work;
-    const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
+    const FlatteningResult result = flatten(surface, options);
     EXPECT_EQ(result.pieces[0].advice.ranking.size(), 2u); // of all curves, tried or not
     const std::vector<ReleaseTrial>& trials = result.pieces[0].advice.trials;
     return std::count_if(
@@ -206,11 +192,10 @@ TEST(PieceReport, AdviceWithoutTrialsRanksBySensitivityAndChangesNothingElse)
   const Surface surface = quarterSphereWithTwoArcs();
   for (const Scheme scheme : { Scheme::Global, Scheme::Isometric })
   {
-    FlatteningOptions options;
-    options.scheme = scheme;
+    FlatteningOptions options = withScheme(scheme);
     options.tryReleases = false;
-    const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
-    const FlatteningResult tried = flatten(surface, scheme);
+    const FlatteningResult result = flatten(surface, options);
+    const FlatteningResult tried = flatten(surface, withScheme(scheme));
     EXPECT_EQ(result.positions, tried.positions);
     EXPECT_TRUE(tried.pieces[0].advice.first().solved);
     const ReleaseAdvice& advice = result.pieces[0].advice;
@@ -224,12 +209,9 @@ TEST(PieceReport, AdviceWithoutTrialsRanksBySensitivityAndChangesNothingElse)
 TEST(PieceReport, TheSolverThatWasUsedIsNamedAndWhyItIsAnother)
 {
   Surface surface = quarterSphere();
-  FlatteningOptions options;
-  options.scheme = Scheme::Global;
+  FlatteningOptions options = withScheme(Scheme::Global);
   options.angles.method = AngleMethod::Sequential;
-  const auto report = [&] {
-    return flattenSurface(surface.mesh, surface.curves, options, {}).pieces[0];
-  };
+  const auto report = [&] { return flatten(surface, options).pieces[0]; };
   EXPECT_EQ(report().solverUsed, AngleMethod::Sequential);
   EXPECT_TRUE(report().fallbacks.empty());
   surface.curves[0].tolerance = 0.05;
@@ -243,16 +225,16 @@ TEST(PieceReport, TheSolverThatWasUsedIsNamedAndWhyItIsAnother)
 TEST(PieceReport, ARepairOfProgressiveAnglesIsTold)
 {
   Surface surface = cushion(6, 6, 0.4);
-  EXPECT_FALSE(flatten(surface, Scheme::Progressive).pieces[0].repaired);
+  EXPECT_FALSE(flatten(surface, withScheme(Scheme::Progressive)).pieces[0].repaired);
   for (Index k = 1; k < 6; ++k)
   {
     surface.curves.push_back(rowCurve(6, k));
     surface.curves.push_back(columnCurve(6, 6, k));
   }
-  const PieceReport repaired = flatten(surface, Scheme::Progressive).pieces[0];
+  const PieceReport repaired = flatten(surface, withScheme(Scheme::Progressive)).pieces[0];
   EXPECT_TRUE(repaired.repaired);
   EXPECT_EQ(repaired.fallbacks.size(), 1u);
-  EXPECT_FALSE(flatten(surface, Scheme::Global).pieces[0].repaired);
+  EXPECT_FALSE(flatten(surface, withScheme(Scheme::Global)).pieces[0].repaired);
 }
 
 TEST(PieceReport, ASolutionWhoseStartCouldNotBeProjectedIsTold)
@@ -292,8 +274,8 @@ TEST(PieceReport, LengthsThatTheLastCorrectionLeftOffAreTold)
   }
   for (Scheme scheme : { Scheme::Global, Scheme::Isometric })
   {
-    EXPECT_TRUE(flatten(quarterSphere(), scheme).pieces[0].fallbacks.empty());
-    const FlatteningResult result = flatten(pyramid, scheme);
+    EXPECT_TRUE(flatten(quarterSphere(), withScheme(scheme)).pieces[0].fallbacks.empty());
+    const FlatteningResult result = flatten(pyramid, withScheme(scheme));
     double worst = 0.0;
     for (const Wire& wire : result.wires)
     {
@@ -309,10 +291,9 @@ TEST(PieceReport, LengthsThatTheLastCorrectionLeftOffAreTold)
 TEST(PieceReport, ARelaxationThatRunsOutOfIterationsHasNotConverged)
 {
   const Surface surface = cushion(12, 12, 0.4);
-  FlatteningOptions options;
-  options.scheme = Scheme::Global;
+  FlatteningOptions options = withScheme(Scheme::Global);
   options.interior.method = InteriorMethod::Relaxation;
-  const auto run = [&] { return flattenSurface(surface.mesh, surface.curves, options, {}); };
+  const auto run = [&] { return flatten(surface, options); };
   EXPECT_TRUE(run().status.ok()) << run().status.message;
   options.interior.maximumIterations = options.interior.minimumIterations;
   EXPECT_EQ(run().status.code, StatusCode::NotConverged);

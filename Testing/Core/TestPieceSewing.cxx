@@ -56,7 +56,7 @@ TEST(PieceSewing, ClosedCylinderAndConeOfTwoPiecesComeToRestAsDesignedWithoutPin
 
 TEST(PieceSewing, SeamsAreShared)
 {
-  const FlatteningResult pieces = flat(frustum(16, 4, 0.7));
+  const FlatteningResult pieces = flatten(frustum(16, 4, 0.7));
   const SewingResult result = sewPieces(*pieces.cut, pieces.positions, product(), {});
   for (const SeamPair& pair : pieces.cut->seamPairs)
   {
@@ -68,7 +68,7 @@ TEST(PieceSewing, SeamsAreShared)
 
 TEST(PieceSewing, APanelKeepsItsBoundaryAndMovesInside)
 {
-  const FlatteningResult pieces = flat(dome());
+  const FlatteningResult pieces = flatten(dome());
   const TriangleMesh& mesh = pieces.cut->mesh;
   const SewingResult result = sewPieces(*pieces.cut, pieces.positions, panel(), {});
   ASSERT_TRUE(result.status.ok()) << result.status.message;
@@ -102,18 +102,14 @@ TEST(PieceSewing, MotionUnitAndNumberingChangeNothing)
   const Surface surface = dome();
   const SewnReport report = sewn(surface, panel()).shapes.front();
 
-  Surface moved = surface;
+  Surface turned = surface;
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(0.7, Point3(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
-  Points3 points;
-  for (const Point3& p : surface.mesh.points())
-  {
-    points.emplace_back(1000.0 * (turn * p) + Point3(20.0, -70.0, 5.0));
-  }
-  moved.mesh = TriangleMesh(points, surface.mesh.triangles());
+  turned.mesh = moved(surface.mesh,
+    [&](const Point3& p) -> Point3 { return 1000.0 * (turn * p) + Point3(20.0, -70.0, 5.0); });
   std::mt19937 random(4);
   Indices place;
-  const std::vector<std::pair<Surface, double>> others{ { moved, 1000.0 },
+  const std::vector<std::pair<Surface, double>> others{ { turned, 1000.0 },
     { renumbered(surface, random, place), 1.0 } };
   for (const auto& [other, scale] : others)
   {
@@ -128,7 +124,7 @@ TEST(PieceSewing, MotionUnitAndNumberingChangeNothing)
 
 TEST(PieceSewing, ThreadsChangeNoBit)
 {
-  const FlatteningResult pieces = flat(dome());
+  const FlatteningResult pieces = flatten(dome());
   const SewingResult one = sewPieces(*pieces.cut, pieces.positions, panel(), {});
   const SewingResult three = sewPieces(*pieces.cut, pieces.positions, panel(), withThreads(3));
   ASSERT_EQ(one.points.size(), three.points.size());
@@ -151,7 +147,7 @@ TEST(PieceSewing, ALonePanelWithAFreeBoundaryIsRefused)
 
 TEST(PieceSewing, RefusesWhatItCannotSew)
 {
-  const FlatteningResult pieces = flat(dome());
+  const FlatteningResult pieces = flatten(dome());
   const auto code = [&pieces](const Points2& positions, const SewingOptions& options) {
     return sewPieces(*pieces.cut, positions, options, {}).status.code;
   };
@@ -172,7 +168,7 @@ TEST(PieceSewing, SaysWhereItIsNotAtRestAndStopsWhenTold)
   EXPECT_FALSE(early.shapes.front().converged);
   EXPECT_FALSE(early.points.empty());
 
-  const FlatteningResult pieces = flat(dome());
+  const FlatteningResult pieces = flatten(dome());
   Execution run;
   run.cancel = [] { return true; };
   const SewingResult cancelled = sewPieces(*pieces.cut, pieces.positions, panel(), run);

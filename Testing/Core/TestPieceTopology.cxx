@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Surfaces with pieces that no method can lay flat: without boundary, or with handles.
 #include "Cut/PieceTopology.h"
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
+#include "SameResult.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -72,59 +73,17 @@ Surface partOf(TriangleMesh mesh)
 Surface shirt()
 {
   Surface surface = cushion(8, 6, 0.3);
-  surface.curves = { rowCurve(8, 3), columnCurve(8, 6, 4) };
-  surface.curves[0].type = CurveType::Key;
+  surface.curves = { rowCurve(8, 3, CurveType::Key), columnCurve(8, 6, 4, CurveType::Seam) };
   surface.curves[0].keyShape = KeyShape::Straight;
-  surface.curves[1].type = CurveType::Seam;
   return surface;
 }
 
 FlatteningOptions skipping(Scheme scheme = Scheme::Isometric)
 {
-  FlatteningOptions options;
-  options.scheme = scheme;
+  FlatteningOptions options = withScheme(scheme);
   options.interior.method = InteriorMethod::AsRigidAsPossible;
   options.skipClosed = true;
   return options;
-}
-
-FlatteningResult flatten(const Surface& surface, const FlatteningOptions& options)
-{
-  return flattenSurface(surface.mesh, surface.curves, options, {});
-}
-
-/// Every result that a caller sees of the two is the same, bit for bit.
-void expectSame(const FlatteningResult& result, const FlatteningResult& expected)
-{
-  EXPECT_EQ(result.status.code, expected.status.code) << result.status.message;
-  EXPECT_EQ(result.status.ids, expected.status.ids);
-  EXPECT_TRUE(result.cut->mesh.identical(expected.cut->mesh));
-  EXPECT_EQ(result.cut->pieceOfTriangle, expected.cut->pieceOfTriangle);
-  EXPECT_EQ(result.cut->seamPairs.size(), expected.cut->seamPairs.size());
-  EXPECT_EQ(result.positions, expected.positions);
-  EXPECT_EQ(result.patchOfTriangle, expected.patchOfTriangle);
-  EXPECT_EQ(result.developability, expected.developability);
-  ASSERT_EQ(result.wires.size(), expected.wires.size());
-  for (std::size_t w = 0; w < expected.wires.size(); ++w)
-  {
-    EXPECT_EQ(result.wires[w].vertices, expected.wires[w].vertices);
-    EXPECT_EQ(result.wires[w].curve, expected.wires[w].curve);
-    EXPECT_EQ(result.wires[w].piece, expected.wires[w].piece);
-    EXPECT_EQ(result.wires[w].flatLength, expected.wires[w].flatLength);
-  }
-  ASSERT_EQ(result.pieces.size(), expected.pieces.size());
-  for (std::size_t p = 0; p < expected.pieces.size(); ++p)
-  {
-    EXPECT_EQ(result.pieces[p].quality.areaError, expected.pieces[p].quality.areaError);
-    EXPECT_EQ(result.pieces[p].overlaps.listed, expected.pieces[p].overlaps.listed);
-  }
-  ASSERT_EQ(result.curves.size(), expected.curves.size());
-  for (std::size_t c = 0; c < expected.curves.size(); ++c)
-  {
-    EXPECT_EQ(result.curves[c].restLength, expected.curves[c].restLength);
-    EXPECT_EQ(result.curves[c].flatLength, expected.curves[c].flatLength);
-    EXPECT_EQ(result.curves[c].error, expected.curves[c].error);
-  }
 }
 
 /// A torus that a seam around the quads (0, 0) to (1, 1) divides into a disc and a part with a
@@ -178,7 +137,7 @@ TEST(PieceTopology, ARefusalCostsNoFlattening)
   std::set<std::string> phases;
   Execution execution;
   execution.progress = [&phases](double, const char* phase) { phases.insert(phase); };
-  const FlatteningResult refused = flattenSurface(surface.mesh, surface.curves, {}, execution);
+  const FlatteningResult refused = flatten(surface, {}, execution);
   EXPECT_EQ(refused.status.code, StatusCode::ClosedSurface);
   EXPECT_EQ(phases, std::set<std::string>{ "Cutting darts and seams" });
 }
@@ -232,15 +191,6 @@ TEST(PieceTopology, KeptTrianglesAndVerticesAreThoseOfTheSurface)
   EXPECT_EQ(*triangles.begin(), 4);
   EXPECT_EQ(*triangles.rbegin(), 4 + 2 * 8 * 6 - 1);
   EXPECT_EQ(triangles.size(), 2U * 8 * 6);
-}
-
-TEST(PieceTopology, WithNothingToSkipTheOptionChangesNothing)
-{
-  FlatteningOptions options = skipping();
-  options.skipClosed = false;
-  const FlatteningResult result = flatten(shirt(), skipping());
-  expectSame(result, flatten(shirt(), options));
-  EXPECT_TRUE(result.leftOut.empty());
 }
 
 TEST(PieceTopology, WhereNothingWouldRemainTheSurfaceIsRefused)
@@ -301,8 +251,7 @@ TEST(PieceTopology, TheCacheKnowsWhetherPiecesWereSkipped)
     {
       FlatteningOptions options = skipping();
       options.skipClosed = skip;
-      const FlatteningResult kept =
-        flattenSurface(surface.mesh, surface.curves, options, {}, &cache);
+      const FlatteningResult kept = flatten(surface, options, {}, &cache);
       expectSame(kept, flatten(surface, options));
       EXPECT_EQ(kept.leftOut.size(), flatten(surface, options).leftOut.size());
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Flattened.h"
 #include "Flattening/PieceWires.h"
 #include "Reference/ProgressiveWarping.h"
 #include "WiredSurface.h"
@@ -20,11 +21,10 @@ ProgressiveSolution warp(const WiredSurface& wired, AngleMethod method = AngleMe
 /// With the repair of what does not close.
 PieceSolution warpAndRepair(const WiredSurface& wired)
 {
-  FlatteningOptions options;
-  options.scheme = Scheme::Progressive;
   const Execution execution;
-  return solveWires(
-    { wired.piece, wired.network, wired.cut, wired.curves, options, execution }, {});
+  return solveWires({ wired.piece, wired.network, wired.cut, wired.curves,
+                      withScheme(Scheme::Progressive), execution },
+    {});
 }
 
 double worstConstraint(const AngleProblem& problem, const std::vector<double>& theta)

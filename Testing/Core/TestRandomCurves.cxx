@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Seeded random curve sets of all types on one surface.
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -65,8 +65,7 @@ TEST(RandomCurves, FlatSurfacesFlattenToThemselves)
   {
     SCOPED_TRACE(seed);
     surface.curves = randomCurves(surface.mesh, seed, true);
-    const FlatteningResult result =
-      flattenSurface(surface.mesh, surface.curves, optionsOf(seed), {});
+    const FlatteningResult result = flatten(surface, optionsOf(seed));
     // Cuts in a flat sheet leave banks that touch; they are no overlap.
     ASSERT_TRUE(result.status.ok()) << result.status.message;
     for (const PieceReport& piece : result.pieces)
@@ -98,7 +97,7 @@ TEST(RandomCurves, WiresOfACurvedSurfaceMeet)
     surface.curves = randomCurves(surface.mesh, seed, false);
     FlatteningOptions options = optionsOf(seed);
     options.angles.method = AngleMethod::Newton;
-    const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
+    const FlatteningResult result = flatten(surface, options);
     ASSERT_FALSE(result.status.refused()) << result.status.message;
     for (const Point2& p : result.positions)
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Angles/AngleSolver.h"
 #include "Angles/ReleaseAdvice.h"
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -37,9 +37,7 @@ TEST(ReleaseAdvice, SensitivityIsTheChangeOfTheOptimumWhenACurveGrows)
 TEST(ReleaseAdvice, OnTheQuarterSphereWithTwoArcsReleasingTheFirstGivesThePapersObjective)
 {
   const Surface surface = quarterSphereWithTwoArcs();
-  FlatteningOptions options;
-  options.scheme = Scheme::Global;
-  const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
+  const FlatteningResult result = flatten(surface, withScheme(Scheme::Global));
   const ReleaseAdvice& advice = result.pieces[0].advice;
   ASSERT_EQ(advice.ranking.size(), 2u);
   // The long arc costs more; without it the piece is that of Fig. 11.
@@ -50,11 +48,11 @@ TEST(ReleaseAdvice, OnTheQuarterSphereWithTwoArcsReleasingTheFirstGivesThePapers
 TEST(ReleaseAdvice, WithTheDefaultsTellsWhatFlatteningWithoutTheCurveGives)
 {
   Surface surface = quarterSphereWithTwoArcs();
-  const FlatteningResult both = flattenSurface(surface.mesh, surface.curves, {}, {});
+  const FlatteningResult both = flatten(surface);
   const ReleaseAdvice& advice = both.pieces[0].advice;
   ASSERT_TRUE(advice.first().solved);
   surface.curves.erase(surface.curves.begin() + advice.ranking[0]);
-  const FlatteningResult without = flattenSurface(surface.mesh, surface.curves, {}, {});
+  const FlatteningResult without = flatten(surface);
   ASSERT_TRUE(without.status.ok());
   EXPECT_NEAR(advice.first().objective, without.pieces[0].objective, 1e-9);
 }
@@ -62,6 +60,6 @@ TEST(ReleaseAdvice, WithTheDefaultsTellsWhatFlatteningWithoutTheCurveGives)
 TEST(ReleaseAdvice, IsSilentWhereTheSolutionIsGood)
 {
   const Surface surface = quarterSphere();
-  const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, {}, {});
+  const FlatteningResult result = flatten(surface);
   EXPECT_FALSE(result.pieces[0].advice.first().solved);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Quality/ScaleFactor.h"
 
+#include "MeshTriangles.h"
 #include "Quality/IntrinsicDelaunay.h"
 #include "TestMeshes.h"
 
@@ -21,21 +22,14 @@ namespace
 TriangleMesh rings(Index count, Index n, const std::function<Point3(double, double)>& place)
 {
   Points3 points{ place(0.0, 0.0) };
-  Triangles triangles;
-  const auto at = [n](Index j, Index k) { return j == 0 ? 0 : 1 + (j - 1) * n + k % n; };
   for (Index j = 1; j <= count; ++j)
   {
     for (Index k = 0; k < n; ++k)
     {
       points.push_back(place(static_cast<double>(j) / count, 2.0 * pi * k / n));
-      triangles.push_back({ at(j - 1, k), at(j, k), at(j, k + 1) });
-      if (j > 1)
-      {
-        triangles.push_back({ at(j - 1, k), at(j, k + 1), at(j - 1, k + 1) });
-      }
     }
   }
-  return { std::move(points), std::move(triangles) };
+  return { std::move(points), ringTriangles(n, count, n) };
 }
 
 /// Vertices 0, 1, ... of ring 0 to count along the first spoke, from the rim to the middle.
@@ -145,15 +139,11 @@ double largest(const std::vector<double>& values)
   return result;
 }
 
-TriangleMesh moved(const TriangleMesh& mesh, double scale)
+TriangleMesh movedAndScaled(const TriangleMesh& mesh, double scale)
 {
   const Eigen::AngleAxisd turn(0.7, Point3(1.0, -2.0, 0.5).normalized());
-  Points3 points;
-  for (const Point3& p : mesh.points())
-  {
-    points.emplace_back(scale * (turn * p + Point3(3.0, -1.0, 8.0)));
-  }
-  return { std::move(points), mesh.triangles() };
+  return moved(
+    mesh, [&](const Point3& p) -> Point3 { return scale * (turn * p + Point3(3.0, -1.0, 8.0)); });
 }
 
 /// The sphere's cap down to an angle from its pole.
@@ -229,7 +219,7 @@ TEST(ScaleFactor, DoesNotDependOnPlaceAndUnit)
   const ScaleFactor factor(mesh, {}, {});
   for (double scale : { 1e-3, 1.0, 1e3 })
   {
-    const ScaleFactor other(moved(mesh, scale), {}, {});
+    const ScaleFactor other(movedAndScaled(mesh, scale), {}, {});
     for (Index v = 0; v < mesh.vertexCount(); ++v)
     {
       EXPECT_NEAR(other.values()[v], factor.values()[v], 1e-12);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cloth/ClothMaterial.h"
+#include "MeshTriangles.h"
 #include "SewnPieces.h"
 
 #include <gtest/gtest.h>
@@ -51,8 +52,7 @@ Surface sphereOfGores(Index perGore, Index rows)
     {
       vertices.push_back(at(i, j));
     }
-    surface.curves.push_back(accessory("seam" + std::to_string(i), vertices));
-    surface.curves.back().type = CurveType::Seam;
+    surface.curves.push_back(curveOf(CurveType::Seam, "seam" + std::to_string(i), vertices));
   }
   return surface;
 }
@@ -225,22 +225,9 @@ TEST(SewnCloth, ALongFlatPanelSagsUnderItsWeightAsASupportedBeam)
   const Index columns = 16;
   const Index rows = 10 * columns;
   const auto at = [columns](Index i, Index j) { return j * (columns + 1) + i; };
-  Points3 points;
-  Triangles triangles;
-  for (Index j = 0; j <= rows; ++j)
-  {
-    for (Index i = 0; i <= columns; ++i)
-    {
-      points.emplace_back(Point3(i, j, 0.0) / columns);
-      if (i < columns && j < rows)
-      {
-        triangles.push_back({ at(i, j), at(i + 1, j), at(i + 1, j + 1) });
-        triangles.push_back({ at(i, j), at(i + 1, j + 1), at(i, j + 1) });
-      }
-    }
-  }
-  Surface plate;
-  plate.mesh = TriangleMesh(std::move(points), std::move(triangles));
+  Surface plate =
+    patch(columns, rows, [=](double i, double j) -> Point3 { return Point3(i, j, 0.0) / columns; });
+  plate.mesh = TriangleMesh(plate.mesh.points(), gridTriangles(columns, rows));
   const double size = std::sqrt(10.0);
   const double thickness = 0.01;
   const double weight = 1e-8;
@@ -271,7 +258,7 @@ TEST(SewnCloth, DevelopablePanelsOfThreadsReturnToTheirDesignAsWell)
 TEST(SewnCloth, TurningThePiecesByARightAngleIsSwappingWarpAndWeft)
 {
   const Surface surface = dome();
-  const FlatteningResult pieces = flat(surface);
+  const FlatteningResult pieces = flatten(surface);
   SewingOptions options = panel();
   options.material = *findPreset("jersey");
   options.secondStart = false;

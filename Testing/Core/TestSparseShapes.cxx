@@ -161,30 +161,3 @@ TEST(SparseShapes, SuperLURefusesWhatItCannotFactor)
     EXPECT_FALSE(SuperLUFactorization().factorize(matrix));
   }
 }
-
-TEST(SparseShapes, FactorsOfWideFansGrowWithTheFan)
-{
-  const auto sizeOf = [](Index meridians, Index parallels) {
-    const Graph graph = dome(meridians, parallels);
-    std::mt19937 generator(7);
-    const Graph mixed = renumbered(graph, generator);
-    std::vector<Eigen::Triplet<double>> entries;
-    for (const Triangle& t : mixed.cliques)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const auto [column, row] = std::minmax(t[k], t[(k + 1) % 3]);
-        entries.emplace_back(t[k], t[k], 1.0);
-        entries.emplace_back(row, column, 1.0);
-      }
-    }
-    SparseMatrix lower(mixed.count, mixed.count);
-    lower.setFromTriplets(entries.begin(), entries.end());
-    return SupernodalStructure(lower, dissect(mixed.cliques, mixed.count)).factorSize();
-  };
-  for (Index parallels : { 1, 2, 5 })
-  {
-    // As n log n; a dense front of the ring would be a hundred times as large.
-    EXPECT_LT(sizeOf(20000, parallels), 15 * sizeOf(2000, parallels)) << parallels;
-  }
-}

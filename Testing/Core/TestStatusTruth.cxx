@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What statuses say is the case: which of several, which wires and keys, and a way out that is one.
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "StatusTesting.h"
 #include "WiredSurface.h"
 
@@ -14,14 +14,6 @@ using namespace testmeshes;
 
 namespace
 {
-FeatureCurve curve(const std::string& name, CurveType type)
-{
-  FeatureCurve made;
-  made.name = name;
-  made.type = type;
-  return made;
-}
-
 /// Four sides of a pyramid, with its edges to the top as curves: it cannot be laid flat without a
 /// change of their lengths.
 Surface pyramid(double height)
@@ -33,8 +25,7 @@ Surface pyramid(double height)
     TriangleMesh(std::move(points), { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 1 } });
   for (Index v = 1; v <= 4; ++v)
   {
-    surface.curves.push_back(curve("ridge " + std::to_string(v), CurveType::Accessory));
-    surface.curves.back().vertices = { 0, v };
+    surface.curves.push_back(accessory("ridge " + std::to_string(v), { 0, v }));
   }
   return surface;
 }
@@ -80,10 +71,9 @@ TEST(StatusTruth, WiresThatMissTheirLengthsAreNamedWithTheirErrors)
   for (const Scheme scheme : { Scheme::Global, Scheme::Isometric, Scheme::Progressive })
   {
     SCOPED_TRACE(static_cast<int>(scheme));
-    FlatteningOptions options;
-    options.scheme = scheme;
+    FlatteningOptions options = withScheme(scheme);
     const Surface surface = pyramid(1.0);
-    const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
+    const FlatteningResult result = flatten(surface, options);
     const Status& status = result.status;
     EXPECT_EQ(codeOf(status), StatusCode::LengthError);
     EXPECT_EQ(status.ids.kind, ElementKind::Curves);
@@ -128,10 +118,9 @@ TEST(StatusTruth, MoreIterationsAreAdvisedOnlyWhereTheyChangeTheResult)
   for (const Scheme scheme : { Scheme::Global, Scheme::Isometric })
   {
     SCOPED_TRACE(static_cast<int>(scheme));
-    FlatteningOptions options;
-    options.scheme = scheme;
+    FlatteningOptions options = withScheme(scheme);
     const Surface impossible = pyramid(1.0);
-    const Status stuck = flattenSurface(impossible.mesh, impossible.curves, options, {}).status;
+    const Status stuck = flatten(impossible, options).status;
     EXPECT_FALSE(stuck.ok());
     EXPECT_FALSE(has(stuck, Remedy::AllowAngleIterations)) << stuck.message;
     EXPECT_FALSE(has(stuck, Remedy::AllowIsometricIterations)) << stuck.message;
@@ -140,7 +129,7 @@ TEST(StatusTruth, MoreIterationsAreAdvisedOnlyWhereTheyChangeTheResult)
     // The crossing arcs take the wires' angles fifteen iterations.
     (isometric ? options.isometric.maximumIterations : options.angles.maximumIterations) = 2;
     const Surface slow = quarterSphereWithTwoArcs();
-    const Status ranOut = flattenSurface(slow.mesh, slow.curves, options, {}).status;
+    const Status ranOut = flatten(slow, options).status;
     EXPECT_TRUE(
       has(ranOut, isometric ? Remedy::AllowIsometricIterations : Remedy::AllowAngleIterations))
       << ranOut.message;
@@ -159,7 +148,7 @@ TEST(StatusTruth, TheRunTellsTheWorstOfItsPieces)
   for (const Surface& surface :
     { beside(pyramid(1.0), stairCase()), beside(stairCase(), pyramid(1.0)) })
   {
-    const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, {}, {});
+    const FlatteningResult result = flatten(surface);
     ASSERT_EQ(result.pieces.size(), 2U);
     const bool pyramidFirst = result.pieces[0].triangles == 4;
     EXPECT_EQ(result.pieces[pyramidFirst ? 0 : 1].status.code, StatusCode::LengthError);
@@ -175,23 +164,11 @@ TEST(StatusTruth, KeysThatCannotKeepTheirShapesAreNamedWithAWayOut)
   // A ring inside, the boundary from corner to corner, and a line across the middle.
   const Surface bare = cushion(8, 8, 0.4);
   const auto at = [](Index i, Index j) { return j * 9 + i; };
-  FeatureCurve ring = curve("ring", CurveType::Key);
-  for (Index k = 0; k < 16; ++k)
-  {
-    const std::array<Index, 2> place = k < 4 ? std::array<Index, 2>{ 2 + k, 2 }
-      : k < 8                                ? std::array<Index, 2>{ 6, k - 2 }
-      : k < 12                               ? std::array<Index, 2>{ 14 - k, 6 }
-                                             : std::array<Index, 2>{ 2, 18 - k };
-    ring.vertices.push_back(at(place[0], place[1]));
-  }
-  ring.vertices.push_back(ring.vertices.front());
-  FeatureCurve edge = curve("edge", CurveType::Key);
-  FeatureCurve line = curve("line", CurveType::Key);
-  for (Index k = 0; k <= 8; ++k)
-  {
-    edge.vertices.push_back(at(k, 0));
-    line.vertices.push_back(at(k, 4));
-  }
+  const FeatureCurve ring = curveOf(CurveType::Key, "ring",
+    { at(2, 2), at(3, 2), at(4, 2), at(5, 2), at(6, 2), at(6, 3), at(6, 4), at(6, 5), at(6, 6),
+      at(5, 6), at(4, 6), at(3, 6), at(2, 6), at(2, 5), at(2, 4), at(2, 3), at(2, 2) });
+  const FeatureCurve edge = rowCurve(8, 0, CurveType::Key);
+  const FeatureCurve line = rowCurve(8, 4, CurveType::Key);
   Index clashes = 0;
   for (const Scheme scheme : { Scheme::Global, Scheme::Isometric, Scheme::Progressive })
   {
@@ -207,9 +184,8 @@ TEST(StatusTruth, KeysThatCannotKeepTheirShapesAreNamedWithAWayOut)
           // Of the planar shapes: to and fro, which folds each triangle beside it over.
           surface.curves[0].planarShape.emplace_back(k % 2 == 0 ? 0.0 : 1.0, 1e-3 * k);
         }
-        FlatteningOptions options;
-        options.scheme = scheme;
-        const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
+        FlatteningOptions options = withScheme(scheme);
+        const FlatteningResult result = flatten(surface, options);
         const Status& status = result.status;
         SCOPED_TRACE(key.name + ", shape " + std::to_string(shape) + ", scheme " +
           std::to_string(static_cast<int>(scheme)) + ": " + statusName(status.code) + ": " +
@@ -237,32 +213,26 @@ TEST(StatusTruth, KeysWhoseReleaseDoesNotHelpAreAllNamedAndKept)
   // The patch in the middle has all its angles prescribed, and they are not those of a flat one. In
   // a corner, away from the keys, a spike all of whose edges are wires cannot be laid flat.
   Surface surface = cushion(10, 10, 0.3);
-  Points3 points = surface.mesh.points();
   const Index top = 12;
-  points[top].z() += 1.0;
-  surface.mesh = TriangleMesh(std::move(points), surface.mesh.triangles());
-  surface.curves = { rowCurve(10, 4), rowCurve(10, 8), columnCurve(10, 10, 4),
-    columnCurve(10, 10, 8) };
-  for (FeatureCurve& key : surface.curves)
-  {
-    key.type = CurveType::Key;
-  }
-  FeatureCurve ring = curve("ring", CurveType::Accessory);
+  surface.mesh = moved(surface.mesh, [spike = surface.mesh.point(top)](const Point3& p) -> Point3 {
+    return p == spike ? Point3(p + Point3::UnitZ()) : p;
+  });
+  surface.curves = { rowCurve(10, 4, CurveType::Key), rowCurve(10, 8, CurveType::Key),
+    columnCurve(10, 10, 4, CurveType::Key), columnCurve(10, 10, 8, CurveType::Key) };
+  FeatureCurve ring = accessory("ring", {});
   Index h = surface.mesh.outgoing(top);
   do
   {
     const Index around = surface.mesh.to(h);
     ring.vertices.push_back(around);
-    surface.curves.push_back(curve("ridge " + std::to_string(around), CurveType::Accessory));
-    surface.curves.back().vertices = { top, around };
+    surface.curves.push_back(accessory("ridge " + std::to_string(around), { top, around }));
     h = surface.mesh.counterClockwise(h);
   } while (h != surface.mesh.outgoing(top));
   ring.vertices.push_back(ring.vertices.front());
   surface.curves.push_back(ring);
 
-  FlatteningOptions options;
-  options.scheme = Scheme::Global;
-  const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
+  FlatteningOptions options = withScheme(Scheme::Global);
+  const FlatteningResult result = flatten(surface, options);
   const Status& status = result.status;
   EXPECT_EQ(codeOf(status), StatusCode::LengthError);
   EXPECT_NE(status.message.find("giving up all of them does not help alone"), std::string::npos)
@@ -275,7 +245,7 @@ TEST(StatusTruth, KeysWhoseReleaseDoesNotHelpAreAllNamedAndKept)
   EXPECT_TRUE(has(status, Remedy::MakeAccessory));
   // Without the spike their release does help.
   surface.curves.resize(4);
-  const FlatteningResult without = flattenSurface(surface.mesh, surface.curves, options, {});
+  const FlatteningResult without = flatten(surface, options);
   EXPECT_EQ(without.status.code, StatusCode::IncompatibleKeys) << without.status.message;
   EXPECT_FALSE(without.pieces[0].released.empty());
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "MeshTriangles.h"
 #include "PathFacts.h"
 #include "Paths/GeodesicStraightening.h"
 #include "Paths/PathPoints.h"
 #include "Paths/StraightPath.h"
 #include "Renumbered.h"
-#include "Surface/SurfacePreparation.h"
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,6 @@ constexpr double exactly = 1e-9;
 TriangleMesh wholeCone(Index sides, Index rings)
 {
   Points3 points{ Point3(0.0, 0.0, 1.0) };
-  Triangles triangles;
-  const auto at = [sides](Index i, Index j) { return 1 + (j - 1) * sides + i % sides; };
   for (Index j = 1; j <= rings; ++j)
   {
     for (Index i = 0; i < sides; ++i)
@@ -29,35 +27,16 @@ TriangleMesh wholeCone(Index sides, Index rings)
       const double turn = 2.0 * pi * i / sides;
       const double r = static_cast<double>(j) / rings;
       points.emplace_back(0.5 * r * std::cos(turn), 0.5 * r * std::sin(turn), 1.0 - r);
-      if (j == 1)
-      {
-        triangles.push_back({ 0, at(i, 1), at(i + 1, 1) });
-      }
-      else
-      {
-        triangles.push_back({ at(i, j - 1), at(i, j), at(i + 1, j) });
-        triangles.push_back({ at(i, j - 1), at(i + 1, j), at(i + 1, j - 1) });
-      }
     }
   }
-  return { std::move(points), std::move(triangles) };
+  return { std::move(points), ringTriangles(sides, rings, sides) };
 }
 
 /// A flat square of 12 x 12 squares without the 6 x 6 at its upper right.
 TriangleMesh flatAngle()
 {
   const Surface square = patch(12, 12, [](double i, double j) { return Point3(i, j, 0.0); });
-  Triangles triangles;
-  for (const Triangle& t : square.mesh.triangles())
-  {
-    const Point3 center =
-      (square.mesh.point(t[0]) + square.mesh.point(t[1]) + square.mesh.point(t[2])) / 3.0;
-    if (center.x() < 6.0 || center.y() < 6.0)
-    {
-      triangles.push_back(t);
-    }
-  }
-  return prepareSurface(square.mesh.points(), triangles).mesh;
+  return partWhere(square.mesh, [](const Point3& p) { return p.x() < 6.0 || p.y() < 6.0; }).mesh;
 }
 
 Index vertexAt(const TriangleMesh& mesh, const Point3& point)
@@ -143,9 +122,7 @@ TEST(StraightPath, TakesTheShorterWayRoundTheApexOfACone)
   const TriangleMesh mesh = wholeCone(sides, rings);
   const PathGraph graph(mesh);
   const double slant = (mesh.point(mesh.vertexCount() - 1) - mesh.point(0)).norm();
-  const Point3 a = mesh.point(1) - mesh.point(0);
-  const Point3 b = mesh.point(2) - mesh.point(0);
-  const double step = std::atan2(a.cross(b).norm(), a.dot(b));
+  const double step = angleBetween(mesh.point(1) - mesh.point(0), mesh.point(2) - mesh.point(0));
   std::mt19937 random(1);
   for (int k = 0; k < 200; ++k)
   {
@@ -219,12 +196,8 @@ TEST(StraightPath, StaysTheSameUnderMotionScaleAndRenumbering)
   const Eigen::AngleAxisd turn(1.1, Point3(1.0, -2.0, 0.5).normalized());
   for (const double scale : { 1e-3, 1e3 })
   {
-    Points3 moved;
-    for (const Point3& point : surface.mesh.points())
-    {
-      moved.push_back(scale * (turn * point + Point3(1.0, 2.0, 3.0)));
-    }
-    const TriangleMesh mesh(moved, surface.mesh.triangles());
+    const TriangleMesh mesh = moved(surface.mesh,
+      [&](const Point3& p) -> Point3 { return scale * (turn * p + Point3(1.0, 2.0, 3.0)); });
     const PathGraph movedGraph(mesh);
     for (int k = 0; k < 50; ++k)
     {

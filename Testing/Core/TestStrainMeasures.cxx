@@ -67,30 +67,6 @@ Eigen::Matrix2d stretch(double x, double y)
 }
 }
 
-TEST(StrainMeasures, AnExactUnrollingHasNone)
-{
-  for (const Surface& surface : { flatPatch(6, 5), cone(8, 5), cylinder(7, 4) })
-  {
-    const QualitySummary summary = measured(surface.mesh, surface.unrolled);
-    EXPECT_LT(summary.strainP95, 1e-12);
-    EXPECT_LT(summary.rigidEnergy, 1e-24);
-  }
-}
-
-TEST(StrainMeasures, OneLinearMapGivesThoseOfItsSingularValues)
-{
-  const Surface surface = flatPatch(6, 5);
-  Eigen::Matrix2d matrix;
-  matrix << 1.7, 0.4, -0.3, 0.8;
-  const Eigen::JacobiSVD<Eigen::Matrix2d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Vector2d sigma = svd.singularValues();
-  const Eigen::Matrix2d rotation = svd.matrixU() * svd.matrixV().transpose();
-  ASSERT_GT(rotation.determinant(), 0.0);
-  const QualitySummary summary = measured(surface.mesh, mapped(surface.unrolled, matrix));
-  EXPECT_NEAR(summary.strainP95, std::max(std::log(sigma[0]), -std::log(sigma[1])), 1e-13);
-  EXPECT_NEAR(summary.rigidEnergy, (matrix - rotation).squaredNorm(), 1e-13);
-}
-
 TEST(StrainMeasures, CompressionCountsLikeExtension)
 {
   const Surface surface = flatPatch(4, 4);

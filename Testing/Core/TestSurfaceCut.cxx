@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ClosedMeshes.h"
 #include "Cut/SurfaceCut.h"
 #include "WiredSurface.h"
 
@@ -179,12 +180,9 @@ TEST(SurfaceCut, ACurveThatEndsOnADartKeepsToItsSide)
 
 TEST(SurfaceCut, SeamsCutAClosedSurfaceIntoPieces)
 {
-  const TriangleMesh octahedron({ Point3(1, 0, 0), Point3(0, 1, 0), Point3(-1, 0, 0),
-                                  Point3(0, -1, 0), Point3(0, 0, 1), Point3(0, 0, -1) },
-    { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 }, { 1, 0, 5 }, { 2, 1, 5 }, { 3, 2, 5 },
-      { 0, 3, 5 } });
+  const TriangleMesh octahedron = sphere(0);
   const CutSurface cut =
-    cutSurface(octahedron, { curveOf(CurveType::Seam, "equator", { 0, 1, 2, 3, 0 }) });
+    cutSurface(octahedron, { curveOf(CurveType::Seam, "equator", { 0, 2, 1, 3, 0 }) });
   EXPECT_EQ(cut.pieceCount, 2);
   EXPECT_EQ(cut.seamPairs.size(), 4U);
   expectSewable(octahedron, cut);
@@ -211,9 +209,8 @@ TEST(SurfaceCut, OfCurvesOnOneEdgeTheCutGoesFirst)
 TEST(SurfaceCut, PiecesPointBackToTheCutSurface)
 {
   Surface surface = cushion(4, 4, 0.3);
-  FeatureCurve seam = columnCurve(4, 4, 1);
-  seam.type = CurveType::Seam;
-  const CutSurface cut = cutSurface(surface.mesh, { seam, rowCurve(4, 2) });
+  const CutSurface cut =
+    cutSurface(surface.mesh, { columnCurve(4, 4, 1, CurveType::Seam), rowCurve(4, 2) });
   Index triangles = 0;
   for (const Piece& piece : extractPieces(cut))
   {

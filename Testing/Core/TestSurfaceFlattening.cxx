@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -11,20 +11,6 @@ using namespace testmeshes;
 
 namespace
 {
-FlatteningOptions optionsOf(Scheme scheme, InteriorMethod interior = InteriorMethod::Laplacian)
-{
-  FlatteningOptions options;
-  options.scheme = scheme;
-  options.interior.method = interior;
-  options.arrange = false;
-  return options;
-}
-
-FlatteningResult flatten(const Surface& surface, const FlatteningOptions& options)
-{
-  return flattenSurface(surface.mesh, surface.curves, options, {});
-}
-
 /// Unrolled positions of the vertices of the cut surface.
 Points2 unrolledCopies(const Surface& surface, const CutSurface& cut)
 {
@@ -131,9 +117,9 @@ TEST(SurfaceFlattening, DevelopablesUnrollToTheirExactShape)
 TEST(SurfaceFlattening, EdgesToBeSewnHaveOneLengthInThePlane)
 {
   Surface surface = cushion(10, 8, 0.25);
-  surface.curves = { columnCurve(10, 8, 6), curveOf(CurveType::Dart, "dart", { 2, 13, 24 }),
+  surface.curves = { columnCurve(10, 8, 6, CurveType::Seam),
+    curveOf(CurveType::Dart, "dart", { 2, 13, 24 }),
     curveOf(CurveType::Dart, "eye", { 36, 47, 58 }) };
-  surface.curves[0].type = CurveType::Seam;
   const FlatteningResult result = flatten(surface, optionsOf(Scheme::Global));
   ASSERT_FALSE(result.status.refused()) << result.status.message;
   EXPECT_EQ(result.pieces.size(), 2U);
@@ -234,8 +220,7 @@ TEST(SurfaceFlattening, NamesKeysThatCannotKeepTheirShapesAndGoesOnWithoutTheLea
 TEST(SurfaceFlattening, PiecesAreFlattenedAsIfEachWereAlone)
 {
   Surface surface = cushion(9, 6, 0.2);
-  surface.curves = { columnCurve(9, 6, 4), rowCurve(9, 3) };
-  surface.curves[0].type = CurveType::Seam;
+  surface.curves = { columnCurve(9, 6, 4, CurveType::Seam), rowCurve(9, 3) };
   const FlatteningResult result = flatten(surface, optionsOf(Scheme::Progressive));
   ASSERT_EQ(result.pieces.size(), 2U);
   const std::vector<Piece> pieces = extractPieces(*result.cut);
@@ -279,8 +264,7 @@ TEST(SurfaceFlattening, PiecesAreFlattenedAsIfEachWereAlone)
 TEST(SurfaceFlattening, ArrangedPiecesAreMovedRigidlyAndLieApart)
 {
   Surface surface = cushion(9, 6, 0.2);
-  surface.curves = { columnCurve(9, 6, 4) };
-  surface.curves[0].type = CurveType::Seam;
+  surface.curves = { columnCurve(9, 6, 4, CurveType::Seam) };
   FlatteningOptions options = optionsOf(Scheme::Global);
   const FlatteningResult apart = flatten(surface, options);
   options.arrange = true;

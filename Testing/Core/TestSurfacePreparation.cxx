@@ -208,9 +208,8 @@ TEST(SurfacePreparation, KeepsBanksThatMeetInSpaceApart)
 {
   // A dart that is open in the mesh and closed in space.
   Surface surface = cushion(4, 4, 0.3);
-  FeatureCurve dart = accessory("dart", { 2, 7, 12 });
-  dart.type = CurveType::Dart;
-  const TriangleMesh open = cutSurface(surface.mesh, { dart }).mesh;
+  const TriangleMesh open =
+    cutSurface(surface.mesh, { curveOf(CurveType::Dart, "dart", { 2, 7, 12 }) }).mesh;
   const PreparedSurface kept = prepareSurface(open.points(), open.triangles());
   ASSERT_TRUE(kept.status.ok()) << kept.status.message;
   EXPECT_EQ(kept.mesh.vertexCount(), surface.mesh.vertexCount() + 2);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "ClosedMeshes.h"
 #include "PathFacts.h"
 #include "Paths/PathPoints.h"
 #include "Paths/SurfaceSpline.h"
@@ -120,25 +121,10 @@ TEST(SurfaceSpline, ThroughCornersIsTheSameInEveryUnitWhereTwoFacesAreEquallyNea
 {
   // A spline leaves a prism in the plane that halves the angle of an edge.
   const auto prism = [](Index sides, Index rows) {
-    Points3 points;
-    Triangles triangles;
-    for (Index j = 0; j <= rows; ++j)
-    {
-      for (Index i = 0; i < sides; ++i)
-      {
-        const double turn = 2.0 * pi * i / sides;
-        points.emplace_back(std::cos(turn), std::sin(turn), 0.7 * j);
-      }
-    }
-    for (Index j = 0; j < rows; ++j)
-    {
-      for (Index i = 0; i < sides; ++i)
-      {
-        const Index next = (i + 1) % sides;
-        triangles.push_back({ j * sides + i, j * sides + next, (j + 1) * sides + next });
-        triangles.push_back({ j * sides + i, (j + 1) * sides + next, (j + 1) * sides + i });
-      }
-    }
+    const TriangleMesh wall = rolledUp(sides, rows, [rows](double turn, double across) {
+      return Point3(std::cos(turn), std::sin(turn), 0.7 * rows * across);
+    });
+    Triangles triangles = wall.triangles();
     for (const Index end : { 0, rows * sides })
     {
       for (Index i = 1; i + 1 < sides; ++i)
@@ -146,7 +132,7 @@ TEST(SurfaceSpline, ThroughCornersIsTheSameInEveryUnitWhereTwoFacesAreEquallyNea
         triangles.push_back({ end, end + (end == 0 ? i + 1 : i), end + (end == 0 ? i : i + 1) });
       }
     }
-    return TriangleMesh(std::move(points), std::move(triangles));
+    return TriangleMesh(wall.points(), std::move(triangles));
   };
   int left = 0;
   for (unsigned seed = 0; seed < 400; ++seed)
@@ -169,12 +155,8 @@ TEST(SurfaceSpline, ThroughCornersIsTheSameInEveryUnitWhereTwoFacesAreEquallyNea
     std::vector<double> lengths;
     for (const double unit : { 1.0, 1e-3, 1e-2, 1e3 })
     {
-      Points3 moved;
-      for (const Point3& point : shape.points())
-      {
-        moved.push_back(unit * (turn * point));
-      }
-      const TriangleMesh mesh(moved, shape.triangles());
+      const TriangleMesh mesh =
+        moved(shape, [&](const Point3& p) -> Point3 { return unit * (turn * p); });
       std::vector<SurfacePoint> points;
       for (const Index corner : corners)
       {

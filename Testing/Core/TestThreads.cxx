@@ -4,7 +4,7 @@
 #include "TestThreads.h"
 #include "Design/KeyPrices.h"
 #include "Design/LineSuggestion.h"
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "Reshaping/FlattenableSurface.h"
 #include "Sewing/PieceSewing.h"
 #include "Suggestion/CurveSuggestion.h"
@@ -51,21 +51,17 @@ TEST(Threads, GiveEverySchemeTheSameResultBitByBit)
 {
   constexpr Index size = 12;
   Surface surface = cushion(size, size, 0.3);
-  FeatureCurve seam = columnCurve(size, size, 4);
-  seam.type = CurveType::Seam;
-  surface.curves = { seam, rowCurve(size, 4), rowCurve(size, 8), columnCurve(size, size, 8) };
+  surface.curves = { columnCurve(size, size, 4, CurveType::Seam), rowCurve(size, 4),
+    rowCurve(size, 8), columnCurve(size, size, 8) };
   for (const Scheme scheme :
     { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::LeastSquaresConformal })
   {
     for (const InteriorMethod interior :
       { InteriorMethod::Laplacian, InteriorMethod::Relaxation, InteriorMethod::AsRigidAsPossible })
     {
-      FlatteningOptions options;
-      options.scheme = scheme;
-      options.interior.method = interior;
-      const FlatteningResult alone = flattenSurface(surface.mesh, surface.curves, options, {});
-      const FlatteningResult shared =
-        flattenSurface(surface.mesh, surface.curves, options, withThreads(4));
+      const FlatteningOptions options = optionsOf(scheme, interior);
+      const FlatteningResult alone = flatten(surface, options);
+      const FlatteningResult shared = flatten(surface, options, withThreads(4));
       ASSERT_FALSE(alone.status.refused()) << alone.status.message;
       ASSERT_EQ(alone.pieces.size(), 2U);
       EXPECT_EQ(alone.status.message, shared.status.message);
@@ -78,13 +74,9 @@ TEST(Threads, HearTheCallerOnItsOwnThreadOnly)
 {
   constexpr Index size = 12;
   const Surface plain = cushion(size, size, 0.3);
-  std::vector<FeatureCurve> keys = { rowCurve(size, 4), rowCurve(size, 8) };
-  for (FeatureCurve& key : keys)
-  {
-    key.type = CurveType::Key;
-  }
-  FeatureCurve seam = columnCurve(size, size, 4);
-  seam.type = CurveType::Seam;
+  const std::vector<FeatureCurve> keys{ rowCurve(size, 4, CurveType::Key),
+    rowCurve(size, 8, CurveType::Key) };
+  const FeatureCurve seam = columnCurve(size, size, 4, CurveType::Seam);
   const FlatteningResult pieces = flattenSurface(plain.mesh, { seam }, {}, {});
   ASSERT_FALSE(pieces.status.refused()) << pieces.status.message;
   SuggestionOptions darts;

@@ -36,61 +36,6 @@ TriangleMesh ring(Index count, double inner, double outer)
 }
 }
 
-TEST(TriangleMesh, TwinsRunBackAlongTheSameEdge)
-{
-  const TriangleMesh mesh = cushion(5, 4, 0.3).mesh;
-  Index boundary = 0;
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
-  {
-    const Index twin = mesh.twin(h);
-    if (twin == none)
-    {
-      ++boundary;
-      continue;
-    }
-    EXPECT_EQ(mesh.twin(twin), h);
-    EXPECT_EQ(mesh.from(twin), mesh.to(h));
-    EXPECT_EQ(mesh.to(twin), mesh.from(h));
-  }
-  EXPECT_EQ(boundary, 2 * (5 + 4));
-}
-
-TEST(TriangleMesh, FindsAnEdgeOnlyInTheDirectionThatItHas)
-{
-  const TriangleMesh mesh({ Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0) }, { { 0, 1, 2 } });
-  EXPECT_EQ(mesh.find(0, 1), 0);
-  EXPECT_EQ(mesh.find(2, 0), 2);
-  EXPECT_EQ(mesh.find(1, 0), none);
-  EXPECT_EQ(mesh.find(0, 0), none);
-}
-
-TEST(TriangleMesh, AnglesOfATriangleSumToPiAndMatchTheCosineRule)
-{
-  const TriangleMesh mesh({ Point3(0, 0, 0), Point3(3, 0, 0), Point3(0, 0, 4) }, { { 0, 1, 2 } });
-  EXPECT_NEAR(mesh.angle(0), pi / 2.0, 1e-15);
-  EXPECT_NEAR(mesh.angle(1), std::acos(3.0 / 5.0), 1e-15);
-  EXPECT_NEAR(mesh.angle(0) + mesh.angle(1) + mesh.angle(2), pi, 1e-15);
-  EXPECT_DOUBLE_EQ(mesh.area(0), 6.0);
-  EXPECT_DOUBLE_EQ(mesh.length(1), 5.0);
-}
-
-TEST(TriangleMesh, AnglesSatisfyGaussBonnetOnACurvedDisk)
-{
-  // Sum of the curvatures at interior vertices and of the turning of the boundary: 2 pi chi.
-  const TriangleMesh mesh = cushion(7, 6, 0.8).mesh;
-  double total = 0.0;
-  for (Index v = 0; v < mesh.vertexCount(); ++v)
-  {
-    total += mesh.onBoundary(v) ? pi : 2.0 * pi;
-  }
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
-  {
-    total -= mesh.angle(h);
-  }
-  EXPECT_EQ(eulerCharacteristic(mesh), 1);
-  EXPECT_NEAR(total, 2.0 * pi, 1e-11);
-}
-
 TEST(TriangleMesh, BoundaryLoopsAreClosedChainsWithTheLongestFirst)
 {
   const TriangleMesh mesh = ring(9, 1.0, 2.0);
@@ -160,29 +105,4 @@ TEST(TriangleMesh, AFanHoldsEachHalfEdgeThatLeavesAVertexOnceWhereverItLies)
       EXPECT_EQ(shifted, found) << v;
     }
   }
-}
-
-TEST(TriangleMesh, TheFanOfAVertexThatNoTriangleUsesIsEmpty)
-{
-  const TriangleMesh mesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 5, 5, 5 } }, { { 0, 1, 2 } });
-  for (Index h : VertexFan(mesh, 3))
-  {
-    ADD_FAILURE() << h;
-  }
-}
-
-TEST(CompressedRows, HoldsTheMembersOfEachGroupInTheOrderInWhichTheyCame)
-{
-  const CompressedRows grouping = groupBy(4, { 2, 0, 2, 3, 0, 2 });
-  const std::vector<Indices> expected{ { 1, 4 }, {}, { 0, 2, 5 }, { 3 } };
-  for (std::size_t g = 0; g < expected.size(); ++g)
-  {
-    EXPECT_EQ(Indices(grouping[g].begin(), grouping[g].end()), expected[g]) << g;
-  }
-}
-
-TEST(Planar, TheCrossProductIsTheAreaThatTwoVectorsSpanPositiveToTheLeft)
-{
-  EXPECT_EQ(cross({ 3.0, 0.0 }, { 1.0, 2.0 }), 6.0);
-  EXPECT_EQ(cross({ 1.0, 2.0 }, { 3.0, 0.0 }), -6.0);
 }

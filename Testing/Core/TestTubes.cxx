@@ -3,7 +3,7 @@
 // them.
 #include "ClosedMeshes.h"
 #include "Cloth/ClothMaterial.h"
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "Quality/AreaForecast.h"
 #include "StatusTesting.h"
 #include "WiredSurface.h"
@@ -188,9 +188,7 @@ TEST(Tubes, AreDisksOnceTheyAreCutAsProposed)
     {
       seams.push_back(curveOf(CurveType::Seam, "seam " + std::to_string(seams.size()), path));
     }
-    FlatteningOptions options;
-    options.scheme = Scheme::LeastSquaresConformal;
-    const FlatteningResult result = flatten(mesh, options, seams);
+    const FlatteningResult result = flatten(mesh, withScheme(Scheme::LeastSquaresConformal), seams);
     ASSERT_EQ(result.pieces.size(), 1U) << result.status.message;
     EXPECT_EQ(result.pieces.front().boundaryLoops, 1);
   }
@@ -203,12 +201,10 @@ TEST(Tubes, AdviceNamesOnlyWhatIsThere)
   {
     for (const Scheme scheme : { Scheme::Isometric, Scheme::Global, Scheme::Progressive })
     {
-      FlatteningOptions options;
-      options.scheme = scheme;
       const TriangleMesh mesh = rolledUp(6, 1, [&](double turn, double across) {
         return Point3(std::cos(turn), std::sin(turn), length * across);
       });
-      const Status& status = flatten(mesh, options).status;
+      const Status& status = flatten(mesh, withScheme(scheme)).status;
       EXPECT_FALSE(codeOf(status) == StatusCode::Ok);
       EXPECT_FALSE(has(status, Remedy::ReleaseCurves)) << status.message;
       EXPECT_FALSE(has(status, Remedy::AddDarts)) << status.message;

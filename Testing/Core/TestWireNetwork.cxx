@@ -86,15 +86,6 @@ TEST(WireNetwork, TheQuarterSphereHasTheCountsOfThePaper)
   EXPECT_EQ(std::count(wired.network.interior.begin(), wired.network.interior.end(), 1), 3);
 }
 
-TEST(WireNetwork, WithoutCurvesTheBoundaryIsTheOnlyLoop)
-{
-  const WiredSurface wired(cushion(5, 4, 0.4));
-  expectConsistent(wired.network);
-  EXPECT_EQ(wired.network.patchCount, 1);
-  EXPECT_EQ(wired.network.nodeCount(), 18);
-  EXPECT_EQ(std::count(wired.network.interior.begin(), wired.network.interior.end(), 1), 0);
-}
-
 TEST(WireNetwork, AlphaSumsTheAnglesOfThePatchAtTheVertex)
 {
   Surface surface = cushion(6, 6, 0.6);
@@ -108,24 +99,6 @@ TEST(WireNetwork, AlphaSumsTheAnglesOfThePatchAtTheVertex)
     EXPECT_NEAR(
       wired.network.alpha[node], angleAt(wired, patch, wired.network.vertex[node]), 1e-13);
   }
-}
-
-TEST(WireNetwork, LengthsAreThoseOnTheSurfaceAndCurvesKeepTheirIds)
-{
-  Surface surface = cushion(6, 6, 0.6);
-  surface.curves = { rowCurve(6, 2), columnCurve(6, 6, 3) };
-  const WiredSurface wired(surface);
-  Indices edgesOfCurve(2, 0);
-  for (const WireEdge& edge : wired.network.edges)
-  {
-    EXPECT_DOUBLE_EQ(
-      edge.length, (wired.piece.mesh.point(edge.to) - wired.piece.mesh.point(edge.from)).norm());
-    if (edge.curve != none)
-    {
-      ++edgesOfCurve[edge.curve];
-    }
-  }
-  EXPECT_EQ(edgesOfCurve, (Indices{ 6, 6 }));
 }
 
 TEST(WireNetwork, ADanglingWireHasBothItsSidesInOnePatchAndAWholeTurnAtItsTip)
@@ -252,34 +225,4 @@ TEST(WireNetwork, AWireThroughTheWholePieceThatTouchesItselfStaysConsistent)
   const WiredSurface wired(surface);
   expectConsistent(wired.network);
   EXPECT_EQ(wired.network.patchCount, 3);
-}
-
-TEST(WireNetwork, NamesClosedSurfacesAndHandles)
-{
-  const TriangleMesh tetrahedron(
-    { Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0), Point3(0, 0, 1) },
-    { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } });
-  const WiredSurface closed(tetrahedron, {});
-  EXPECT_STREQ(statusName(closed.network.status.code), "ClosedSurface");
-  EXPECT_EQ(closed.network.status.ids, (ElementIds{ ElementKind::Cells, Indices{ 0 } }));
-
-  // A torus with a triangle left out.
-  const Index n = 6;
-  const TriangleMesh closedRing = torus(n, 2.0);
-  Triangles triangles = closedRing.triangles();
-  triangles.pop_back();
-  const TriangleMesh ring(closedRing.points(), triangles);
-  const WiredSurface handle(ring, {});
-  EXPECT_STREQ(statusName(handle.network.status.code), "Handle");
-  EXPECT_EQ(handle.network.status.ids, (ElementIds{ ElementKind::Cells, Indices{ 0 } }));
-
-  // The message's way out works: two seams around open the handle.
-  std::vector<FeatureCurve> seams(2);
-  for (Index k = 0; k <= n; ++k)
-  {
-    seams[0].vertices.push_back(k % n);
-    seams[1].vertices.push_back(k % n * n);
-  }
-  seams[0].type = seams[1].type = CurveType::Seam;
-  expectConsistent(WiredSurface(ring, seams).network);
 }

@@ -99,8 +99,7 @@ TEST(WireReport, ACurveAcrossADartGoesOnOnBothItsSides)
 TEST(WireReport, EachPieceHasItsOwnBankOfASeam)
 {
   Surface surface = cushion(6, 4, 0.2);
-  surface.curves = { columnCurve(6, 4, 3) };
-  surface.curves[0].type = CurveType::Seam;
+  surface.curves = { columnCurve(6, 4, 3, CurveType::Seam) };
   const CutSurface cut = cutSurface(surface.mesh, surface.curves);
   const std::vector<Wire> banks = wiresOf(traceWires(surface.mesh, cut, surface.curves), 0);
   ASSERT_EQ(banks.size(), 2U);

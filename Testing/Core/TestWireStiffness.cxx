@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isometric/WireStiffness.h"
 
-#include "Flattening/SurfaceFlattening.h"
+#include "Flattened.h"
 #include "TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -40,9 +40,8 @@ std::vector<std::function<Point3(double, double)>> panels()
 QualitySummary qualityOf(const Surface& surface, double angleWeight = weight)
 {
   FlatteningOptions options;
-  options.scheme = Scheme::Isometric;
   options.isometric.angleWeight = angleWeight;
-  const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, options, {});
+  const FlatteningResult result = flatten(surface, options);
   EXPECT_TRUE(result.status.ok()) << result.status.message;
   EXPECT_TRUE(result.pieces[0].quality.flipped.empty());
   return result.pieces[0].quality;
@@ -139,12 +138,9 @@ TEST(WireStiffness, DoesNotDependOnWhatElseIsCutFromTheSurface)
   };
   const Surface alone = patch(8, 4, place);
   Surface both = patch(8, 20, place);
-  both.curves = { rowCurve(8, 4) };
-  both.curves[0].type = CurveType::Seam;
-  FlatteningOptions options;
-  options.scheme = Scheme::Isometric;
-  const FlatteningResult one = flattenSurface(alone.mesh, {}, options, {});
-  const FlatteningResult two = flattenSurface(both.mesh, both.curves, options, {});
+  both.curves = { rowCurve(8, 4, CurveType::Seam) };
+  const FlatteningResult one = flatten(alone);
+  const FlatteningResult two = flatten(both);
   ASSERT_TRUE(one.status.ok() && two.status.ok()) << one.status.message << two.status.message;
   ASSERT_EQ(two.pieces.size(), 2u);
   const bool first = two.pieces[0].triangles == one.pieces[0].triangles;

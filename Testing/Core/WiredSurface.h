@@ -66,13 +66,6 @@ struct WiredSurface
   }
 };
 
-inline FeatureCurve curveOf(CurveType type, const std::string& name, Indices vertices)
-{
-  FeatureCurve curve = accessory(name, std::move(vertices));
-  curve.type = type;
-  return curve;
-}
-
 /// Largest distance between corresponding points after the rotation and translation, without
 /// reflection, that bring the first set nearest to the second.
 inline double rigidDistance(const Points2& first, const Points2& second)
