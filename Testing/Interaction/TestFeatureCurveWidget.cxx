@@ -44,9 +44,9 @@ protected:
     this->window = vtkSmartPointer<vtkRenderWindow>::New();
     this->window->SetOffScreenRendering(1);
     this->window->SetSize(900, 900);
-    this->renderer = vtkSmartPointer<vtkRenderer>::New();
+    figures::Drawing drawing;
+    this->renderer = drawing.renderer();
     this->window->AddRenderer(this->renderer);
-    figures::Drawing drawing(this->renderer);
     drawing.lookFrom(figures::facing(this->surface));
     drawing.addSurface(this->surface);
     const std::array<double, 2> size = drawing.size();
