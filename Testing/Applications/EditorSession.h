@@ -4,14 +4,13 @@
 #pragma once
 
 #include "EditorWindow.h"
+#include "ReadCurves.h"
 #include "ReadSurface.h"
 
 #include <QVTKOpenGLWindow.h>
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkIntArray.h>
 #include <vtkMapper.h>
 #include <vtkPointData.h>
 #include <vtkRenderWindow.h>
@@ -76,32 +75,10 @@ inline std::vector<TutorialCurve> tutorialCurves()
   return curves;
 }
 
-/// The same curves by their vertices, as the command takes them.
+/// The same curves, as the command reads them.
 inline figures::PolyData tutorialLines(vtkPolyData* surface)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIntArray> types;
-  types->SetName("CurveType");
-  vtkNew<vtkStringArray> names;
-  names->SetName("CurveName");
-  for (const TutorialCurve& curve : tutorialCurves())
-  {
-    lines->InsertNextCell(static_cast<int>(curve.vertices.size()));
-    for (const vtkIdType vertex : curve.vertices)
-    {
-      lines->InsertCellPoint(points->InsertNextPoint(surface->GetPoint(vertex)));
-    }
-    types->InsertNextValue(curve.type);
-    names->InsertNextValue(curve.name);
-  }
-  figures::PolyData data = figures::PolyData::New();
-  data->SetPoints(points);
-  data->SetLines(lines);
-  data->GetCellData()->AddArray(types);
-  data->GetCellData()->AddArray(names);
-  return data;
+  return wirewarp::readCurves(FLATTENING_TUTORIAL, surface).curves;
 }
 
 class PatternEditor : public testing::Test

@@ -41,12 +41,7 @@ def grid(chance):
             return u, v, 4 * depth * (u - 0.5) * (v - 0.5)
         return u, v, depth * (abs(u - 0.5) if shape == "fold" else 0.0)
 
-    points = [[size * x for x in place(i, j)] for j in range(rows + 1) for i in range(wide)]
-    triangles = []
-    for j in range(rows):
-        for i in range(columns):
-            a, b = j * wide + i, j * wide + (i + 1) % wide
-            triangles += [(a, b, b + wide), (a, b + wide, a + wide)]
+    points, triangles = command.grid(columns, rows, lambda i, j: [size * x for x in place(i, j)], shape == "tube")
     for _ in range(chance.choice((0, 0, 1, 4))):  # openings
         del triangles[chance.randrange(len(triangles))]
     for _ in range(chance.choice((0, 1, 3))):
