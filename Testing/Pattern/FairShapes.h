@@ -78,19 +78,17 @@ inline PatternSource polygon(const Points2& corners)
 struct Smoothed
 {
   PatternSource source;
-  PatternOptions options;
   DrawingSource all;
   std::unique_ptr<FairBorders> borders;
 
   Smoothed(const PatternSource& given, double tolerance, double notches = 0.0,
-    const PatternOptions& more = {})
+    const PatternOptions& options = {})
     : source(given)
-    , options(more)
-    , all{ source, options, {}, {}, {}, {}, nullptr, nullptr }
+    , all(given, options)
   {
-    this->options.unit = Unit::Millimetre;
-    this->options.notchSpacing = notches;
-    this->options.fairTolerance = tolerance;
+    this->all.options.unit = Unit::Millimetre;
+    this->all.options.notchSpacing = notches;
+    this->all.options.fairTolerance = tolerance;
     EXPECT_TRUE(findBorders(this->all).ok());
     this->borders = std::make_unique<FairBorders>(this->all);
   }

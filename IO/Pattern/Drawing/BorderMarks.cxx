@@ -88,13 +88,9 @@ private:
       {
         continue;
       }
-      double length = 0.0;
-      for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
-      {
-        length += lengthOnSurface(source, wire.points[k], wire.points[k + 1]);
-      }
       this->Ends.insert({ wire.points.front(), { wire.name, 0.0 } });
-      this->Ends.insert({ wire.points.back(), { wire.name, length } });
+      this->Ends.insert(
+        { wire.points.back(), { wire.name, arcsOnSurface(source, wire.points).back() } });
     }
     const std::map<Index, CurveEnd> own = this->Ends;
     for (const SewnEdges& pair : source.sewn)

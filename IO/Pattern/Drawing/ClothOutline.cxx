@@ -50,18 +50,8 @@ void DartPlacement::place(PatternLine& leg) const
   {
     return;
   }
-  const auto move = [this](Point2& p) { p = this->at(p); };
-  std::for_each(leg.points.begin(), leg.points.end(), move);
-  leg.restLength = 0.0;
-  for (FairSpan& span : leg.curve)
-  {
-    std::for_each(span.control.begin(), span.control.end(), move);
-    leg.restLength += span.length();
-  }
-  for (std::size_t k = 1; leg.curve.empty() && k < leg.points.size(); ++k)
-  {
-    leg.restLength += (leg.points[k] - leg.points[k - 1]).norm();
-  }
+  forEachPoint(leg, [this](Point2& p) { p = this->at(p); });
+  leg.restLength = lengthOf(leg);
 }
 
 Status DartPlacement::check(const std::string& dart, const std::string& piece) const

@@ -105,16 +105,6 @@ TextBox boxOf(const PatternText& text)
     0.5 * textWidth(text.text, text.height), 0.5 * text.height };
 }
 
-double lengthOf(const Points2& line)
-{
-  double length = 0.0;
-  for (std::size_t k = 0; k + 1 < line.size(); ++k)
-  {
-    length += (line[k + 1] - line[k]).norm();
-  }
-  return length;
-}
-
 /// The points of a line from one arc length to another, both ends included.
 Points2 partOf(const Points2& line, double from, double to)
 {
@@ -171,7 +161,7 @@ public:
   /// \param onCloth within the sew lines
   void place(const std::string& name, const Points2& line, double preferred, bool onCloth = true)
   {
-    const double length = lengthOf(line);
+    const double length = polylineLength(line);
     PatternText text;
     text.role = TextRole::Curve;
     text.text = name;

@@ -29,20 +29,6 @@ Point2 crossingOf(const Point2& a, const Point2& b, double atA, double atB)
   return a + atA / (atA - atB) * (b - a);
 }
 
-double lengthOf(const PatternLine& line)
-{
-  double length = 0.0;
-  for (const FairSpan& span : line.curve)
-  {
-    length += span.length();
-  }
-  for (std::size_t k = 0; line.curve.empty() && k + 1 < line.points.size(); ++k)
-  {
-    length += (line.points[k + 1] - line.points[k]).norm();
-  }
-  return length;
-}
-
 /// A line without its form.
 PatternLine namesake(const PatternLine& line)
 {
@@ -50,39 +36,6 @@ PatternLine namesake(const PatternLine& line)
   part.kind = line.kind;
   part.name = line.name;
   return part;
-}
-
-/// The parts of an open polyline on the right.
-std::vector<PatternLine> rightParts(const PatternLine& line, const MirrorAxis& axis)
-{
-  std::vector<PatternLine> parts;
-  bool going = false;
-  const auto add = [&](const Point2& p) {
-    if (!going)
-    {
-      parts.push_back(namesake(line));
-    }
-    going = true;
-    parts.back().points.push_back(p);
-  };
-  for (std::size_t k = 0; k < line.points.size(); ++k)
-  {
-    const double here = rightOf(axis, line.points[k]);
-    const double last = k > 0 ? rightOf(axis, line.points[k - 1]) : here;
-    if ((here > onAxis && last < -onAxis) || (here < -onAxis && last > onAxis))
-    {
-      add(crossingOf(line.points[k - 1], line.points[k], last, here));
-    }
-    if (here >= -onAxis)
-    {
-      add(line.points[k]);
-    }
-    else
-    {
-      going = false;
-    }
-  }
-  return parts;
 }
 
 /// Where a Bezier curve crosses the axis, between its ends and these included.
@@ -110,18 +63,26 @@ std::vector<double> stopsOf(const FairSpan& span, const MirrorAxis& axis)
   return stops;
 }
 
-/// The same of a line of Bezier curves.
-std::vector<PatternLine> rightCurves(const PatternLine& line, const MirrorAxis& axis)
+/// The parts of an open line on the right.
+std::vector<PatternLine> rightParts(const PatternLine& line, const MirrorAxis& axis)
 {
+  std::vector<FairSpan> curve = line.curve;
+  for (std::size_t k = 0; line.curve.empty() && k + 1 < line.points.size(); ++k)
+  {
+    const Point2 third = (line.points[k + 1] - line.points[k]) / 3.0;
+    curve.push_back({ 0.0, 1.0,
+      { line.points[k], line.points[k] + third, line.points[k + 1] - third, line.points[k + 1] } });
+  }
   std::vector<PatternLine> parts;
   bool going = false;
-  for (const FairSpan& span : line.curve)
+  for (const FairSpan& span : curve)
   {
     const std::vector<double> stops = stopsOf(span, axis);
     for (std::size_t k = 0; k + 1 < stops.size(); ++k)
     {
       const double middle = (stops[k] + stops[k + 1]) / 2.0;
-      if (stops[k] == stops[k + 1])
+      const FairSpan part = partOf(span, stops[k], stops[k + 1]);
+      if (part.length() < onAxis)
       {
         continue;
       }
@@ -133,7 +94,7 @@ std::vector<PatternLine> rightCurves(const PatternLine& line, const MirrorAxis& 
       going = right;
       if (right)
       {
-        parts.back().curve.push_back(partOf(span, stops[k], stops[k + 1]));
+        parts.back().curve.push_back(part);
       }
     }
   }
@@ -144,6 +105,10 @@ std::vector<PatternLine> rightCurves(const PatternLine& line, const MirrorAxis& 
       sampleSpan(span, sampleDistance, part.points);
     }
     part.points.push_back(part.curve.back().control[3]);
+    if (line.curve.empty())
+    {
+      part.curve.clear();
+    }
   }
   return parts;
 }
@@ -172,17 +137,7 @@ std::vector<PatternLine> halfOf(PatternLine line, const MirrorAxis& axis)
   }
   if (most <= mirrorTolerance)
   {
-    for (Point2& p : line.points)
-    {
-      p = ontoAxis(axis, p);
-    }
-    for (FairSpan& span : line.curve)
-    {
-      for (Point2& p : span.control)
-      {
-        p = ontoAxis(axis, p);
-      }
-    }
+    forEachPoint(line, [&axis](Point2& p) { p = ontoAxis(axis, p); });
     return { std::move(line) };
   }
   if (!isWire(line.kind) && line.closed)
@@ -197,8 +152,7 @@ std::vector<PatternLine> halfOf(PatternLine line, const MirrorAxis& axis)
     line.points.push_back(line.points.front());
   }
   const double length = lengthOf(line);
-  std::vector<PatternLine> parts =
-    line.curve.empty() ? rightParts(line, axis) : rightCurves(line, axis);
+  std::vector<PatternLine> parts = rightParts(line, axis);
   if (line.closed)
   {
     joinEnds(parts);

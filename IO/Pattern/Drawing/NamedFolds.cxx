@@ -11,23 +11,6 @@ namespace flattening::pattern
 {
 namespace
 {
-bool isOnBorder(const std::vector<Indices>& loops, Index from, Index to)
-{
-  for (const Indices& loop : loops)
-  {
-    for (std::size_t k = 0; k < loop.size(); ++k)
-    {
-      const Index a = loop[k];
-      const Index b = loop[(k + 1) % loop.size()];
-      if ((a == from && b == to) || (a == to && b == from))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
 const Point2& farthestFrom(const Point2& place, const Points2& points)
 {
   return *std::max_element(
@@ -42,8 +25,7 @@ Status findNamedFold(const DrawingSource& all, std::size_t piece, const std::str
 {
   fold.reset();
   Points2 points;
-  std::size_t onBorder = 0;
-  std::size_t edges = 0;
+  bool isBorder = true;
   const auto refused = [&pieceName](const std::string& curve, const std::string& why) {
     return Status{ StatusCode::InvalidOption,
       "piece " + pieceName + " cannot be cut on the fold along " + curve + ", " + why, {},
@@ -65,13 +47,11 @@ Status findNamedFold(const DrawingSource& all, std::size_t piece, const std::str
     }
     fold.emplace();
     fold->curve = wire.name;
-    for (std::size_t k = 0; k < wire.points.size(); ++k)
+    for (const Index v : wire.points)
     {
-      points.push_back(all.at(wire.points[k]));
-      const bool border = k > 0 && isOnBorder(all.loops[piece], wire.points[k - 1], wire.points[k]);
-      edges += k > 0 ? 1 : 0;
-      onBorder += border ? 1 : 0;
+      points.push_back(all.at(v));
     }
+    isBorder = isBorder && all.isOnBorder(wire);
   }
   if (!fold)
   {
@@ -91,7 +71,7 @@ Status findNamedFold(const DrawingSource& all, std::size_t piece, const std::str
   {
     return refused(fold->curve, "which bends by " + formatNumber(bend, 1) + limit);
   }
-  fold->isBorder = onBorder == edges;
+  fold->isBorder = isBorder;
   if (fold->isBorder)
   {
     return all.options.oneLayer

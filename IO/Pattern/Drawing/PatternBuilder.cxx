@@ -8,13 +8,14 @@
 #include "Drawing/NamedFolds.h"
 #include "Drawing/PieceDrawing.h"
 #include "Fairing/FairBorders.h"
-#include "Outlines/ClosedCuts.h"
 #include "Outlines/PatternSource.h"
 #include "Outlines/PatternText.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <set>
 
 namespace flattening::pattern
 {
@@ -30,28 +31,55 @@ bool isLength(double value)
   return std::isfinite(value) && value >= 0.0;
 }
 
-/// \param what names the curve
-Status checkName(const PatternSource& source, const std::string& what, const std::string& wanted)
+bool isLength(const std::vector<double>& values)
 {
-  const bool known = wanted == "boundary" ||
-    std::any_of(source.wires.begin(), source.wires.end(),
-      [&wanted](const SourceWire& wire) { return wire.name == wanted; });
-  if (known)
+  return std::all_of(values.begin(), values.end(), [](double value) { return isLength(value); });
+}
+
+/// Options of curves by their names.
+struct CurveOptionCheck
+{
+  const PatternSource& source;
+
+  /// \param what names the curve
+  template <typename Names>
+  Status names(const Names& wanted, const std::string& what) const
   {
+    std::set<std::string> known{ "boundary" };
+    std::string list = "boundary";
+    for (const SourceWire& wire : this->source.wires)
+    {
+      const bool isNew = known.insert(wire.name).second;
+      list += isNew && list.size() < 200 ? ", " + wire.name : "";
+    }
+    for (const std::string& name : wanted)
+    {
+      if (known.count(name) == 0)
+      {
+        return invalidOption(
+          what + " names the curve " + name + ", which is not there; there are " + list);
+      }
+    }
     return {};
   }
-  std::string names = "boundary";
-  for (const SourceWire& wire : source.wires)
+
+  /// \param before, after the name in the message about values that are no lengths
+  template <typename Value>
+  Status lengths(const std::map<std::string, Value>& ofCurve, const std::string& before,
+    const std::string& after, const std::string& what) const
   {
-    if (wire.type != WireType::Boundary && names.find(wire.name) == std::string::npos &&
-      names.size() < 200)
+    std::vector<std::string> wanted;
+    for (const auto& [name, value] : ofCurve)
     {
-      names += ", " + wire.name;
+      if (!isLength(value))
+      {
+        return invalidOption(before + name + after + " of millimetres from 0");
+      }
+      wanted.push_back(name);
     }
+    return this->names(wanted, what);
   }
-  return invalidOption(
-    what + " names the curve " + wanted + ", which is not there; there are " + names);
-}
+};
 }
 
 Status checkPatternOptions(const PatternSource& source, const PatternOptions& options)
@@ -90,79 +118,35 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
         "the quantity of piece " + std::to_string(p + 1) + " must be a whole number from 1");
     }
   }
-  for (const auto& [name, allowance] : options.allowanceOfCurve)
-  {
-    if (!isLength(allowance))
-    {
-      return invalidOption(
-        "the seam allowance of " + name + " must be a number of millimetres from 0");
-    }
-    Status status = checkName(source, "a seam allowance", name);
-    if (!status.ok())
-    {
-      return status;
-    }
-  }
-  for (const auto& [name, tolerance] : options.fairToleranceOfCurve)
-  {
-    if (!isLength(tolerance))
-    {
-      return invalidOption(
-        "the tolerance of the smooth " + name + " must be a number of millimetres from 0");
-    }
-    Status status = checkName(source, "a tolerance of smooth borders", name);
-    if (!status.ok())
-    {
-      return status;
-    }
-  }
   if (!isLength(options.dartTip))
   {
     return invalidOption(
       "how far tips of darts are drawn back must be a number of millimetres from 0");
   }
-  for (const auto& [name, back] : options.dartTipOfCurve)
+  const CurveOptionCheck check{ source };
+  Status status = check.lengths(
+    options.allowanceOfCurve, "the seam allowance of ", " must be a number", "a seam allowance");
+  if (status.ok())
   {
-    if (!isLength(back))
-    {
-      return invalidOption(
-        "how far the tip of " + name + " is drawn back must be a number of millimetres from 0");
-    }
-    Status status = checkName(source, "a tip to be drawn back", name);
-    if (!status.ok())
-    {
-      return status;
-    }
+    status = check.lengths(options.fairToleranceOfCurve, "the tolerance of the smooth ",
+      " must be a number", "a tolerance of smooth borders");
   }
-  for (const std::string& name : options.foldsAlong)
+  if (status.ok())
   {
-    Status status = checkName(source, "a fold", name);
-    if (!status.ok())
-    {
-      return status;
-    }
+    status = check.lengths(options.dartTipOfCurve, "how far the tip of ",
+      " is drawn back must be a number", "a tip to be drawn back");
   }
-  for (const std::string& name : options.doubleNotches)
+  if (status.ok())
   {
-    Status status = checkName(source, "a double notch", name);
-    if (!status.ok())
-    {
-      return status;
-    }
+    status = check.names(options.foldsAlong, "a fold");
   }
-  for (const auto& [name, distances] : options.notchesOfCurve)
+  if (status.ok())
   {
-    if (!std::all_of(distances.begin(), distances.end(), isLength))
-    {
-      return invalidOption("the notches of " + name + " must be numbers of millimetres from 0");
-    }
-    Status status = checkName(source, "a notch", name);
-    if (!status.ok())
-    {
-      return status;
-    }
+    status = check.names(options.doubleNotches, "a double notch");
   }
-  return {};
+  return status.ok()
+    ? check.lengths(options.notchesOfCurve, "the notches of ", " must be numbers", "a notch")
+    : status;
 }
 
 namespace
@@ -342,6 +326,11 @@ bool isWire(LineKind kind)
     kind != LineKind::Fold;
 }
 
+double lengthOf(const PatternLine& line)
+{
+  return line.curve.empty() ? polylineLength(line.points) : curveLength(line.curve);
+}
+
 PatternOptions completed(PatternOptions options, const PatternSource& source)
 {
   if (options.allowance < 0.0)
@@ -358,7 +347,8 @@ PatternOptions completed(PatternOptions options, const PatternSource& source)
 Status buildPattern(
   const PatternSource& source, const PatternOptions& given, Pattern& pattern, FairCache* cache)
 {
-  const PatternOptions options = completed(given, source);
+  DrawingSource all(source, completed(given, source));
+  const PatternOptions& options = all.options;
   std::size_t pieces = 0;
   Status status = checkSource(source, pieces);
   if (status.ok())
@@ -378,14 +368,12 @@ Status buildPattern(
           plural(static_cast<int>(pieces), "piece") };
     }
   }
-  const PatternSource whole = withoutClosedCuts(source);
-  DrawingSource all{ whole, options, {}, {}, {}, {}, nullptr, nullptr };
   status = findBorders(all);
   if (!status.ok())
   {
     return status;
   }
-  const std::shared_ptr<const FairBorders> fair = drawFair(all, cache);
+  drawFair(all, cache);
   const std::vector<BorderMark> marks = findBorderMarks(all);
 
   pattern.name = cleanText(options.name);
@@ -447,7 +435,7 @@ Status buildPattern(
         addText(TextRole::Label, "mirror image of piece " + std::to_string(other + 1));
       }
     }
-    if (fair && fair->reports()[p].mirror)
+    if (all.fair && all.fair->reports()[p].mirror)
     {
       addText(TextRole::Label, "drawn as its own mirror image");
     }
@@ -465,9 +453,9 @@ Status buildPattern(
       piece.notes.push_back({ "piece " + piece.name + ": not symmetric to " +
         formatNumber(mirrorTolerance, 1) + " mm, and so drawn whole" });
     }
-    if (fair)
+    if (all.fair)
     {
-      addFairNotes(fair->reports()[p], piece);
+      addFairNotes(all.fair->reports()[p], piece);
     }
   }
   return status;

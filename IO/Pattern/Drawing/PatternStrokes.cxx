@@ -38,28 +38,8 @@ const std::array<Look, 12> looks{ {
   { { "grain", black, 0.35, {} }, { 0.0, 0.0, 0.0 } },
 } };
 
-StrokeRole roleOf(LineKind kind)
-{
-  switch (kind)
-  {
-    case LineKind::CutLine:
-      return StrokeRole::CutLine;
-    case LineKind::CutOut:
-      return StrokeRole::CutOut;
-    case LineKind::SewLine:
-      return StrokeRole::SewLine;
-    case LineKind::DartLeg:
-      return StrokeRole::DartLeg;
-    case LineKind::DartFold:
-      return StrokeRole::DartFold;
-    case LineKind::Fold:
-      return StrokeRole::Fold;
-    case LineKind::KeyCurve:
-      return StrokeRole::KeyCurve;
-    default:
-      return StrokeRole::Internal;
-  }
-}
+static_assert(static_cast<int>(StrokeRole::CutLine) == static_cast<int>(LineKind::CutLine), "");
+static_assert(static_cast<int>(StrokeRole::Internal) == static_cast<int>(LineKind::Internal), "");
 
 void addGrain(const PatternPiece& piece, std::vector<Stroke>& strokes)
 {
@@ -102,7 +82,7 @@ std::vector<Stroke> strokesOf(const PatternPiece& piece)
   for (const PatternLine& line : piece.lines)
   {
     Stroke stroke;
-    stroke.role = roleOf(line.kind);
+    stroke.role = static_cast<StrokeRole>(line.kind); // whose first roles are the kinds
     stroke.closed = line.closed;
     stroke.points = line.points;
     stroke.smooth = line.curve;

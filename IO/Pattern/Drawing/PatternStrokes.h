@@ -7,7 +7,7 @@
 
 namespace flattening::pattern
 {
-/// What a stroke is for.
+/// What a stroke is for: the kinds of lines, and more.
 enum class StrokeRole
 {
   CutLine,

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
 
 namespace flattening::pattern
 {
@@ -31,40 +30,7 @@ void moveToOrigin(PatternPiece& piece)
       box.add(p);
     }
   }
-  for (PatternLine& line : piece.lines)
-  {
-    for (Point2& p : line.points)
-    {
-      p -= box.low;
-    }
-    for (FairSpan& span : line.curve)
-    {
-      for (Point2& p : span.control)
-      {
-        p -= box.low;
-      }
-    }
-  }
-  for (Notch& notch : piece.notches)
-  {
-    notch.foot -= box.low;
-    notch.from -= box.low;
-    notch.to -= box.low;
-  }
-  for (Point2& p : piece.drillHoles)
-  {
-    p -= box.low;
-  }
-  for (GradePoint& point : piece.gradePoints)
-  {
-    point.place -= box.low;
-  }
-  for (PatternText& text : piece.texts)
-  {
-    text.position -= box.low;
-  }
-  piece.grain.from -= box.low;
-  piece.grain.to -= box.low;
+  forEachPoint(piece, [&box](Point2& p) { p -= box.low; });
   piece.extent = box.extent();
 }
 
@@ -202,20 +168,6 @@ private:
     return false;
   }
 
-  /// A named edge of the boundary.
-  bool isBorder(const SourceWire& wire)
-  {
-    for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
-    {
-      if (!this->isOnLoop(wire.points[k], wire.points[k + 1]) &&
-        !this->isOnLoop(wire.points[k + 1], wire.points[k]))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
   /// Whether a border is cut along itself, also near borders that have an allowance.
   bool isOnCutLine(const SourceWire& wire)
   {
@@ -244,7 +196,7 @@ private:
       case WireType::Key:
         return LineKind::KeyCurve;
       case WireType::Accessory:
-        return this->isBorder(wire) && this->All.options.foldsAlong.count(wire.name) == 0
+        return this->All.isOnBorder(wire) && this->All.options.foldsAlong.count(wire.name) == 0
           ? LineKind::SewLine
           : LineKind::Internal;
       default:
@@ -264,21 +216,13 @@ private:
       PatternLine line;
       line.kind = this->kindOf(wire);
       line.name = wire.type == WireType::Boundary ? "" : wire.name;
-      for (std::size_t k = 0; k < wire.points.size(); ++k)
+      for (const Index v : wire.points)
       {
-        line.points.push_back(this->All.at(wire.points[k]));
-        if (k > 0 && !source.inSpace.empty())
-        {
-          line.restLength += this->All.scale() *
-            (source.inSpace[wire.points[k]] - source.inSpace[wire.points[k - 1]]).norm();
-        }
-        else if (k > 0)
-        {
-          line.restLength += (line.points[k] - line.points[k - 1]).norm();
-        }
+        line.points.push_back(this->All.at(v));
       }
+      line.restLength = this->All.scale() * arcsOnSurface(source, wire.points).back();
       line.isCut = (line.kind == LineKind::SewLine || line.kind == LineKind::KeyCurve) &&
-        this->isBorder(wire) && this->isOnCutLine(wire);
+        this->All.isOnBorder(wire) && this->isOnCutLine(wire);
       if (this->All.fair)
       {
         line.curve = this->All.fair->curveOf(wire);
@@ -401,7 +345,9 @@ private:
     {
       const Index from = place.edge[0];
       const Index to = place.edge[1];
-      if (!place.isDrawn || !this->isOnLoop(from, to))
+      const auto border = this->All.border.find(edgeKey(from, to));
+      if (!place.isDrawn || border == this->All.border.end() ||
+        border->second != static_cast<Index>(this->Piece))
       {
         continue;
       }
@@ -451,29 +397,13 @@ private:
     return this->All.at(point);
   }
 
-  bool isOnLoop(Index from, Index to)
-  {
-    if (this->Edges.empty())
-    {
-      for (const Indices& loop : this->Loops)
-      {
-        for (std::size_t k = 0; k < loop.size(); ++k)
-        {
-          this->Edges.insert(edgeKey(loop[k], loop[(k + 1) % loop.size()]));
-        }
-      }
-    }
-    return this->Edges.count(edgeKey(from, to)) > 0;
-  }
-
   const DrawingSource& All;
   std::size_t Piece;
   const std::vector<Indices>& Loops;
   ClothOutline Cloth;
   PatternPiece& Drawing;
-  std::unordered_set<std::uint64_t> Edges; ///< of the loops
-  std::vector<Points2> Outlines;           ///< along the sew lines
-  Segments Boundary;                       ///< of what is drawn
+  std::vector<Points2> Outlines; ///< along the sew lines
+  Segments Boundary;             ///< of what is drawn
   Segments CutLine;
   NotchMarks Marks;
   std::string Misses; ///< how far legs miss each other

@@ -5,7 +5,6 @@
 #include "Drawing/ClothOutline.h"
 #include "Drawing/PatternBuilder.h"
 #include "Fairing/FairBorders.h"
-#include "Outlines/ClosedCuts.h"
 #include "Outlines/Notches.h"
 #include "Outlines/Outline.h"
 #include "Outlines/PatternText.h"
@@ -114,8 +113,8 @@ class SeamWalker
 public:
   /// The source and what is drawn of it stay the caller's.
   SeamWalker(const DrawingSource& all, std::vector<WalkInterval>& walk)
-    : Source(all.source)
-    , Partners(sewnPartners(all.source))
+    : All(all)
+    , Source(all.source)
     , Scale(all.scale())
     , Drawn(all)
     , Angle(Drawn.widening())
@@ -132,18 +131,13 @@ public:
         const Point2 a = source.positions[next] - source.positions[v];
         const Point2 b = source.positions[corners[(k + 2) % 3]] - source.positions[v];
         this->Angle[v] += std::abs(std::atan2(cross(a, b), a.dot(b)));
-        this->PieceOfEdge[edgeKey(v, next)] = static_cast<std::size_t>(source.pieceOfTriangle[t]);
       }
     }
   }
 
   Status walk(const SourceWire& wire, const PatternOptions& options)
   {
-    std::vector<double> arc{ 0.0 };
-    for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
-    {
-      arc.push_back(arc.back() + lengthOnSurface(this->Source, wire.points[k], wire.points[k + 1]));
-    }
+    const std::vector<double> arc = arcsOnSurface(this->Source, wire.points);
     std::vector<double> stops;
     Status status = stationsOf(wire, arc.back(), options, this->Scale, stops);
     if (!status.ok())
@@ -157,8 +151,9 @@ public:
     for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
     {
       const Side one{ wire.points[k], wire.points[k + 1] };
-      const auto partner = this->Partners.find(edgeKey(one[0], one[1]));
-      const bool sewn = partner != this->Partners.end() && this->Done.insert(edgeOf(one)).second;
+      const auto partner = this->All.partners.find(edgeKey(one[0], one[1]));
+      const bool sewn =
+        partner != this->All.partners.end() && this->Done.insert(edgeOf(one)).second;
       if (!sewn)
       {
         going = false;
@@ -193,9 +188,10 @@ private:
 
   std::size_t pieceOf(const Side& side) const
   {
-    const auto found = this->PieceOfEdge.find(edgeKey(side[0], side[1]));
-    return found != this->PieceOfEdge.end() ? found->second
-                                            : this->PieceOfEdge.at(edgeKey(side[1], side[0]));
+    auto found = this->All.border.find(edgeKey(side[0], side[1]));
+    found =
+      found != this->All.border.end() ? found : this->All.border.find(edgeKey(side[1], side[0]));
+    return found != this->All.border.end() ? static_cast<std::size_t>(found->second) : 0;
   }
 
   double angleAt(const std::array<Side, 2>& sides, std::size_t end) const
@@ -233,12 +229,11 @@ private:
     this->Walk.back().angleSum[1] = angle;
   }
 
+  const DrawingSource& All;
   const PatternSource& Source;
-  const SewnPartners Partners;
   const double Scale;
   const DrawnBorders Drawn;
   std::vector<double> Angle; ///< of the cloth around each point
-  std::unordered_map<std::uint64_t, std::size_t> PieceOfEdge;
   std::unordered_set<std::uint64_t> Done;
   std::vector<WalkInterval>& Walk;
 };
@@ -248,24 +243,22 @@ private:
 Status walkSeams(const PatternSource& source, const PatternOptions& given,
   std::vector<WalkInterval>& walk, FairCache* cache)
 {
-  const PatternOptions options = completed(given, source);
   walk.clear();
-  const PatternSource whole = withoutClosedCuts(source);
-  DrawingSource all{ whole, options, {}, {}, {}, {}, nullptr, nullptr };
+  DrawingSource all(source, completed(given, source));
   Status status = findBorders(all);
   if (!status.ok())
   {
     return status;
   }
-  const std::shared_ptr<const FairBorders> fair = drawFair(all, cache);
+  drawFair(all, cache);
   SeamWalker walker(all, walk);
-  for (const SourceWire& wire : whole.wires)
+  for (const SourceWire& wire : all.source.wires)
   {
     if (wire.type != WireType::Seam && wire.type != WireType::Dart)
     {
       continue;
     }
-    status = walker.walk(wire, options);
+    status = walker.walk(wire, all.options);
     if (!status.ok())
     {
       return status;

@@ -63,16 +63,13 @@ std::shared_ptr<const FairBorders> FairCache::of(const DrawingSource& all)
   return this->Borders;
 }
 
-std::shared_ptr<const FairBorders> drawFair(DrawingSource& all, FairCache* cache)
+void drawFair(DrawingSource& all, FairCache* cache)
 {
-  std::shared_ptr<const FairBorders> fair;
   if (all.options.isFair(all.source))
   {
-    fair = cache ? cache->of(all) : std::make_shared<const FairBorders>(all);
-    all.fair = fair.get();
-    all.moved = &fair->positions();
+    all.fair = cache ? cache->of(all) : std::make_shared<const FairBorders>(all);
+    all.moved = &all.fair->positions();
   }
-  return fair;
 }
 
 namespace
@@ -350,17 +347,10 @@ void FairBorders::place(const DrawingSource& all)
   {
     const BorderChain& chain = this->Chains.chains()[c];
     std::vector<double>& places = this->Places.emplace_back();
-    std::size_t k = 0;
-    for (const PlannedInterval& interval : this->plan()[c].intervals)
+    for (const double arc : chain.arc)
     {
-      const IntervalCurve curve(this->spans()[c], interval);
-      for (; k < chain.arc.size() && chain.arc[k] <= interval.end; ++k)
-      {
-        places.push_back(
-          curve.placeAt((chain.arc[k] - interval.start) / (interval.end - interval.start)));
-      }
+      places.push_back(this->placeAt(c, arc));
     }
-    places.resize(chain.arc.size(), chain.length());
     for (std::size_t p = 0; p < chain.points.size(); ++p)
     {
       this->Positions[static_cast<std::size_t>(chain.points[p])] =

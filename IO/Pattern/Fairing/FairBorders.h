@@ -35,10 +35,9 @@ private:
   std::shared_ptr<const FairBorders> Borders;
 };
 
-/// The smooth borders of a source, where its options ask for any; they are then what it is drawn
-/// with as long as they are kept.
+/// Draws a source by smooth borders, where its options have any.
 /// \param cache where they may be already, or null
-std::shared_ptr<const FairBorders> drawFair(DrawingSource& all, FairCache* cache);
+void drawFair(DrawingSource& all, FairCache* cache);
 
 /// What became of the borders and curves of one piece.
 struct FairPieceReport

@@ -335,10 +335,7 @@ IntervalCurve::IntervalCurve(const std::vector<FairSpan>& spans, const PlannedIn
     this->Parts.push_back(
       partOf(*span, std::max(span->from, this->Start), std::min(span->to, this->End)));
   }
-  for (const FairSpan& part : this->Parts)
-  {
-    this->Length += part.length();
-  }
+  this->Length = curveLength(this->Parts);
 }
 
 std::vector<double> IntervalCurve::breaks(bool fromEnd) const

@@ -34,52 +34,6 @@ enum class DxfLayer
   Annotation = 15,
 };
 
-/// The text of a DXF file as it grows, in pairs of a group code and a value. Each entity and each
-/// entry of a table gets a handle: R12 can do without, but FreeCAD takes a layer without one for a
-/// layer without a name.
-class DxfRecords
-{
-public:
-  /// \param inches the unit of the drawing, or millimetres
-  explicit DxfRecords(bool inches)
-    : Inches(inches)
-    , PerMillimetre(inches ? 1.0 / 25.4 : 1.0)
-  {
-  }
-
-  void add(int code, const std::string& value);
-  void add(int code, int value) { this->add(code, std::to_string(value)); }
-  /// A number as it is.
-  void addNumber(int code, double value);
-  void addLength(int code, double millimetres)
-  {
-    this->addNumber(code, this->PerMillimetre * millimetres);
-  }
-  /// \param which of the points of an entity, from 0
-  void addPoint(const Point2& p, int which = 0);
-  void beginSection(const char* name);
-  void beginTable(const char* name, int entries);
-  /// An entry of a table, with its handle and its name.
-  void beginEntry(const char* table, const std::string& name);
-  void begin(const char* entity, DxfLayer layer);
-  /// Header and tables of a drawing with these corners.
-  void addHead(const Point2& low, const Point2& high);
-  /// The whole text.
-  std::string finish();
-
-private:
-  void addHandle();
-  /// \param dashes lengths in millimetres, those of gaps less than 0; none: a solid line
-  void addLineType(
-    const std::string& name, const std::string& words, const std::vector<double>& dashes);
-
-  bool Inches;
-  double PerMillimetre;
-  unsigned NextHandle = 1;
-  std::size_t Seed = 0; ///< where in the text the next free handle is to be told
-  std::string Text;
-};
-
 struct LayerColour
 {
   DxfLayer layer;
@@ -112,134 +66,157 @@ bool isDashed(DxfLayer layer)
   return layer == DxfLayer::SewLines;
 }
 
-void DxfRecords::add(int code, const std::string& value)
+/// The text of a DXF file as it grows, in pairs of a group code and a value. Each entity and each
+/// entry of a table gets a handle: R12 can do without, but FreeCAD takes a layer without one for a
+/// layer without a name.
+class DxfRecords
 {
-  const std::string digits = std::to_string(code);
-  this->Text += std::string(3 - digits.size(), ' ') + digits + "\r\n" + value + "\r\n";
-}
-
-void DxfRecords::addNumber(int code, double value)
-{
-  const std::string text = formatNumber(value, 8);
-  this->add(code, text.find('.') == std::string::npos ? text + ".0" : text);
-}
-
-void DxfRecords::addPoint(const Point2& p, int which)
-{
-  this->addLength(10 + which, p.x());
-  this->addLength(20 + which, p.y());
-  this->addNumber(30 + which, 0.0);
-}
-
-void DxfRecords::addHandle()
-{
-  this->add(5, hexadecimal(this->NextHandle));
-  ++this->NextHandle;
-}
-
-void DxfRecords::beginSection(const char* name)
-{
-  this->add(0, "SECTION");
-  this->add(2, name);
-}
-
-void DxfRecords::beginTable(const char* name, int entries)
-{
-  this->add(0, "TABLE");
-  this->add(2, name);
-  this->add(70, entries);
-}
-
-void DxfRecords::beginEntry(const char* table, const std::string& name)
-{
-  this->add(0, table);
-  this->addHandle();
-  this->add(2, name);
-}
-
-void DxfRecords::begin(const char* entity, DxfLayer layer)
-{
-  this->add(0, entity);
-  this->addHandle();
-  this->add(8, static_cast<int>(layer));
-}
-
-void DxfRecords::addLineType(
-  const std::string& name, const std::string& words, const std::vector<double>& dashes)
-{
-  this->beginEntry("LTYPE", name);
-  this->add(70, 0);
-  this->add(3, words);
-  this->add(72, 65);
-  this->add(73, static_cast<int>(dashes.size()));
-  double length = 0.0;
-  for (const double dash : dashes)
+public:
+  /// \param inches the unit of the drawing, or millimetres
+  explicit DxfRecords(bool inches)
+    : Inches(inches)
+    , PerMillimetre(inches ? 1.0 / 25.4 : 1.0)
   {
-    length += std::abs(dash);
   }
-  this->addLength(40, length);
-  for (const double dash : dashes)
+
+  void add(int code, const std::string& value)
   {
-    this->addLength(49, dash);
+    const std::string digits = std::to_string(code);
+    this->Text += std::string(3 - digits.size(), ' ') + digits + "\r\n" + value + "\r\n";
   }
-}
-
-void DxfRecords::addHead(const Point2& low, const Point2& high)
-{
-  this->beginSection("HEADER");
-  this->add(9, "$ACADVER");
-  this->add(1, "AC1009");
-  // R12 knows neither, and what reads it takes inches where both are missing.
-  this->add(9, "$INSUNITS");
-  this->add(70, this->Inches ? 1 : 4);
-  this->add(9, "$MEASUREMENT");
-  this->add(70, this->Inches ? 0 : 1);
-  this->add(9, "$EXTMIN");
-  this->addPoint(low);
-  this->add(9, "$EXTMAX");
-  this->addPoint(high);
-  this->add(9, "$HANDLING");
-  this->add(70, 1);
-  this->add(9, "$HANDSEED");
-  this->Seed = this->Text.size();
-  this->add(5, hexadecimal(0));
-  this->add(0, "ENDSEC");
-
-  this->beginSection("TABLES");
-  this->beginTable("LTYPE", 2);
-  this->addLineType(solid, "Solid line", {});
-  this->addLineType(dashed, "Dashed __ __ __ __", { dashLength, -gapLength });
-  this->add(0, "ENDTAB");
-  this->beginTable("LAYER", static_cast<int>(std::size(layerColours)));
-  for (const LayerColour& layer : layerColours)
+  void add(int code, int value) { this->add(code, std::to_string(value)); }
+  /// A number as it is.
+  void addNumber(int code, double value)
   {
-    this->beginEntry("LAYER", std::to_string(static_cast<int>(layer.layer)));
+    const std::string text = formatNumber(value, 8);
+    this->add(code, text.find('.') == std::string::npos ? text + ".0" : text);
+  }
+  void addLength(int code, double millimetres)
+  {
+    this->addNumber(code, this->PerMillimetre * millimetres);
+  }
+  /// \param which of the points of an entity, from 0
+  void addPoint(const Point2& p, int which = 0)
+  {
+    this->addLength(10 + which, p.x());
+    this->addLength(20 + which, p.y());
+    this->addNumber(30 + which, 0.0);
+  }
+  void beginSection(const char* name)
+  {
+    this->add(0, "SECTION");
+    this->add(2, name);
+  }
+  void beginTable(const char* name, int entries)
+  {
+    this->add(0, "TABLE");
+    this->add(2, name);
+    this->add(70, entries);
+  }
+  /// An entry of a table, with its handle and its name.
+  void beginEntry(const char* table, const std::string& name)
+  {
+    this->add(0, table);
+    this->addHandle();
+    this->add(2, name);
+  }
+  void begin(const char* entity, DxfLayer layer)
+  {
+    this->add(0, entity);
+    this->addHandle();
+    this->add(8, static_cast<int>(layer));
+  }
+  /// Header and tables of a drawing with these corners.
+  void addHead(const Point2& low, const Point2& high)
+  {
+    this->beginSection("HEADER");
+    this->add(9, "$ACADVER");
+    this->add(1, "AC1009");
+    // R12 knows neither, and what reads it takes inches where both are missing.
+    this->add(9, "$INSUNITS");
+    this->add(70, this->Inches ? 1 : 4);
+    this->add(9, "$MEASUREMENT");
+    this->add(70, this->Inches ? 0 : 1);
+    this->add(9, "$EXTMIN");
+    this->addPoint(low);
+    this->add(9, "$EXTMAX");
+    this->addPoint(high);
+    this->add(9, "$HANDLING");
+    this->add(70, 1);
+    this->add(9, "$HANDSEED");
+    this->Seed = this->Text.size();
+    this->add(5, hexadecimal(0));
+    this->add(0, "ENDSEC");
+
+    this->beginSection("TABLES");
+    this->beginTable("LTYPE", 2);
+    this->addLineType(solid, "Solid line", {});
+    this->addLineType(dashed, "Dashed __ __ __ __", { dashLength, -gapLength });
+    this->add(0, "ENDTAB");
+    this->beginTable("LAYER", static_cast<int>(std::size(layerColours)));
+    for (const LayerColour& layer : layerColours)
+    {
+      this->beginEntry("LAYER", std::to_string(static_cast<int>(layer.layer)));
+      this->add(70, 0);
+      this->add(62, layer.colour);
+      this->add(6, isDashed(layer.layer) ? dashed : solid);
+    }
+    this->add(0, "ENDTAB");
+    this->beginTable("STYLE", 1);
+    this->beginEntry("STYLE", "STANDARD");
     this->add(70, 0);
-    this->add(62, layer.colour);
-    this->add(6, isDashed(layer.layer) ? dashed : solid);
+    this->addNumber(40, 0.0);
+    this->addNumber(41, 1.0);
+    this->addNumber(50, 0.0);
+    this->add(71, 0);
+    this->addNumber(42, 2.5);
+    this->add(3, "txt");
+    this->add(4, "");
+    this->add(0, "ENDTAB");
+    this->add(0, "ENDSEC");
   }
-  this->add(0, "ENDTAB");
-  this->beginTable("STYLE", 1);
-  this->beginEntry("STYLE", "STANDARD");
-  this->add(70, 0);
-  this->addNumber(40, 0.0);
-  this->addNumber(41, 1.0);
-  this->addNumber(50, 0.0);
-  this->add(71, 0);
-  this->addNumber(42, 2.5);
-  this->add(3, "txt");
-  this->add(4, "");
-  this->add(0, "ENDTAB");
-  this->add(0, "ENDSEC");
-}
+  /// The whole text.
+  std::string finish()
+  {
+    this->add(0, "EOF");
+    const std::string first = "  5\r\n";
+    this->Text.replace(this->Seed + first.size(), 8, hexadecimal(this->NextHandle));
+    return std::move(this->Text);
+  }
 
-std::string DxfRecords::finish()
-{
-  this->add(0, "EOF");
-  const std::string first = "  5\r\n";
-  this->Text.replace(this->Seed + first.size(), 8, hexadecimal(this->NextHandle));
-  return std::move(this->Text);
-}
+private:
+  void addHandle()
+  {
+    this->add(5, hexadecimal(this->NextHandle));
+    ++this->NextHandle;
+  }
+  /// \param dashes lengths in millimetres, those of gaps less than 0; none: a solid line
+  void addLineType(
+    const std::string& name, const std::string& words, const std::vector<double>& dashes)
+  {
+    this->beginEntry("LTYPE", name);
+    this->add(70, 0);
+    this->add(3, words);
+    this->add(72, 65);
+    this->add(73, static_cast<int>(dashes.size()));
+    double length = 0.0;
+    for (const double dash : dashes)
+    {
+      length += std::abs(dash);
+    }
+    this->addLength(40, length);
+    for (const double dash : dashes)
+    {
+      this->addLength(49, dash);
+    }
+  }
+
+  bool Inches;
+  double PerMillimetre;
+  unsigned NextHandle = 1;
+  std::size_t Seed = 0; ///< where in the text the next free handle is to be told
+  std::string Text;
+};
 
 /// A corner turns by more than this, in radians; a lesser turn belongs to a curve.
 constexpr double turnAngle = 0.3;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/GarmentCode.h"
 
+#include "Drawing/PatternBuilder.h"
 #include "Fairing/BorderEdges.h"
 #include "Fairing/FairBorders.h"
 #include "Formats/Garment.h"
-#include "Outlines/ClosedCuts.h"
 #include "Outlines/PatternSource.h"
 
 #include <Eigen/Dense>
@@ -158,8 +158,7 @@ Status makeGarmentCode(const PatternSource& source, const PatternOptions& option
     json = status.ok() ? writeGarment(garment) : std::string();
     return status;
   }
-  const PatternSource whole = withoutClosedCuts(source);
-  DrawingSource all{ whole, options, {}, {}, {}, {}, nullptr, nullptr };
+  DrawingSource all(source, completed(options, source));
   Status status = findBorders(all);
   for (std::size_t p = 0; status.ok() && p < all.loops.size(); ++p)
   {

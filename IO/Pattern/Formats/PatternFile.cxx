@@ -12,19 +12,21 @@
 #include "Grading/GradeFiles.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace flattening::pattern
 {
 namespace
 {
-struct Extension
+struct NamedFormat
 {
-  const char* text;
-  FileFormat format;
+  const char* name;
+  const char* extension; ///< that says it; empty: none
 };
-constexpr Extension extensions[] = { { ".svg", FileFormat::Svg }, { ".pdf", FileFormat::Pdf },
-  { ".dxf", FileFormat::Dxf }, { ".csv", FileFormat::Walk }, { ".plt", FileFormat::Hpgl },
-  { ".json", FileFormat::GarmentCode }, { ".rul", FileFormat::RuleTable } };
+/// In the order of FileFormat.
+constexpr NamedFormat formats[] = { { "Automatic", "" }, { "SVG", ".svg" }, { "PDF", ".pdf" },
+  { "DXF", ".dxf" }, { "Walk", ".csv" }, { "HPGL", ".plt" }, { "GarmentCode", ".json" },
+  { "Nest", "" }, { "GradeList", "" }, { "RuleTable", ".rul" } };
 
 Status makeGradeFile(const FileOptions& options, const Pattern& drawing, std::string& content)
 {
@@ -62,29 +64,7 @@ Status addGradePoints(const Grading& grading, PatternSource& source)
 
 const char* formatName(FileFormat format)
 {
-  switch (format)
-  {
-    case FileFormat::Svg:
-      return "SVG";
-    case FileFormat::Pdf:
-      return "PDF";
-    case FileFormat::Dxf:
-      return "DXF";
-    case FileFormat::Walk:
-      return "Walk";
-    case FileFormat::Hpgl:
-      return "HPGL";
-    case FileFormat::GarmentCode:
-      return "GarmentCode";
-    case FileFormat::Nest:
-      return "Nest";
-    case FileFormat::GradeList:
-      return "GradeList";
-    case FileFormat::RuleTable:
-      return "RuleTable";
-    default:
-      return "Automatic";
-  }
+  return formats[static_cast<int>(format)].name;
 }
 
 FileFormat formatOf(const std::string& path)
@@ -93,22 +73,19 @@ FileFormat formatOf(const std::string& path)
   std::string ending = dot == std::string::npos ? "" : path.substr(dot);
   std::transform(ending.begin(), ending.end(), ending.begin(),
     [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  for (const Extension& extension : extensions)
-  {
-    if (ending == extension.text)
-    {
-      return extension.format;
-    }
-  }
-  return FileFormat::Automatic;
+  const auto* const found = std::find_if(std::begin(formats), std::end(formats),
+    [&ending](const NamedFormat& format) { return ending == format.extension; });
+  return found == std::end(formats) ? FileFormat::Automatic
+                                    : static_cast<FileFormat>(found - std::begin(formats));
 }
 
 std::string knownExtensions()
 {
   std::string list;
-  for (const Extension& extension : extensions)
+  for (const NamedFormat& format : formats)
   {
-    list += (list.empty() ? "" : ", ") + std::string(extension.text);
+    const bool isKnown = *format.extension != '\0';
+    list += isKnown ? (list.empty() ? "" : ", ") + std::string(format.extension) : "";
   }
   return list;
 }

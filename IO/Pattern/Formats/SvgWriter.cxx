@@ -62,20 +62,22 @@ std::string styleAttributes(const StrokeStyle& style)
     (dashes.empty() ? "" : attribute("stroke-dasharray", dashes));
 }
 
-std::string textElement(const PatternText& text, const Point2& at, const char* anchor)
+/// \param at middle of the text's height
+std::string textElement(
+  const std::string& words, double height, const Point2& at, const char* anchor, double angle = 0.0)
 {
-  const Point2 down = 0.35 * text.height * Point2(std::sin(text.angle), std::cos(text.angle));
+  const Point2 down = 0.35 * height * Point2(std::sin(angle), std::cos(angle));
   const Point2 base = at + down;
   std::string element = "<text" + attribute("x", formatNumber(base.x(), 3)) +
-    attribute("y", formatNumber(base.y(), 3)) +
-    attribute("font-size", formatNumber(text.height, 3)) + attribute("text-anchor", anchor);
-  if (text.angle != 0.0)
+    attribute("y", formatNumber(base.y(), 3)) + attribute("font-size", formatNumber(height, 3)) +
+    attribute("text-anchor", anchor);
+  if (angle != 0.0)
   {
     element += attribute("transform",
-      "rotate(" + formatNumber(-text.angle * 180.0 / pi, 3) + " " + formatNumber(base.x(), 3) +
-        " " + formatNumber(base.y(), 3) + ")");
+      "rotate(" + formatNumber(-angle * 180.0 / pi, 3) + " " + formatNumber(base.x(), 3) + " " +
+        formatNumber(base.y(), 3) + ")");
   }
-  return element + ">" + escapeXml(text.text) + "</text>\n";
+  return element + ">" + escapeXml(words) + "</text>\n";
 }
 
 class SvgDrawing
@@ -127,39 +129,27 @@ private:
     this->Text += "<g id=\"scale-check\"" + layerAttributes("scale check") +
       "><rect x=\"10\" y=\"10\" width=\"100\" height=\"50\" "
       "fill=\"none\" stroke=\"#000000\" stroke-width=\"0.25\"/>\n";
-    const std::vector<std::string> lines{ "100 mm x 50 mm",
-      "Print at 100 % and measure this rectangle." };
-    for (std::size_t k = 0; k < lines.size(); ++k)
-    {
-      PatternText text;
-      text.text = lines[k];
-      text.height = 4.0;
-      this->Text += textElement(text, Point2(60.0, 30.0 + 8.0 * static_cast<double>(k)), "middle");
-    }
-    PatternText title;
-    title.height = 7.0;
-    title.text = fitText(this->Drawn.name, title.height, legendWidth - 106.0);
-    this->Text += textElement(title, Point2(116.0, 15.0), "start");
-    PatternText unit;
-    unit.height = 4.0;
-    unit.text = std::string("scale 1:1; unit of the surface: ") + unitName(this->Drawn.unit);
-    this->Text += textElement(unit, Point2(116.0, 24.0), "start") + "</g>\n";
+    this->Text += textElement("100 mm x 50 mm", 4.0, { 60.0, 30.0 }, "middle") +
+      textElement("Print at 100 % and measure this rectangle.", 4.0, { 60.0, 38.0 }, "middle") +
+      textElement(
+        fitText(this->Drawn.name, 7.0, legendWidth - 106.0), 7.0, { 116.0, 15.0 }, "start") +
+      textElement(std::string("scale 1:1; unit of the surface: ") + unitName(this->Drawn.unit), 4.0,
+        { 116.0, 24.0 }, "start") +
+      "</g>\n";
   }
 
   void addFabric()
   {
     const Fabric& fabric = *this->Drawn.fabric;
     const double top = margin + this->Layout.extent.y() - fabric.length;
-    PatternText words;
-    words.height = 4.0;
-    words.text = "cloth " + formatNumber(fabric.width, 1) + " mm x " +
+    const std::string words = "cloth " + formatNumber(fabric.width, 1) + " mm x " +
       formatNumber(fabric.length, 0) + " mm, " + formatNumber(100.0 * fabric.efficiency, 1) +
       " % used";
     this->Text += "<g id=\"fabric\"" + layerAttributes("fabric") + "><rect" +
       attribute("x", number(margin)) + attribute("y", number(top)) +
       attribute("width", number(fabric.width)) + attribute("height", number(fabric.length)) +
       " fill=\"none\" stroke=\"#808080\" stroke-width=\"0.25\"/>\n" +
-      textElement(words, Point2(116.0, 33.0), "start") + "</g>\n";
+      textElement(words, 4.0, { 116.0, 33.0 }, "start") + "</g>\n";
   }
 
   void addPiece(std::size_t p)
@@ -184,7 +174,8 @@ private:
     this->Text += "<g class=\"text\"" + layerAttributes("text") + ">\n";
     for (const PatternText& text : piece.texts)
     {
-      this->Text += textElement(text, this->at(p, text.position), "middle");
+      this->Text +=
+        textElement(text.text, text.height, this->at(p, text.position), "middle", text.angle);
     }
     this->Text += "</g>\n</g>\n";
   }

@@ -182,43 +182,17 @@ struct Frame
   Point2 along = Point2::UnitY(); ///< the grain, of length 1
 };
 
-std::vector<std::uint64_t> borderEdges(const PatternSource& source)
-{
-  std::unordered_set<std::uint64_t> edges;
-  for (const Triangle& triangle : source.triangles)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      edges.insert(edgeKey(triangle[k], triangle[(k + 1) % 3]));
-    }
-  }
-  std::vector<std::uint64_t> border;
-  for (const Triangle& triangle : source.triangles)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const Index from = triangle[k];
-      const Index to = triangle[(k + 1) % 3];
-      if (edges.count(edgeKey(to, from)) == 0)
-      {
-        border.push_back(edgeKey(from, to));
-      }
-    }
-  }
-  return border;
-}
-
 class SizeLaying
 {
 public:
   SizeLaying(const PatternSource& model, const GradingOptions& options)
     : Model(model)
     , Options(options)
+    , Border(bordersOf(model))
   {
-    for (const std::uint64_t edge : borderEdges(model))
+    for (const auto& [edge, piece] : this->Border)
     {
-      this->Border.insert(edge);
-      this->OnBorder.insert(static_cast<Index>(edge >> 32));
+      this->OnBorder.insert(startOf(edge));
     }
     for (const Index piece : model.pieceOfTriangle)
     {
@@ -391,7 +365,7 @@ private:
 
   const PatternSource& Model;
   const GradingOptions& Options;
-  std::unordered_set<std::uint64_t> Border; ///< directed edges
+  BorderEdges Border;
   std::unordered_set<Index> OnBorder;
   std::size_t Pieces = 0;
 };

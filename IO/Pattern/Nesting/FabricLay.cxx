@@ -3,6 +3,7 @@
 
 #include "Base/Types.h"
 #include "Nesting/NoFitRegion.h"
+#include "Outlines/Outline.h"
 #include "Outlines/PatternText.h"
 #include "Outlines/PlaneGeometry.h"
 
@@ -61,44 +62,19 @@ Motion motionOf(const PatternPiece& piece, bool turnedOver, bool upsideDown)
   return motion;
 }
 
-void move(const Motion& motion, Points2& points)
-{
-  for (Point2& p : points)
-  {
-    p = motion(p);
-  }
-}
-
 /// A copy of a piece where a motion brings it.
 PatternPiece movedPiece(const PatternPiece& piece, const Motion& motion)
 {
   PatternPiece copy = piece;
+  forEachPoint(copy, [&motion](Point2& p) { p = motion(p); });
   Box box;
-  for (PatternLine& line : copy.lines)
+  for (const PatternLine& line : copy.lines)
   {
-    move(motion, line.points);
-    for (FairSpan& span : line.curve)
-    {
-      for (Point2& control : span.control)
-      {
-        control = motion(control);
-      }
-    }
     for (const Point2& p : line.points)
     {
       box.add(p);
     }
   }
-  for (Notch& notch : copy.notches)
-  {
-    for (Point2* p : { &notch.foot, &notch.from, &notch.to })
-    {
-      *p = motion(*p);
-    }
-  }
-  move(motion, copy.drillHoles);
-  copy.grain.from = motion(copy.grain.from);
-  copy.grain.to = motion(copy.grain.to);
   // How many are cut is what lies on the cloth.
   copy.texts.erase(std::remove_if(copy.texts.begin(), copy.texts.end(),
                      [](const PatternText& text) {
@@ -107,7 +83,6 @@ PatternPiece movedPiece(const PatternPiece& piece, const Motion& motion)
     copy.texts.end());
   for (PatternText& text : copy.texts)
   {
-    text.position = motion(text.position);
     const Point2 along = motion.turn * Point2(std::cos(text.angle), std::sin(text.angle));
     text.angle = std::atan2(along.y(), along.x());
     if (motion.turnsOver() && text.role == TextRole::Title)
@@ -124,16 +99,6 @@ PatternPiece movedPiece(const PatternPiece& piece, const Motion& motion)
   copy.turnedOver = 0;
   copy.extent = box.high;
   return copy;
-}
-
-double areaOf(const Points2& polygon)
-{
-  double twice = 0.0;
-  for (std::size_t k = 0; k < polygon.size(); ++k)
-  {
-    twice += cross(polygon[k], polygon[(k + 1) % polygon.size()]);
-  }
-  return std::abs(twice) / 2.0;
 }
 
 /// A piece, or one that is turned over, the ways it may lie, and how much of the cloth it takes.
@@ -219,7 +184,7 @@ private:
     const PatternPiece& piece = this->Drawn.pieces[p];
     Kind kind;
     kind.piece = p;
-    kind.area = areaOf(cutLineOf(piece)->points);
+    kind.area = std::abs(doubleArea(cutLineOf(piece)->points)) / 2.0;
     for (const bool upsideDown : { false, true })
     {
       if (upsideDown && this->Options.nap)
@@ -229,10 +194,10 @@ private:
       Kind::Way way;
       way.motion = motionOf(piece, turnedOver, upsideDown);
       Points2 polygon = cutLineOf(piece)->points;
-      move(way.motion, polygon);
       Box box;
-      for (const Point2& q : polygon)
+      for (Point2& q : polygon)
       {
+        q = way.motion(q);
         box.add(q);
       }
       kind.extent = box.high;

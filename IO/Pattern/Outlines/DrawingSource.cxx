@@ -1,10 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Outlines/DrawingSource.h"
 
+#include "Outlines/ClosedCuts.h"
+
 #include <algorithm>
+#include <utility>
 
 namespace flattening::pattern
 {
+DrawingSource::DrawingSource(const PatternSource& given, PatternOptions wanted)
+  : source(withoutClosedCuts(given))
+  , options(std::move(wanted))
+{
+}
+
+bool DrawingSource::isOnBorder(const SourceWire& wire) const
+{
+  for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
+  {
+    if (!this->isOnBorder(wire.points[k], wire.points[k + 1]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 std::string DrawingSource::nameAlong(Index from, Index to) const
 {
   const std::size_t wire = wireOf(this->source, this->wires, from, to);
@@ -42,7 +63,8 @@ Status findBorders(DrawingSource& all)
   {
     pieces = std::max(pieces, static_cast<std::size_t>(piece) + 1);
   }
-  Status status = findLoops(all.source, pieces, all.loops);
+  all.border = bordersOf(all.source);
+  Status status = findLoops(all.source, all.border, pieces, all.loops);
   for (std::size_t p = 0; status.ok() && p < pieces; ++p)
   {
     if (all.loops[p].empty())
@@ -58,6 +80,6 @@ Status findBorders(DrawingSource& all)
   }
   all.partners = sewnPartners(all.source);
   all.wires = wiresOfEdges(all.source);
-  return placeNotches(all.source, all.loops, all.partners, all.options, all.notches);
+  return placeNotches(all.source, all.border, all.partners, all.options, all.notches);
 }
 }

@@ -6,6 +6,8 @@
 #include "Outlines/Pattern.h"
 #include "Outlines/PlaneGeometry.h"
 
+#include <memory>
+
 namespace flattening::pattern
 {
 class FairBorders;
@@ -13,14 +15,26 @@ class FairBorders;
 /// What the drawing of each piece needs to know of the whole flattening.
 struct DrawingSource
 {
-  const PatternSource& source;
-  const PatternOptions& options;
+  /// \param given cuts that were closed are taken for whole cloth
+  DrawingSource(const PatternSource& given, PatternOptions options);
+
+  PatternSource source;
+  PatternOptions options;
   PieceLoops loops;
+  BorderEdges border;
   SewnPartners partners;
   WireOfEdge wires;
   std::vector<NotchPlace> notches;
-  const FairBorders* fair = nullptr; ///< null: borders are drawn as the mesh has them
-  const Points2* moved = nullptr;    ///< where the points are then, millimetres
+  std::shared_ptr<const FairBorders> fair; ///< null: borders are drawn as the mesh has them
+  const Points2* moved = nullptr;          ///< where the points are then, millimetres
+
+  /// Whether an edge is of a border, in either direction.
+  bool isOnBorder(Index from, Index to) const
+  {
+    return this->border.count(edgeKey(from, to)) + this->border.count(edgeKey(to, from)) > 0;
+  }
+  /// Whether all edges of a wire are.
+  bool isOnBorder(const SourceWire& wire) const;
 
   /// How far points of an edge may be from its smooth curve, millimetres; 0: it stays as it is.
   double fairToleranceAlong(Index from, Index to) const;
@@ -39,6 +53,6 @@ struct DrawingSource
   }
 };
 
-/// Finds loops, partners, wires and notches of a source.
+/// Finds loops, borders, partners, wires and notches of a source.
 Status findBorders(DrawingSource& all);
 }

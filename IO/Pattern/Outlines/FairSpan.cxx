@@ -46,6 +46,16 @@ double FairSpan::length() const
   return std::abs(length); // the way back has a negative one
 }
 
+double curveLength(const std::vector<FairSpan>& curve)
+{
+  double length = 0.0;
+  for (const FairSpan& span : curve)
+  {
+    length += span.length();
+  }
+  return length;
+}
+
 void sampleSpan(const FairSpan& span, double distance, Points2& points)
 {
   const auto bend = [&span](std::size_t k) {

@@ -4,6 +4,7 @@
 #include "Base/Types.h"
 
 #include <array>
+#include <vector>
 
 namespace flattening::pattern
 {
@@ -19,6 +20,8 @@ struct FairSpan
   bool straight() const;          ///< and run evenly, to a millionth of its length
   double length() const;          ///< to rounding for what nearly runs by arc length
 };
+
+double curveLength(const std::vector<FairSpan>& curve);
 
 /// How far chords of a drawn curve may be from it, millimetres.
 inline constexpr double sampleDistance = 0.02;

@@ -13,8 +13,6 @@ namespace flattening::pattern
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
-
 /// A shape about the centroid of its area, with the moments that say how it is turned.
 class LaidShape
 {
@@ -130,19 +128,11 @@ private:
   Point2 Long = Point2::Zero();   ///< their difference, at twice the angle of the long axis
 };
 
-double perimeterOf(const Points2& outline)
-{
-  double length = 0.0;
-  for (std::size_t k = 0; k < outline.size(); ++k)
-  {
-    length += (outline[(k + 1) % outline.size()] - outline[k]).norm();
-  }
-  return length;
-}
-
 bool areMirrored(const LaidShape& one, const LaidShape& other, double tolerance)
 {
-  if (std::abs(one.area() - other.area()) > tolerance * perimeterOf(one.outline()))
+  const double perimeter =
+    polylineLength(one.outline()) + (one.outline().front() - one.outline().back()).norm();
+  if (std::abs(one.area() - other.area()) > tolerance * perimeter)
   {
     return false;
   }

@@ -16,6 +16,16 @@ double lengthOnSurface(const PatternSource& source, Index a, Index b)
                                 : (source.inSpace[b] - source.inSpace[a]).norm();
 }
 
+std::vector<double> arcsOnSurface(const PatternSource& source, const Indices& wire)
+{
+  std::vector<double> arcs{ 0.0 };
+  for (std::size_t k = 0; k + 1 < wire.size(); ++k)
+  {
+    arcs.push_back(arcs.back() + lengthOnSurface(source, wire[k], wire[k + 1]));
+  }
+  return arcs;
+}
+
 Status notchStations(
   const std::string& curve, double length, double spacing, std::vector<double>& stations)
 {
@@ -45,7 +55,7 @@ Status notchStations(
 namespace
 {
 /// Turns a place so that its edge has the cloth on its left.
-NotchPlace onBoundary(const std::unordered_set<std::uint64_t>& boundary, NotchPlace place)
+NotchPlace onBoundary(const BorderEdges& boundary, NotchPlace place)
 {
   if (boundary.count(edgeKey(place.edge[0], place.edge[1])) == 0)
   {
@@ -106,32 +116,17 @@ Status stationsOf(const SourceWire& wire, double length, const PatternOptions& o
   return {};
 }
 
-Status placeNotches(const PatternSource& source, const PieceLoops& loops,
+Status placeNotches(const PatternSource& source, const BorderEdges& border,
   const SewnPartners& partners, const PatternOptions& options, std::vector<NotchPlace>& places)
 {
   places.clear();
   const double scale = millimetresPer(options.unit);
-  std::map<std::string, double> longest; // wires that have notches of their own
-  std::unordered_set<std::uint64_t> boundary;
-  for (const auto& ofPiece : loops)
-  {
-    for (const Indices& loop : ofPiece)
-    {
-      for (std::size_t k = 0; k < loop.size(); ++k)
-      {
-        boundary.insert(edgeKey(loop[k], loop[(k + 1) % loop.size()]));
-      }
-    }
-  }
+  std::map<std::string, double> longest;  // wires that have notches of their own
   std::unordered_set<std::uint64_t> done; // edges whose partners have been walked
   for (std::size_t w = 0; w < source.wires.size(); ++w)
   {
     const SourceWire& wire = source.wires[w];
-    std::vector<double> arc{ 0.0 };
-    for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
-    {
-      arc.push_back(arc.back() + lengthOnSurface(source, wire.points[k], wire.points[k + 1]));
-    }
+    const std::vector<double> arc = arcsOnSurface(source, wire.points);
     if (options.notchesOfCurve.count(wire.name) > 0)
     {
       longest[wire.name] = std::max(longest[wire.name], scale * arc.back());
@@ -151,8 +146,7 @@ Status placeNotches(const PatternSource& source, const PieceLoops& loops,
       const Index to = wire.points[k + 1];
       const auto partner = partners.find(edgeKey(from, to));
       const bool sewn = partner != partners.end();
-      const bool isBorder =
-        boundary.count(edgeKey(from, to)) + boundary.count(edgeKey(to, from)) > 0;
+      const bool isBorder = border.count(edgeKey(from, to)) + border.count(edgeKey(to, from)) > 0;
       const bool walked = !isBorder || done.count(edgeKey(from, to)) > 0 || arc[k + 1] <= arc[k];
       for (; next < marks.size() && marks[next].at <= arc[k + 1]; ++next)
       {
@@ -163,11 +157,11 @@ Status placeNotches(const PatternSource& source, const PieceLoops& loops,
         const Mark& mark = marks[next];
         const double fraction = (mark.at - arc[k]) / (arc[k + 1] - arc[k]);
         places.push_back(
-          onBoundary(boundary, { { from, to }, fraction, mark.at, w, mark.isDrawn, mark.isStop }));
+          onBoundary(border, { { from, to }, fraction, mark.at, w, mark.isDrawn, mark.isStop }));
         if (sewn)
         {
           places.push_back(onBoundary(
-            boundary, { partner->second, fraction, mark.at, w, mark.isDrawn, mark.isStop }));
+            border, { partner->second, fraction, mark.at, w, mark.isDrawn, mark.isStop }));
         }
       }
       if (sewn)

@@ -25,6 +25,9 @@ constexpr double doubleNotchDistance = 6.35;
 /// Of an edge on the surface; in the plane where its points in space are not known.
 double lengthOnSurface(const PatternSource& source, Index a, Index b);
 
+/// Of the points of a wire, along it from its first one.
+std::vector<double> arcsOnSurface(const PatternSource& source, const Indices& wire);
+
 /// Lengths from the start of a curve at which it is notched: multiples of the spacing, up to a
 /// quarter of it before the end, or the middle where there is none of these.
 /// \param spacing 0: none
@@ -42,6 +45,6 @@ Status stationsOf(const SourceWire& wire, double length, const PatternOptions& o
 /// on the same point of the curve before the cut. A double notch is a place that is not drawn and
 /// two marks beside it. Error: InvalidOption where a notch is farther out than any wire of its name
 /// is long.
-Status placeNotches(const PatternSource& source, const PieceLoops& loops,
+Status placeNotches(const PatternSource& source, const BorderEdges& border,
   const SewnPartners& partners, const PatternOptions& options, std::vector<NotchPlace>& places);
 }

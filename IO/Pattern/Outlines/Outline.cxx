@@ -33,26 +33,37 @@ double doubleArea(const Points2& polygon)
   return sum;
 }
 
-Status findLoops(const PatternSource& source, std::size_t pieces, PieceLoops& loops)
+BorderEdges bordersOf(const PatternSource& source)
 {
-  std::unordered_map<std::uint64_t, Index> pieceOfEdge;
+  BorderEdges borders;
   for (std::size_t t = 0; t < source.triangles.size(); ++t)
   {
     const Triangle& corners = source.triangles[t];
-    for (int k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      pieceOfEdge[edgeKey(corners[k], corners[(k + 1) % 3])] = source.pieceOfTriangle[t];
+      borders[edgeKey(corners[k], corners[(k + 1) % 3])] = source.pieceOfTriangle[t];
     }
   }
+  const BorderEdges all = borders;
+  for (const auto& [edge, piece] : all)
+  {
+    borders.erase(edgeKey(endOf(edge), startOf(edge)));
+  }
+  return borders;
+}
+
+Status findLoops(
+  const PatternSource& source, const BorderEdges& borders, std::size_t pieces, PieceLoops& loops)
+{
   std::unordered_map<Index, Index> next;
   Indices starts; // in the order of the triangles, so that the result does not depend on hashing
   for (const Triangle& corners : source.triangles)
   {
-    for (int k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 3; ++k)
     {
       const Index from = corners[k];
       const Index to = corners[(k + 1) % 3];
-      if (pieceOfEdge.count(edgeKey(to, from)) > 0)
+      if (borders.count(edgeKey(from, to)) == 0)
       {
         continue;
       }
@@ -74,7 +85,7 @@ Status findLoops(const PatternSource& source, std::size_t pieces, PieceLoops& lo
     {
       continue;
     }
-    const std::size_t piece = static_cast<std::size_t>(pieceOfEdge.at(edgeKey(start, at->second)));
+    const std::size_t piece = static_cast<std::size_t>(borders.at(edgeKey(start, at->second)));
     Indices loop;
     while (at != next.end())
     {

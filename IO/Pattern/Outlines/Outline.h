@@ -15,6 +15,14 @@ inline std::uint64_t edgeKey(Index from, Index to)
   return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(from)) << 32) |
     static_cast<std::uint32_t>(to);
 }
+inline Index startOf(std::uint64_t edge)
+{
+  return static_cast<Index>(edge >> 32);
+}
+inline Index endOf(std::uint64_t edge)
+{
+  return static_cast<Index>(static_cast<std::uint32_t>(edge));
+}
 /// The same for both directions.
 inline std::uint64_t undirectedKey(Index a, Index b)
 {
@@ -25,8 +33,13 @@ inline std::uint64_t undirectedKey(Index a, Index b)
 /// the one that encloses the largest area.
 using PieceLoops = std::vector<std::vector<Indices>>;
 
+/// Directed edges of borders, the cloth on the left, with their pieces.
+using BorderEdges = std::unordered_map<std::uint64_t, Index>;
+BorderEdges bordersOf(const PatternSource& source);
+
 /// \return InvalidInput where the boundary of a piece does not fall into loops.
-Status findLoops(const PatternSource& source, std::size_t pieces, PieceLoops& loops);
+Status findLoops(
+  const PatternSource& source, const BorderEdges& borders, std::size_t pieces, PieceLoops& loops);
 
 /// Which points an edge is sewn to: the directed edge (a, b) to its partner, in the same direction
 /// of the curve. Both banks are keys, in both directions.

@@ -4,6 +4,7 @@
 #include "Base/LengthUnit.h"
 #include "Outlines/FairSpan.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -116,6 +117,47 @@ struct PatternPiece
   std::vector<PatternText> texts;
   Point2 extent = Point2::Zero();
 };
+
+/// Calls f(point) for each point and control point of a line.
+template <typename Function>
+void forEachPoint(PatternLine& line, const Function& f)
+{
+  std::for_each(line.points.begin(), line.points.end(), f);
+  for (FairSpan& span : line.curve)
+  {
+    std::for_each(span.control.begin(), span.control.end(), f);
+  }
+}
+
+/// The same for everything of a piece.
+template <typename Function>
+void forEachPoint(PatternPiece& piece, const Function& f)
+{
+  for (PatternLine& line : piece.lines)
+  {
+    forEachPoint(line, f);
+  }
+  for (Notch& notch : piece.notches)
+  {
+    f(notch.foot);
+    f(notch.from);
+    f(notch.to);
+  }
+  std::for_each(piece.drillHoles.begin(), piece.drillHoles.end(), f);
+  for (GradePoint& point : piece.gradePoints)
+  {
+    f(point.place);
+  }
+  for (PatternText& text : piece.texts)
+  {
+    f(text.position);
+  }
+  f(piece.grain.from);
+  f(piece.grain.to);
+}
+
+/// The length of a line as it is drawn.
+double lengthOf(const PatternLine& line);
 
 /// Cloth on which the pieces lie.
 struct Fabric
