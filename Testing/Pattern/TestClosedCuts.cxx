@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A square with a dart that was closed at its mouth, or all along.
-#include "Drawing/PatternBuilder.h"
+#include "DrawnPieces.h"
 #include "Outlines/ClosedCuts.h"
-
-#include "Outlines/Outline.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +9,7 @@
 
 namespace
 {
-using namespace flattening;
-using namespace flattening::pattern;
+using namespace drawnpieces;
 
 /// A square of 200, in millimetres, with a dart from the middle of its upper side down to (100,
 /// 80). Both banks lie on each other from the mouth to (100, 160); from there to the tip they are
@@ -37,23 +34,9 @@ PatternSource square(double width)
 
 PatternPiece drawn(const PatternSource& source)
 {
-  PatternOptions options;
-  options.fairTolerance = 0.0;
-  options.unit = Unit::Millimetre;
-  options.allowance = 0.0;
+  PatternOptions options = inMillimetres(0.0);
   options.notchSpacing = 0.0;
-  Pattern pattern;
-  const Status status = buildPattern(source, options, pattern);
-  EXPECT_TRUE(status.ok()) << status.message;
-  return pattern.pieces.front();
-}
-
-std::vector<PatternLine> linesOf(const PatternPiece& piece, LineKind kind)
-{
-  std::vector<PatternLine> lines;
-  std::copy_if(piece.lines.begin(), piece.lines.end(), std::back_inserter(lines),
-    [kind](const PatternLine& line) { return line.kind == kind; });
-  return lines;
+  return drawnpieces::drawn(source, options);
 }
 }
 
@@ -64,9 +47,7 @@ TEST(ClosedCuts, ADartClosedAllAlongIsWholeCloth)
   EXPECT_TRUE(linesOf(piece, LineKind::DartFold).empty());
   EXPECT_TRUE(piece.drillHoles.empty());
   EXPECT_TRUE(piece.notches.empty());
-  const auto cut = linesOf(piece, LineKind::CutLine);
-  ASSERT_EQ(cut.size(), 1U);
-  EXPECT_NEAR(doubleArea(cut.front().points) / 2.0, 200.0 * 200.0, 1e-6);
+  EXPECT_NEAR(areaOf(lineOf(piece, LineKind::CutLine).points), 200.0 * 200.0, 1e-6);
 }
 
 TEST(ClosedCuts, ADartClosedAtItsMouthIsFoldedBetweenTwoTips)

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A strip with one dart, whose numbers are known by construction.
-#include "Drawing/PatternBuilder.h"
-#include "Outlines/Darts.h"
-
-#include "Outlines/Outline.h"
+#include "DrawnPieces.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +9,7 @@
 
 namespace
 {
-using namespace flattening;
-using namespace flattening::pattern;
+using namespace drawnpieces;
 
 /// A square of 200 with a dart of depth 120 in the middle of its upper side and a mouth of 40, as
 /// a fan of triangles around a point below the tip. Unit: millimetre.
@@ -47,54 +43,23 @@ PatternSource bentDart()
   return source;
 }
 
-PatternOptions millimetres(double allowance)
-{
-  PatternOptions options;
-  options.fairTolerance = 0.0;
-  options.notchSpacing = 100.0;
-  options.unit = Unit::Millimetre;
-  options.allowance = allowance;
-  return options;
-}
-
-Pattern build(const PatternSource& source, const PatternOptions& options)
-{
-  Pattern pattern;
-  const Status status = buildPattern(source, options, pattern);
-  EXPECT_TRUE(status.ok()) << status.message;
-  return pattern;
-}
-
-std::vector<PatternLine> linesOf(const PatternPiece& piece, LineKind kind)
-{
-  std::vector<PatternLine> lines;
-  std::copy_if(piece.lines.begin(), piece.lines.end(), std::back_inserter(lines),
-    [kind](const PatternLine& line) { return line.kind == kind; });
-  return lines;
-}
-
-double areaOf(const Points2& polygon)
-{
-  return doubleArea(polygon) / 2.0;
-}
 }
 
 TEST(Darts, AFoldedDartIsClosedByTheMirrorImageOfItsNeighbour)
 {
-  const Pattern pattern = build(dartedSquare(), millimetres(0.0));
-  const auto cut = linesOf(pattern.pieces.front(), LineKind::CutLine);
-  ASSERT_EQ(cut.size(), 1U);
+  const PatternPiece piece = drawn(dartedSquare(), inMillimetres(0.0));
   // The mirror image of the upper side across a leg meets the fold line at 120 + 2 x 20 x (20 /
   // 120) / (1 - (20 / 120)^2) above the tip: by hand, tip + t (0, 1) with t = 120 + 20 tan(2
   // atan(20 / 120)).
   const double height = 120.0 + 20.0 * std::tan(2.0 * std::atan2(20.0, 120.0));
-  EXPECT_NEAR(pattern.pieces.front().extent.y(), 80.0 + height, 1e-9);
-  EXPECT_NEAR(areaOf(cut.front().points), 200.0 * 200.0 + 0.5 * 40.0 * (height - 120.0), 1e-6);
+  EXPECT_NEAR(piece.extent.y(), 80.0 + height, 1e-9);
+  EXPECT_NEAR(areaOf(lineOf(piece, LineKind::CutLine).points),
+    200.0 * 200.0 + 0.5 * 40.0 * (height - 120.0), 1e-6);
 }
 
 TEST(Darts, LegsFoldLineNotchesAndDrillHoleAreWhereTheyBelong)
 {
-  const PatternPiece piece = build(dartedSquare(), millimetres(10.0)).pieces.front();
+  const PatternPiece piece = drawn(dartedSquare(), inMillimetres(10.0));
   const auto legs = linesOf(piece, LineKind::DartLeg);
   ASSERT_EQ(legs.size(), 2U);
   EXPECT_NEAR(legs[0].restLength, std::hypot(20.0, 120.0), 1e-9);
@@ -117,9 +82,9 @@ TEST(Darts, LegsFoldLineNotchesAndDrillHoleAreWhereTheyBelong)
 
 TEST(Darts, ATipIsDrawnBackWithLegsRoofAndDrillHole)
 {
-  PatternOptions options = millimetres(0.0);
+  PatternOptions options = inMillimetres(0.0);
   options.dartTip = 13.0;
-  const PatternPiece piece = build(dartedSquare(), options).pieces.front();
+  const PatternPiece piece = drawn(dartedSquare(), options);
   const auto legs = linesOf(piece, LineKind::DartLeg);
   ASSERT_EQ(legs.size(), 2U);
   for (const PatternLine& leg : legs)
@@ -137,10 +102,10 @@ TEST(Darts, ATipIsDrawnBackWithLegsRoofAndDrillHole)
 
 TEST(Darts, BentLegsThatAreMirrorImagesStaySoWhenTheTipIsDrawnBack)
 {
-  PatternOptions options = millimetres(10.0);
+  PatternOptions options = inMillimetres(10.0);
   options.dartTip = 50.0;
   options.dartTipOfCurve = { { "dart", 30.0 } };
-  const PatternPiece piece = build(bentDart(), options).pieces.front();
+  const PatternPiece piece = drawn(bentDart(), options);
   const auto legs = linesOf(piece, LineKind::DartLeg);
   ASSERT_EQ(legs.size(), 2U);
   const double middle = linesOf(piece, LineKind::DartFold)[0].points[0].x();
@@ -164,30 +129,24 @@ TEST(Darts, BentLegsThatAreMirrorImagesStaySoWhenTheTipIsDrawnBack)
 
 TEST(Darts, ATipThatWouldBeBeyondHalfOfItsDartIsRefusedByName)
 {
-  PatternOptions options = millimetres(10.0);
+  PatternOptions options = inMillimetres(10.0);
   options.pieceNames = { "front" };
   options.dartTip = 61.0;
-  Pattern pattern;
-  const Status status = buildPattern(dartedSquare(), options, pattern);
-  EXPECT_EQ(status.code, StatusCode::InvalidOption);
-  for (const char* word : { "dart dart", "front", "61 mm", "120 mm" })
-  {
-    EXPECT_NE(status.message.find(word), std::string::npos) << status.message;
-  }
+  expectRefusal(dartedSquare(), options, { "dart dart", "front", "61 mm", "120 mm" });
   options.dartTip = 59.0;
-  EXPECT_TRUE(buildPattern(dartedSquare(), options, pattern).ok());
+  drawn(dartedSquare(), options);
 }
 
 TEST(Darts, ADartThatIsCutOutHasAllowanceAlongItsLegs)
 {
-  PatternOptions options = millimetres(10.0);
+  PatternOptions options = inMillimetres(10.0);
   options.darts = DartStyle::CutOut;
-  const PatternPiece piece = build(dartedSquare(), options).pieces.front();
+  const PatternPiece piece = drawn(dartedSquare(), options);
   EXPECT_TRUE(linesOf(piece, LineKind::DartLeg).empty());
   EXPECT_TRUE(linesOf(piece, LineKind::DartFold).empty());
   EXPECT_TRUE(piece.drillHoles.empty());
-  const double closed = areaOf(
-    linesOf(build(dartedSquare(), millimetres(10.0)).pieces.front(), LineKind::CutLine)[0].points);
+  const double closed =
+    areaOf(linesOf(drawn(dartedSquare(), inMillimetres(10.0)), LineKind::CutLine)[0].points);
   EXPECT_LT(areaOf(linesOf(piece, LineKind::CutLine)[0].points), closed - 500.0);
 }
 
@@ -195,15 +154,15 @@ TEST(Darts, LegsThatAreNotPartnersAreNotFolded)
 {
   PatternSource source = dartedSquare();
   source.sewn.clear();
-  const PatternPiece piece = build(source, millimetres(10.0)).pieces.front();
+  const PatternPiece piece = drawn(source, inMillimetres(10.0));
   EXPECT_TRUE(linesOf(piece, LineKind::DartLeg).empty());
 }
 
 TEST(Darts, ACurveTakesItsOwnAllowance)
 {
-  PatternOptions options = millimetres(0.0);
+  PatternOptions options = inMillimetres(0.0);
   options.allowanceOfCurve["boundary"] = 10.0;
-  const PatternPiece piece = build(dartedSquare(), options).pieces.front();
+  const PatternPiece piece = drawn(dartedSquare(), options);
   EXPECT_NEAR(piece.extent.x(), 220.0, 1e-3);
 }
 
@@ -215,7 +174,7 @@ TEST(PatternBuilder, RefusesWhatIsNoPattern)
     EXPECT_EQ(status.ok(), status.message.empty());
     return status.code;
   };
-  const PatternOptions options = millimetres(10.0);
+  const PatternOptions options = inMillimetres(10.0);
   EXPECT_EQ(codeOf(PatternSource(), options), StatusCode::NothingToDraw);
 
   PatternSource source = dartedSquare();
@@ -258,16 +217,20 @@ TEST(PatternBuilder, RefusesWhatIsNoPattern)
   wrong = options;
   wrong.allowanceOfCurve["sleeve"] = 3.0;
   EXPECT_EQ(codeOf(dartedSquare(), wrong), StatusCode::InvalidOption);
+  wrong = options;
+  wrong.symmetrize = true; // of borders that are not smooth
+  EXPECT_EQ(codeOf(dartedSquare(), wrong), StatusCode::InvalidOption);
 }
 
-TEST(Darts, LegsThatAreMirrorImagesFoldOntoEachOther)
+TEST(Darts, LegsThatMissEachOtherAreNoted)
 {
-  const Points2 legs{ { -2.0, 9.0 }, { -1.5, 4.0 }, { 0.0, 0.0 }, { 1.5, 4.0 }, { 2.0, 9.0 } };
-  EXPECT_NEAR(foldMiss(legs), 0.0, 1e-14);
-}
-
-TEST(Darts, LegsThatAreNotMissEachOtherByWhatOneIsFartherOut)
-{
-  const Points2 legs{ { -2.0, 9.0 }, { -1.5, 4.0 }, { 0.0, 0.0 }, { 1.8, 4.4 }, { 2.0, 9.0 } };
-  EXPECT_NEAR(foldMiss(legs), 0.5, 1e-14);
+  PatternSource source = bentDart();
+  const auto says = [](const PatternPiece& piece) {
+    return std::any_of(piece.notes.begin(), piece.notes.end(), [](const PatternNote& note) {
+      return note.text.find("the legs of dart miss each other by up to 5 mm") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(says(drawn(source, inMillimetres())));
+  source.positions[9] += Point2(3.0, 4.0);
+  EXPECT_TRUE(says(drawn(source, inMillimetres())));
 }

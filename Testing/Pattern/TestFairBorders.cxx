@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Smooth borders of known shapes, measured by rules of their own.
-#include "Drawing/SeamWalk.h"
 #include "FairShapes.h"
 
 #include <algorithm>
@@ -101,43 +100,6 @@ TEST(FairBorders, NoPointIsFartherThanTheTolerance)
         EXPECT_LE(distanceFrom(curve, smoothed.source.positions[static_cast<std::size_t>(v)]),
           tolerance + 1e-5);
       }
-    }
-  }
-}
-
-TEST(FairBorders, EveryIntervalOfASeamHasItsLengthOnBothSides)
-{
-  const PatternSource source = sewnPieces();
-  std::vector<WalkInterval> walk;
-  PatternOptions options;
-  options.unit = Unit::Millimetre;
-  options.notchSpacing = 40.0;
-  options.fairTolerance = 1.0;
-  ASSERT_TRUE(walkSeams(source, options, walk).ok());
-  ASSERT_EQ(walk.size(), 4U);
-  for (const WalkInterval& interval : walk)
-  {
-    EXPECT_NEAR(interval.length[0], interval.length[1], 1e-9);
-    EXPECT_NEAR(interval.length[0], interval.to - interval.from, 1e-9);
-  }
-  const Smoothed smoothed(source, 1.0, 40.0);
-  for (const std::size_t wire : { 0U, 2U })
-  {
-    const auto curve = smoothed.borders->curveOf(smoothed.source.wires[wire]);
-    EXPECT_LT(curve.size(), 9U);
-    EXPECT_FALSE(std::any_of(
-      curve.begin(), curve.end(), [](const FairSpan& span) { return span.straight(); }));
-    for (const double notch : { 40.0, 80.0, 120.0, 170.0 })
-    {
-      // The way from edge to edge of the mesh up to the one with the notch, and on it.
-      const Indices& points = smoothed.source.wires[wire].points;
-      double length = 0.0;
-      for (std::size_t k = 0; k + 1 < points.size(); ++k)
-      {
-        const double part = std::clamp(notch / 17.0 - static_cast<double>(k), 0.0, 1.0);
-        length += lengthOf(smoothed.borders->alongEdge(points[k], points[k + 1], 0.0, part));
-      }
-      EXPECT_NEAR(length, notch, 1e-9);
     }
   }
 }

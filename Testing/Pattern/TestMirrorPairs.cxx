@@ -11,8 +11,6 @@ namespace
 using namespace flattening;
 using namespace flattening::pattern;
 
-constexpr double pi = 3.14159265358979323846;
-
 /// A sleeve of sorts, without any symmetry, with a line in it.
 PieceShape sleeve()
 {
@@ -115,4 +113,21 @@ TEST(MirrorPairs, OfManyEachBelongsToOne)
     findMirrorPairs({ sleeve(), wheel(5, 0.1), sleeve(), image, moved(image, 0.4), image }, 0.5),
     (Found{ noPair, noPair, noPair, 0, 2, noPair }));
   EXPECT_TRUE(findMirrorPairs({}, 0.5).empty());
+}
+
+TEST(MirrorPairs, TheAxisOfASymmetricShapeIsFoundHoweverItIsTurned)
+{
+  for (const double angle : { 0.3, 1.2, 2.0 })
+  {
+    const Point2 along(std::cos(angle), std::sin(angle));
+    const Point2 left(-along.y(), along.x());
+    Points2 kite{ -10.0 * along, 20.0 * along - 30.0 * left, 30.0 * along,
+      20.0 * along + 30.0 * left };
+    const std::optional<MirrorAxis> axis = findMirrorAxis({ kite, {} }, 0.5);
+    ASSERT_TRUE(axis.has_value());
+    EXPECT_NEAR(std::abs(axis->along.dot(along)), 1.0, 1e-9);
+    EXPECT_NEAR(axis->miss, 0.0, 1e-9);
+    kite[1] *= 1.1;
+    EXPECT_FALSE(findMirrorAxis({ kite, {} }, 0.5).has_value());
+  }
 }

@@ -14,7 +14,7 @@ using flattening::Point2;
 using flattening::Points2;
 using flattening::pattern::NoFitRegion;
 
-constexpr double pi = 3.14159265358979323846;
+using flattening::pi;
 
 Points2 rectangle(double width, double height)
 {
@@ -42,10 +42,6 @@ flattening::pattern::Segments sidesOf(const Points2& polygon)
 
 TEST(NoFitRegion, NoShapeSticksOutOfTheClothForBeingRounded)
 {
-  if (!NoFitRegion::available())
-  {
-    GTEST_SKIP() << "made without Clipper";
-  }
   const double width = 100.0041; // of a grid of 0.01
   NoFitRegion region;
   const std::size_t shape = region.addShape(rectangle(width, 50.0), 0.0);
@@ -65,10 +61,6 @@ TEST(NoFitRegion, NoShapeSticksOutOfTheClothForBeingRounded)
 
 TEST(NoFitRegion, RoundShapesKeepTheirDistanceHoweverManyCornersTheyHave)
 {
-  if (!NoFitRegion::available())
-  {
-    GTEST_SKIP() << "made without Clipper";
-  }
   for (const int corners : { 30, 400, 3000 })
   {
     NoFitRegion region;
@@ -88,18 +80,4 @@ TEST(NoFitRegion, RoundShapesKeepTheirDistanceHoweverManyCornersTheyHave)
     EXPECT_GE(least, 5.0 - 0.02) << corners;           // of the grid
     EXPECT_LE(least, 5.0 + 4 * 0.4 + 0.05) << corners; // of both outlines, widened and cut
   }
-}
-
-TEST(NoFitRegion, ARoundIsSimplifiedToTheFewestChordsThatKeepItsPoints)
-{
-  // A chord over 8 of 400 corners is 0.39 mm off a circle of 200 mm, over 9 it is 0.50 mm off.
-  const Points2 polygon = circle(200.0, 400);
-  const Points2 fewer = flattening::pattern::simplified(polygon, 0.4);
-  EXPECT_EQ(fewer.size(), 50U);
-  for (const Point2& p : polygon)
-  {
-    EXPECT_LE(flattening::pattern::distance(p, sidesOf(fewer)), 0.4);
-  }
-  EXPECT_EQ(flattening::pattern::simplified(rectangle(100.0, 50.0), 0.4).size(), 4U);
-  EXPECT_EQ(flattening::pattern::simplified(rectangle(0.1, 0.1), 0.4).size(), 4U);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Drawing/PatternBuilder.h"
+#include "DrawnPieces.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,7 @@
 
 namespace
 {
-using namespace flattening;
-using namespace flattening::pattern;
+using namespace drawnpieces;
 
 /// A square of 200 whose lower side, from right to left, is an edge with a name. Unit: millimetre.
 PatternSource squareWithHem()
@@ -52,37 +51,18 @@ PatternSource sewnSquares()
   return source;
 }
 
-PatternOptions hemOptions()
+PatternOptions hemOptions(const std::map<std::string, std::vector<double>>& notches = {})
 {
-  PatternOptions options;
-  options.fairTolerance = 0.0;
-  options.notchSpacing = 100.0;
-  options.unit = Unit::Millimetre;
+  PatternOptions options = inMillimetres();
   options.allowanceOfCurve = { { "hem", 40.0 } };
-  return options;
-}
-
-PatternPiece build(const PatternSource& source, const PatternOptions& options)
-{
-  Pattern pattern;
-  const Status status = buildPattern(source, options, pattern);
-  EXPECT_TRUE(status.ok()) << status.message;
-  return pattern.pieces.empty() ? PatternPiece() : pattern.pieces[0];
-}
-
-Status build(const std::map<std::string, std::vector<double>>& notches, Pattern& pattern)
-{
-  PatternOptions options = hemOptions();
   options.notchesOfCurve = notches;
-  return buildPattern(squareWithHem(), options, pattern);
+  return options;
 }
 }
 
 TEST(Notches, AnEdgeHasThemWhereTheyAreAskedFor)
 {
-  Pattern pattern;
-  ASSERT_TRUE(build({ { "hem", { 150.0, 30.0 } } }, pattern).ok());
-  const PatternPiece& piece = pattern.pieces[0];
+  const PatternPiece piece = drawn(squareWithHem(), hemOptions({ { "hem", { 150.0, 30.0 } } }));
   ASSERT_EQ(piece.notches.size(), 2U);
   // The allowance is 10 mm on the left and 40 mm below.
   EXPECT_NEAR(piece.notches[0].foot.x(), 10.0 + 170.0, 1e-3);
@@ -94,10 +74,9 @@ TEST(Notches, AnEdgeHasThemWhereTheyAreAskedFor)
 
 TEST(Notches, DoubleOnesAreTwoMarksAroundTheirPlace)
 {
-  PatternOptions options = hemOptions();
-  options.notchesOfCurve = { { "hem", { 150.0, 30.0 } } };
+  PatternOptions options = hemOptions({ { "hem", { 150.0, 30.0 } } });
   options.doubleNotches = { "hem" };
-  const PatternPiece piece = build(squareWithHem(), options);
+  const PatternPiece piece = drawn(squareWithHem(), options);
   std::vector<double> feet;
   for (const Notch& notch : piece.notches)
   {
@@ -134,7 +113,7 @@ TEST(Notches, AtCornersBothSewLinesGoOnToTheCutLine)
 {
   PatternOptions options = hemOptions();
   options.notchCorners = true;
-  const PatternPiece piece = build(squareWithHem(), options);
+  const PatternPiece piece = drawn(squareWithHem(), options);
   ASSERT_EQ(piece.notches.size(), 8U);
   for (const Notch& notch : piece.notches)
   {
@@ -170,11 +149,10 @@ TEST(Notches, WhereACurveMeetsTheBorderOfThePieceThatIsSewnOn)
 
 TEST(Notches, ANamedEdgeIsASewLine)
 {
-  Pattern pattern;
-  ASSERT_TRUE(build({}, pattern).ok());
-  EXPECT_TRUE(pattern.pieces[0].notches.empty());
+  const PatternPiece piece = drawn(squareWithHem(), hemOptions());
+  EXPECT_TRUE(piece.notches.empty());
   int named = 0;
-  for (const PatternLine& line : pattern.pieces[0].lines)
+  for (const PatternLine& line : piece.lines)
   {
     named += line.name == "hem" && line.kind == LineKind::SewLine ? 1 : 0;
     EXPECT_NE(line.kind, LineKind::Internal);
@@ -182,22 +160,8 @@ TEST(Notches, ANamedEdgeIsASewLine)
   EXPECT_EQ(named, 1);
 }
 
-TEST(Notches, OneBeyondTheEndOfItsCurveIsRefusedWithBothLengths)
+TEST(Notches, OneBeyondTheEndOfItsCurveOrOfNoneIsRefused)
 {
-  Pattern pattern;
-  const Status status = build({ { "hem", { 201.0 } } }, pattern);
-  EXPECT_EQ(status.code, StatusCode::InvalidOption);
-  for (const char* word : { "hem", "201", "200 mm" })
-  {
-    EXPECT_NE(status.message.find(word), std::string::npos) << status.message;
-  }
-}
-
-TEST(Notches, OneOfACurveThatIsNotThereIsRefused)
-{
-  Pattern pattern;
-  const Status status = build({ { "cuff", { 1.0 } } }, pattern);
-  EXPECT_EQ(status.code, StatusCode::InvalidOption);
-  EXPECT_NE(status.message.find("cuff"), std::string::npos) << status.message;
-  EXPECT_NE(status.message.find("hem"), std::string::npos) << status.message;
+  expectRefusal(squareWithHem(), hemOptions({ { "hem", { 201.0 } } }), { "hem", "201", "200 mm" });
+  expectRefusal(squareWithHem(), hemOptions({ { "cuff", { 1.0 } } }), { "cuff", "hem" });
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Outlines that are drawn as their own mirror images, measured on what is drawn.
-#include "Drawing/PatternBuilder.h"
 #include "FairShapes.h"
 
 #include <algorithm>
@@ -236,21 +235,6 @@ TEST(OutlineMirror, CurvesWithinEndOnTheSymmetricBorderAtTheirLengths)
   }
 }
 
-TEST(OutlineMirror, APieceThatIsNotSymmetricIsToldWithItsMeasure)
-{
-  // A corner of a trapezium is 4 mm beside the image of the other: at best both are 2 mm off.
-  const Smoothed smoothed(
-    polygon({ { -50.0, 0.0 }, { 50.0, 0.0 }, { 40.0, 300.0 }, { -36.0, 300.0 } }), 0.2, 0.0,
-    symmetrized());
-  const FairPieceReport& report = smoothed.borders->reports()[0];
-  EXPECT_FALSE(report.mirror);
-  const std::string start = "mirrored, it misses itself by ";
-  ASSERT_EQ(report.whyNotMirrored.rfind(start, 0), 0U) << report.whyNotMirrored;
-  const double miss = std::stod(report.whyNotMirrored.substr(start.size()));
-  EXPECT_GT(miss, mirrorTolerance);
-  EXPECT_LT(miss, 4.0);
-}
-
 TEST(OutlineMirror, WhatIsTooFarFromItsPointsIsToldWithItsMeasure)
 {
   // The image of the left side is 0.4 mm beside the right one.
@@ -265,22 +249,4 @@ TEST(OutlineMirror, WhatIsTooFarFromItsPointsIsToldWithItsMeasure)
   EXPECT_FALSE(report.mirror);
   EXPECT_FALSE(report.whyNotMirrored.empty());
   EXPECT_TRUE(report.solved);
-}
-
-TEST(OutlineMirror, NotesAndThePieceSayWhatWasDone)
-{
-  PatternOptions options = symmetrized();
-  options.unit = Unit::Millimetre;
-  options.fairTolerance = 0.5;
-  Pattern pattern;
-  ASSERT_TRUE(buildPattern(shirt(2), options, pattern).ok());
-  const PatternPiece& piece = pattern.pieces[0];
-  const auto note = std::find_if(piece.notes.begin(), piece.notes.end(),
-    [](const PatternNote& one) { return one.kind == NoteKind::Mirrored; });
-  ASSERT_NE(note, piece.notes.end());
-  EXPECT_EQ(note->text.rfind("piece pattern: its outline is drawn as its own mirror image", 0), 0U);
-  EXPECT_TRUE(std::any_of(piece.texts.begin(), piece.texts.end(),
-    [](const PatternText& text) { return text.text == "drawn as its own mirror image"; }));
-  options.fairTolerance = 0.0;
-  EXPECT_EQ(buildPattern(shirt(2), options, pattern).code, StatusCode::InvalidOption);
 }

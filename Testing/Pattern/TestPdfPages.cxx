@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/PdfPages.h"
 
-#include "Rectangles.h"
+#include "DrawnPieces.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,7 @@
 
 namespace
 {
-using namespace flattening;
-using namespace flattening::pattern;
+using namespace drawnpieces;
 
 /// Rectangles of the given extents.
 Pattern patternOf(const Points2& extents)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/PdfPages.h"
 
-#include "Rectangles.h"
+#include "DrawnPieces.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,7 @@
 
 namespace
 {
-using namespace flattening;
-using namespace flattening::pattern;
+using namespace drawnpieces;
 
 /// A sheet of upright A4 pages.
 PagePlan sheetOf(int rows, int columns)

@@ -206,43 +206,11 @@ class Lengths(pattern.PatternTest):
                     self.assertLess(min(abs(walked - length) for length in lengths), 1e-5)
                     self.assertLess(walked, max(float(row["to_mm"]) for row in rows if row["curve"] == name) - 1.0)
 
-    def test_a_folded_dart_reaches_the_cut_line_of_its_neighbour(self):
-        """Folds the drawn pattern along a leg and its fold line, as the one who sews does."""
-        self.make_raw("shirt_front", "-o", "out/pattern.svg", "--allowance", "0")
-        root = pattern.svg_root(self.path("out", "pattern.svg"))
-        ((_, _, cut, _),) = pattern.svg_paths(root, "cut-line")
-        for _, _, (tip, corner), _ in pattern.svg_paths(root, "dart-fold"):
-            at = min(range(len(cut)), key=lambda k: math.dist(cut[k], corner))
-            self.assertLess(math.dist(cut[at], corner), 1e-6)
-            beyond = []
-            for step in (-1, 1):
-                mouth = cut[(at + step) % len(cut)]
-                neighbour = cut[(at + 2 * step) % len(cut)]
-                # Mirrored in the leg, the corner lies on the neighbouring edge or outside of it.
-                image = mirror(corner, tip, mouth)
-                outwards = math.copysign(1.0, -side_of(mouth, neighbour, tip))
-                beyond.append(outwards * side_of(mouth, neighbour, image))
-            self.assertGreater(min(beyond), -1e-6)
-            self.assertLess(min(beyond), 1e-6)
-
 
 def angle(at, first, second):
     a = math.atan2(first[1] - at[1], first[0] - at[0])
     b = math.atan2(second[1] - at[1], second[0] - at[0])
     return math.remainder(b - a, 2 * math.pi)
-
-
-def side_of(a, b, point):
-    """Distance of a point from the line a b, positive on its left where y points up."""
-    return ((b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0])) / math.dist(a, b)
-
-
-def mirror(point, a, b):
-    length = math.dist(a, b)
-    unit = ((b[0] - a[0]) / length, (b[1] - a[1]) / length)
-    way = (point[0] - a[0], point[1] - a[1])
-    along = way[0] * unit[0] + way[1] * unit[1]
-    return (a[0] + 2 * along * unit[0] - way[0], a[1] + 2 * along * unit[1] - way[1])
 
 
 def arc_lengths_at(line, notch, allowance):

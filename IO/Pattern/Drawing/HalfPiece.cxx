@@ -81,6 +81,10 @@ std::vector<PatternLine> rightParts(const PatternLine& line, const MirrorAxis& a
     for (std::size_t k = 0; k + 1 < stops.size(); ++k)
     {
       const double middle = (stops[k] + stops[k + 1]) / 2.0;
+      if (stops[k] == stops[k + 1])
+      {
+        continue;
+      }
       const FairSpan part = partOf(span, stops[k], stops[k + 1]);
       if (part.length() < onAxis)
       {

@@ -49,18 +49,16 @@ struct CurveOptionCheck
     std::string list = "boundary";
     for (const SourceWire& wire : this->source.wires)
     {
-      const bool isNew = known.insert(wire.name).second;
-      list += isNew && list.size() < 200 ? ", " + wire.name : "";
-    }
-    for (const std::string& name : wanted)
-    {
-      if (known.count(name) == 0)
+      if (known.insert(wire.name).second && list.size() < 200)
       {
-        return invalidOption(
-          what + " names the curve " + name + ", which is not there; there are " + list);
+        list.append(", ").append(wire.name);
       }
     }
-    return {};
+    const auto unknown = std::find_if(wanted.begin(), wanted.end(),
+      [&known](const std::string& name) { return known.count(name) == 0; });
+    return unknown == wanted.end() ? Status()
+                                   : invalidOption(what + " names the curve " + *unknown +
+                                       ", which is not there; there are " + list);
   }
 
   /// \param before, after the name in the message about values that are no lengths
@@ -69,15 +67,15 @@ struct CurveOptionCheck
     const std::string& after, const std::string& what) const
   {
     std::vector<std::string> wanted;
-    for (const auto& [name, value] : ofCurve)
+    for (const auto& one : ofCurve)
     {
-      if (!isLength(value))
-      {
-        return invalidOption(before + name + after + " of millimetres from 0");
-      }
-      wanted.push_back(name);
+      wanted.push_back(one.first);
     }
-    return this->names(wanted, what);
+    const auto wrong = std::find_if(
+      ofCurve.begin(), ofCurve.end(), [](const auto& one) { return !isLength(one.second); });
+    return wrong == ofCurve.end()
+      ? this->names(wanted, what)
+      : invalidOption(before + wrong->first + after + " of millimetres from 0");
   }
 };
 }

@@ -8,9 +8,9 @@
 
 namespace flattening::pattern
 {
-DrawingSource::DrawingSource(const PatternSource& given, PatternOptions wanted)
+DrawingSource::DrawingSource(const PatternSource& given, PatternOptions asked)
   : source(withoutClosedCuts(given))
-  , options(std::move(wanted))
+  , options(std::move(asked))
 {
 }
 

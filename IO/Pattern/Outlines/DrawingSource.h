@@ -16,7 +16,7 @@ class FairBorders;
 struct DrawingSource
 {
   /// \param given cuts that were closed are taken for whole cloth
-  DrawingSource(const PatternSource& given, PatternOptions options);
+  DrawingSource(const PatternSource& given, PatternOptions asked);
 
   PatternSource source;
   PatternOptions options;

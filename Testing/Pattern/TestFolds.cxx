@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Folds along curves with names, on pieces whose numbers are known by construction.
-#include "Drawing/PatternBuilder.h"
+// Pieces cut on the fold, whose numbers are known by construction.
+#include "DrawnPieces.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,7 @@
 
 namespace
 {
-using namespace flattening;
-using namespace flattening::pattern;
+using namespace drawnpieces;
 
 /// A trapezium of height 300 about x = 100 with its centre line. Unit: millimetre.
 /// \param askew how far a corner is moved along the upper side
@@ -42,53 +41,63 @@ PatternSource halfOfIt()
 
 PatternOptions onFold(const std::string& curve)
 {
-  PatternOptions options;
-  options.fairTolerance = 0.0;
-  options.notchSpacing = 100.0;
-  options.unit = Unit::Millimetre;
+  PatternOptions options = inMillimetres();
   options.pieceNames = { "front" };
   options.foldsAlong = { curve };
   return options;
 }
 
-PatternPiece draw(const PatternSource& source, const PatternOptions& options)
+/// A trapezium, upright and symmetric about x = 100, with a line across it. Unit: millimetre.
+PatternSource beltedTrapezium(double askew)
 {
-  Pattern pattern;
-  const Status status = buildPattern(source, options, pattern);
-  EXPECT_TRUE(status.ok()) << status.message;
-  return status.ok() ? pattern.pieces.at(0) : PatternPiece();
+  PatternSource source;
+  source.positions = { { 0.0, 0.0 }, { 200.0, 0.0 }, { 150.0 + askew, 300.0 }, { 50.0, 300.0 },
+    { 20.0, 120.0 }, { 180.0, 120.0 } };
+  source.triangles = { { 0, 1, 5 }, { 0, 5, 4 }, { 4, 5, 2 }, { 4, 2, 3 } };
+  source.pieceOfTriangle.assign(source.triangles.size(), 0);
+  source.wires = { { { 0, 1, 5, 2, 3, 4, 0 }, WireType::Boundary, none, 0, "boundary" },
+    { { 4, 5 }, WireType::Accessory, 0, 0, "waist" } };
+  return source;
 }
 
-PatternLine lineOf(const PatternPiece& piece, LineKind kind)
+PatternOptions wherePiecesAreSymmetric()
 {
-  const auto found = std::find_if(piece.lines.begin(), piece.lines.end(),
-    [kind](const PatternLine& line) { return line.kind == kind; });
-  EXPECT_NE(found, piece.lines.end());
-  return found == piece.lines.end() ? PatternLine() : *found;
+  PatternOptions options = inMillimetres();
+  options.cutOnFold = true;
+  return options;
+}
 }
 
-bool says(const PatternPiece& piece, const std::string& words)
+TEST(SymmetricFolds, LinesThatRunAcrossTheFoldAreHalved)
 {
-  return std::any_of(piece.texts.begin(), piece.texts.end(),
-    [&words](const PatternText& text) { return text.text == words; });
+  const PatternPiece piece = drawn(beltedTrapezium(0.0), wherePiecesAreSymmetric());
+  const PatternLine waist = lineOf(piece, LineKind::Internal);
+  EXPECT_NEAR((waist.points.back() - waist.points.front()).norm(), 80.0, 1e-9);
+  EXPECT_NEAR(waist.restLength, 80.0, 1e-9);
+  const PatternLine fold = lineOf(piece, LineKind::Fold);
+  // With an allowance of 10 mm at both ends.
+  EXPECT_NEAR((fold.points.back() - fold.points.front()).norm(), 320.0, 1e-3);
+  EXPECT_NEAR(fold.points.front().x(), fold.points.back().x(), 1e-9);
+  const PatternLine sew = lineOf(piece, LineKind::SewLine);
+  EXPECT_FALSE(sew.closed);
+  EXPECT_NEAR(sew.restLength, 100.0 + std::hypot(50.0, 300.0) + 50.0, 0.2);
+  EXPECT_TRUE(says(piece, "cut 1 on fold"));
+  // The cut line and its mirror image are the whole piece.
+  EXPECT_NEAR(2.0 * areaOf(lineOf(piece, LineKind::CutLine).points),
+    areaOf(lineOf(drawn(beltedTrapezium(0.0), inMillimetres()), LineKind::CutLine).points), 0.5);
 }
 
-void expectRefusal(
-  const PatternSource& source, const PatternOptions& options, const std::vector<std::string>& words)
+TEST(SymmetricFolds, APieceThatIsNotSymmetricIsDrawnWholeAndSaysSo)
 {
-  Pattern pattern;
-  const Status status = buildPattern(source, options, pattern);
-  EXPECT_EQ(status.code, StatusCode::InvalidOption);
-  for (const std::string& word : words)
-  {
-    EXPECT_NE(status.message.find(word), std::string::npos) << word << ": " << status.message;
-  }
-}
+  const PatternPiece piece = drawn(beltedTrapezium(5.0), wherePiecesAreSymmetric());
+  EXPECT_TRUE(linesOf(piece, LineKind::Fold).empty());
+  ASSERT_EQ(piece.notes.size(), 1U);
+  EXPECT_NE(piece.notes[0].text.find("not symmetric"), std::string::npos);
 }
 
 TEST(NamedFolds, OfAPieceThatHasItInsideAHalfIsDrawn)
 {
-  const PatternPiece piece = draw(trapezium(0.0), onFold("centre"));
+  const PatternPiece piece = drawn(trapezium(0.0), onFold("centre"));
   EXPECT_NEAR(piece.extent.y(), 320.0, 1e-3);
   const PatternLine fold = lineOf(piece, LineKind::Fold);
   for (const Point2& p : fold.points)
@@ -119,8 +128,8 @@ TEST(NamedFolds, ACurveThatBendsOrIsSewnIsRefused)
 
 TEST(NamedFolds, AHalfLiesWithItsEdgeOnTheFoldWithoutAllowance)
 {
-  const PatternPiece piece = draw(halfOfIt(), onFold("centre"));
-  const PatternPiece other = draw(trapezium(0.0), onFold("centre"));
+  const PatternPiece piece = drawn(halfOfIt(), onFold("centre"));
+  const PatternPiece other = drawn(trapezium(0.0), onFold("centre"));
   EXPECT_NEAR(piece.extent.x(), other.extent.x(), 1e-3);
   EXPECT_NEAR(piece.extent.y(), 320.0, 1e-3);
   const PatternLine fold = lineOf(piece, LineKind::Fold);
@@ -138,6 +147,6 @@ TEST(NamedFolds, OnOneLayerOfClothThereIsAWholePieceOrNone)
 {
   PatternOptions options = onFold("centre");
   options.oneLayer = true;
-  EXPECT_GT(draw(trapezium(0.0), options).extent.x(), 200.0);
+  EXPECT_GT(drawn(trapezium(0.0), options).extent.x(), 200.0);
   expectRefusal(halfOfIt(), options, { "front", "centre", "half" });
 }

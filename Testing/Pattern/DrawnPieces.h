@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Drawing/PatternBuilder.h"
+#include "Outlines/Outline.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+
+/// What tests of drawings share.
+namespace drawnpieces
+{
+using namespace flattening;
+using namespace flattening::pattern;
+
+/// Options of patterns whose surfaces are in millimetres, with borders as the mesh has them.
+inline PatternOptions inMillimetres(double allowance = 10.0)
+{
+  PatternOptions options;
+  options.unit = Unit::Millimetre;
+  options.allowance = allowance;
+  options.fairTolerance = 0.0;
+  options.notchSpacing = 100.0;
+  return options;
+}
+
+/// The first piece of what is drawn.
+inline PatternPiece drawn(const PatternSource& source, const PatternOptions& options)
+{
+  Pattern pattern;
+  const Status status = buildPattern(source, options, pattern);
+  EXPECT_TRUE(status.ok()) << status.message;
+  return status.ok() ? pattern.pieces.at(0) : PatternPiece();
+}
+
+inline std::vector<PatternLine> linesOf(const PatternPiece& piece, LineKind kind)
+{
+  std::vector<PatternLine> lines;
+  std::copy_if(piece.lines.begin(), piece.lines.end(), std::back_inserter(lines),
+    [kind](const PatternLine& line) { return line.kind == kind; });
+  return lines;
+}
+
+/// The only line of a kind.
+inline PatternLine lineOf(const PatternPiece& piece, LineKind kind)
+{
+  const std::vector<PatternLine> lines = linesOf(piece, kind);
+  EXPECT_EQ(lines.size(), 1U);
+  return lines.empty() ? PatternLine() : lines.front();
+}
+
+inline double areaOf(const Points2& polygon)
+{
+  return doubleArea(polygon) / 2.0;
+}
+
+/// Whether a text of a piece is this.
+inline bool says(const PatternPiece& piece, const std::string& words)
+{
+  return std::any_of(piece.texts.begin(), piece.texts.end(),
+    [&words](const PatternText& text) { return text.text == words; });
+}
+
+/// Expects that a pattern is refused with all of some words.
+inline void expectRefusal(
+  const PatternSource& source, const PatternOptions& options, const std::vector<std::string>& words)
+{
+  Pattern pattern;
+  const Status status = buildPattern(source, options, pattern);
+  EXPECT_EQ(status.code, StatusCode::InvalidOption);
+  for (const std::string& word : words)
+  {
+    EXPECT_NE(status.message.find(word), std::string::npos) << word << ": " << status.message;
+  }
+}
+
+/// A piece of this extent.
+inline PatternPiece rectangle(const Point2& extent)
+{
+  PatternPiece piece;
+  piece.name = "rectangle";
+  piece.extent = extent;
+  PatternLine line;
+  line.kind = LineKind::CutLine;
+  line.closed = true;
+  line.points = { { 0.0, 0.0 }, { extent.x(), 0.0 }, extent, { 0.0, extent.y() } };
+  piece.lines.push_back(line);
+  return piece;
+}
+}
