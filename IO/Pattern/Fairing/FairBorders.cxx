@@ -9,56 +9,45 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <unordered_set>
 
 namespace flattening::pattern
 {
 namespace
 {
-template <typename Value, typename Same>
-bool sameLists(const std::vector<Value>& a, const std::vector<Value>& b, const Same& same)
+/// Whether smooth borders of two sources are the same.
+bool haveSameBorders(const DrawingSource& one, const DrawingSource& other)
 {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+  const auto settings = [](const DrawingSource& all) {
+    return std::make_tuple(all.options.unit, all.options.fairToleranceOf(all.source),
+      all.options.fairToleranceOfCurve, all.options.symmetrize);
+  };
+  const auto surface = [](const PatternSource& source) {
+    return std::tie(source.positions, source.inSpace, source.triangles, source.pieceOfTriangle);
+  };
+  const auto sameLists = [](const auto& a, const auto& b, const auto& key) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+      [&key](const auto& x, const auto& y) { return key(x) == key(y); });
+  };
+  return settings(one) == settings(other) && surface(one.source) == surface(other.source) &&
+    sameLists(one.source.wires, other.source.wires,
+      [](const SourceWire& wire) {
+        return std::tie(wire.points, wire.type, wire.curve, wire.piece, wire.name);
+      }) &&
+    sameLists(one.source.sewn, other.source.sewn,
+      [](const SewnEdges& pair) { return std::tie(pair.a, pair.b, pair.closed); }) &&
+    sameLists(one.notches, other.notches,
+      [](const NotchPlace& notch) { return std::tie(notch.edge, notch.fraction, notch.isStop); });
 }
-
-bool sameWires(const SourceWire& a, const SourceWire& b)
-{
-  return a.points == b.points && a.type == b.type && a.curve == b.curve && a.piece == b.piece &&
-    a.name == b.name;
-}
-
-bool sameSeams(const SewnEdges& a, const SewnEdges& b)
-{
-  return a.a == b.a && a.b == b.b && a.closed == b.closed;
-}
-
-bool sameNotches(const NotchPlace& a, const NotchPlace& b)
-{
-  return a.edge == b.edge && a.fraction == b.fraction && a.isStop == b.isStop;
-}
-}
-
-bool FairCache::same(const Cause& cause, const DrawingSource& all)
-{
-  const PatternSource& one = cause.source;
-  const PatternSource& other = all.source;
-  return cause.unit == all.options.unit &&
-    cause.tolerance == all.options.fairToleranceOf(all.source) &&
-    cause.toleranceOfCurve == all.options.fairToleranceOfCurve &&
-    cause.symmetrize == all.options.symmetrize && one.positions == other.positions &&
-    one.inSpace == other.inSpace && one.triangles == other.triangles &&
-    one.pieceOfTriangle == other.pieceOfTriangle && sameLists(one.wires, other.wires, sameWires) &&
-    sameLists(one.sewn, other.sewn, sameSeams) &&
-    sameLists(cause.notches, all.notches, sameNotches);
 }
 
 std::shared_ptr<const FairBorders> FairCache::of(const DrawingSource& all)
 {
-  if (!this->Borders || !same(this->Last, all))
+  if (!this->Borders || !haveSameBorders(*this->Last, all))
   {
     this->Borders = std::make_shared<const FairBorders>(all);
-    this->Last = { all.source, all.options.unit, all.options.fairToleranceOf(all.source),
-      all.options.fairToleranceOfCurve, all.options.symmetrize, all.notches };
+    this->Last.emplace(all);
   }
   return this->Borders;
 }
@@ -454,33 +443,30 @@ std::vector<FairSpan> FairBorders::curveOf(const SourceWire& wire) const
 {
   // Runs of edges that follow each other in one chain, so that its splines come whole.
   std::vector<FairSpan> parts;
-  ChainEdge run;
+  std::size_t chain = 0;
   double from = 0.0;
   double to = 0.0;
-  bool any = false;
-  const auto end = [&] {
-    if (any)
-    {
-      addParts(this->spans()[run.chain], from, to, parts);
-    }
-    any = false;
-  };
   for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
   {
     ChainEdge place;
     this->Chains.find(wire.points[k], wire.points[k + 1], place); // all wires are in chains
     const std::vector<double>& arc = this->Places[place.chain];
     const double start = arc[place.edge + (place.backwards ? 1 : 0)];
-    if (!any || place.chain != run.chain || place.backwards != run.backwards || start != to)
+    const double end = arc[place.edge + (place.backwards ? 0 : 1)];
+    const bool goesOn =
+      place.chain == chain && start == to && (from == to || (from > to) == place.backwards);
+    if (k > 0 && !goesOn)
     {
-      end();
-      from = start;
+      addParts(this->spans()[chain], from, to, parts);
     }
-    to = arc[place.edge + (place.backwards ? 0 : 1)];
-    run = place;
-    any = true;
+    from = k > 0 && goesOn ? from : start;
+    to = end;
+    chain = place.chain;
   }
-  end();
+  if (wire.points.size() > 1)
+  {
+    addParts(this->spans()[chain], from, to, parts);
+  }
   return parts;
 }
 

@@ -7,6 +7,7 @@
 #include "Outlines/Pattern.h"
 
 #include <memory>
+#include <optional>
 
 namespace flattening::pattern
 {
@@ -19,19 +20,7 @@ public:
   std::shared_ptr<const FairBorders> of(const DrawingSource& all);
 
 private:
-  /// What smooth borders depend on.
-  struct Cause
-  {
-    PatternSource source;
-    Unit unit = Unit::Centimetre;
-    double tolerance = 0.0;
-    std::map<std::string, double> toleranceOfCurve;
-    bool symmetrize = false;
-    std::vector<NotchPlace> notches;
-  };
-  static bool same(const Cause& cause, const DrawingSource& all);
-
-  Cause Last;
+  std::optional<DrawingSource> Last; ///< that they are of
   std::shared_ptr<const FairBorders> Borders;
 };
 

@@ -284,45 +284,6 @@ private:
   std::vector<Part> Parts;
 };
 
-/// Linear conditions of coordinates of the unknown points.
-class LinearRows
-{
-public:
-  using Factors = std::vector<std::pair<Eigen::Index, double>>;
-
-  void add(const Factors& factors, double value)
-  {
-    for (const auto& [coordinate, factor] : factors)
-    {
-      this->Matrix.emplace_back(this->size(), coordinate, factor);
-    }
-    this->Values.push_back(value);
-  }
-  /// The difference of two places.
-  void addSame(const Terms& one, const Terms& other)
-  {
-    for (Eigen::Index d = 0; d < 2; ++d)
-    {
-      Factors factors;
-      for (std::size_t k = 0; k < 4; ++k)
-      {
-        const auto at = static_cast<Eigen::Index>(k);
-        factors.emplace_back(2 * one.unknown[k] + d, one.factor[at]);
-        factors.emplace_back(2 * other.unknown[k] + d, -other.factor[at]);
-      }
-      this->add(factors, 0.0);
-    }
-  }
-
-  Eigen::Index size() const { return static_cast<Eigen::Index>(this->Values.size()); }
-  const Entries& matrix() const { return this->Matrix; }
-  Eigen::Map<const Vector> values() const { return { this->Values.data(), this->size() }; }
-
-private:
-  Entries Matrix;
-  std::vector<double> Values;
-};
-
 Terms nodeTerms(std::size_t node)
 {
   Terms terms;
@@ -355,18 +316,18 @@ public:
     {
       for (const Eigen::Index d : { 0, 1 })
       {
-        this->Linear.add({ { 2 * static_cast<Eigen::Index>(k) + d, 1.0 } }, network.nodes[k][d]);
+        this->addRow({ { 2 * static_cast<Eigen::Index>(k) + d, 1.0 } }, network.nodes[k][d]);
       }
     }
     for (const StretchCurve& curve : this->Curves)
     {
       for (const FairHook& hook : curve.stretch().hooks)
       {
-        this->Linear.addSame(curve.at(hook.at, Derivative::Place), nodeTerms(hook.node));
+        this->addSame(curve.at(hook.at, Derivative::Place), nodeTerms(hook.node));
       }
       if (curve.stretch().smoothEnds)
       {
-        this->Linear.addSame(
+        this->addSame(
           curve.at(0.0, Derivative::Slope), curve.at(curve.stretch().length(), Derivative::Slope));
       }
       this->addLengths(curve);
@@ -395,6 +356,31 @@ public:
   }
 
 private:
+  void addRow(const std::vector<std::pair<Eigen::Index, double>>& factors, double value)
+  {
+    for (const auto& [coordinate, factor] : factors)
+    {
+      this->Linear.emplace_back(static_cast<int>(this->Values.size()), coordinate, factor);
+    }
+    this->Values.push_back(value);
+  }
+
+  /// Two places are one.
+  void addSame(const Terms& one, const Terms& other)
+  {
+    for (Eigen::Index d = 0; d < 2; ++d)
+    {
+      std::vector<std::pair<Eigen::Index, double>> factors;
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        const auto at = static_cast<Eigen::Index>(k);
+        factors.emplace_back(2 * one.unknown[k] + d, one.factor[at]);
+        factors.emplace_back(2 * other.unknown[k] + d, -other.factor[at]);
+      }
+      this->addRow(factors, 0.0);
+    }
+  }
+
   void addLengths(const StretchCurve& curve)
   {
     double start = 0.0;
@@ -441,13 +427,12 @@ private:
         }
         if (a == b)
         {
-          this->Linear.add(
-            { { 2 * a, across.x() }, { 2 * a + 1, across.y() } }, across.dot(axis.at));
+          this->addRow({ { 2 * a, across.x() }, { 2 * a + 1, across.y() } }, across.dot(axis.at));
           continue;
         }
         for (Eigen::Index d = 0; d < 2; ++d)
         {
-          this->Linear.add(
+          this->addRow(
             { { 2 * b + d, 1.0 }, { 2 * a, -image(d, 0) }, { 2 * a + 1, -image(d, 1) } }, shift[d]);
         }
       }
@@ -567,8 +552,8 @@ private:
   /// Rows of the constraints, the second derivatives of the lengths, and what is missing to them.
   void constraints(Rows& rows, Entries& bends, Vector& missing) const
   {
-    const Eigen::Index linear = this->Linear.size();
-    Entries entries = this->Linear.matrix();
+    const auto linear = static_cast<Eigen::Index>(this->Values.size());
+    Entries entries = this->Linear;
     missing.resize(linear + static_cast<Eigen::Index>(this->Lengths.size()));
     for (std::size_t r = 0; r < this->Lengths.size(); ++r)
     {
@@ -579,7 +564,8 @@ private:
     }
     rows.resize(missing.size(), 2 * this->Unknowns);
     rows.setFromTriplets(entries.begin(), entries.end());
-    missing.head(linear) = this->Linear.values() - (rows * this->X).head(linear);
+    missing.head(linear) =
+      Eigen::Map<const Vector>(this->Values.data(), linear) - (rows * this->X).head(linear);
   }
 
   /// The largest of what is missing, relative to lengths.
@@ -589,7 +575,7 @@ private:
     // What lies below the last digits of coordinates cannot be made better.
     const double rounding =
       16.0 * std::numeric_limits<double>::epsilon() * this->X.lpNorm<Eigen::Infinity>();
-    const Eigen::Index linear = this->Linear.size();
+    const auto linear = static_cast<Eigen::Index>(this->Values.size());
     for (Eigen::Index r = 0; r < missing.size(); ++r)
     {
       const double length =
@@ -664,8 +650,9 @@ private:
   Eigen::Index Unknowns;
   std::vector<StretchCurve> Curves;
   std::vector<CurveLength> Lengths;
-  LinearRows Linear;
-  Entries Squares; ///< of the objective
+  Entries Linear;             ///< conditions of coordinates of the unknown points
+  std::vector<double> Values; ///< of these
+  Entries Squares;            ///< of the objective
   Vector Right;
   Eigen::SimplicialLDLT<Rows> System; ///< with the constraints
   double Softness = 0.0;

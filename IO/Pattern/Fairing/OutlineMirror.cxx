@@ -14,125 +14,91 @@ namespace
 constexpr double sameCorner = 2.0 * mirrorTolerance; ///< of a corner from another's image
 constexpr double knownBreak = 1e-6;                  ///< of a stretch
 
-class MirrorSearch
+/// The outline of a piece from corner to corner.
+struct Outline
 {
-public:
-  MirrorSearch(const DrawingSource& all, const BorderChain& chain,
-    const std::vector<PlannedStretch>& stretches, OutlineMirror& mirror)
-    : All(all)
-    , Chain(chain)
-    , Stretches(stretches)
-    , Mirror(mirror)
-  {
-  }
-
-  void find()
-  {
-    if (this->Mirror.axis.miss > mirrorTolerance)
-    {
-      this->Mirror.why = "mirrored, it misses itself by " +
-        formatNumber(this->Mirror.axis.miss, 2) + " mm, more than " +
-        formatNumber(mirrorTolerance, 1) + " mm";
-      return;
-    }
-    if (this->Stretches.front().smoothEnds)
-    {
-      this->Mirror.why = "its outline has no corner";
-      return;
-    }
-    std::vector<std::size_t> image; // of the corner at which a stretch starts
-    for (const PlannedStretch& stretch : this->Stretches)
-    {
-      image.push_back(this->imageOfCorner(stretch.firstPoint));
-    }
-    std::vector<std::array<std::size_t, 2>> pairs;
-    const std::size_t count = this->Stretches.size();
-    for (std::size_t s = 0; s < count; ++s)
-    {
-      const std::size_t other = image[(s + 1) % count];
-      if (other == count || image[s] == count || (other + 1) % count != image[s])
-      {
-        const bool first = image[s] == count;
-        this->Mirror.why = "the corner at the " + std::string(first ? "start" : "end") + " of " +
-          this->nameOf(s) + " has no counterpart within " + formatNumber(sameCorner, 1) + " mm";
-        return;
-      }
-      if (s <= other)
-      {
-        pairs.push_back({ s, other });
-      }
-    }
-    if (this->areAlike(pairs))
-    {
-      for (const auto& [one, other] : pairs)
-      {
-        this->Mirror.stretches.push_back({ one, other });
-      }
-    }
-  }
-
-private:
-  Point2 at(std::size_t point) const { return this->All.at(this->Chain.point(point)); }
-
-  double lengthOf(std::size_t s) const
-  {
-    const PlannedStretch& stretch = this->Stretches[s];
-    return this->Chain.arc[stretch.lastPoint] - this->Chain.arc[stretch.firstPoint];
-  }
+  const DrawingSource& all;
+  const BorderChain& chain;
+  const std::vector<PlannedStretch>& stretches;
 
   std::string nameOf(std::size_t s) const
   {
-    const std::size_t point = this->Stretches[s].firstPoint;
-    return this->All.nameAlong(this->Chain.point(point), this->Chain.point(point + 1));
+    const std::size_t point = this->stretches[s].firstPoint;
+    return this->all.nameAlong(this->chain.point(point), this->chain.point(point + 1));
   }
 
-  std::size_t imageOfCorner(std::size_t point) const
+  double lengthOf(std::size_t s) const
   {
-    const Point2 image = imageOf(this->at(point), this->Mirror.axis);
-    std::size_t nearest = this->Stretches.size();
+    return this->chain.arc[this->stretches[s].lastPoint] -
+      this->chain.arc[this->stretches[s].firstPoint];
+  }
+
+  /// The stretch that starts nearest to the image of the corner at which another does, or their
+  /// number.
+  std::size_t imageOfStart(std::size_t s, const MirrorAxis& axis) const
+  {
+    const auto corner = [this](const PlannedStretch& stretch) {
+      return this->all.at(this->chain.point(stretch.firstPoint));
+    };
+    const Point2 image = imageOf(corner(this->stretches[s]), axis);
+    std::size_t nearest = this->stretches.size();
     double least = sameCorner;
-    for (std::size_t s = 0; s < this->Stretches.size(); ++s)
+    for (std::size_t other = 0; other < this->stretches.size(); ++other)
     {
-      const double distance = (this->at(this->Stretches[s].firstPoint) - image).norm();
-      if (distance <= least)
-      {
-        least = distance;
-        nearest = s;
-      }
+      const double distance = (corner(this->stretches[other]) - image).norm();
+      nearest = distance <= least ? other : nearest;
+      least = std::min(least, distance);
     }
     return nearest;
   }
-
-  bool areAlike(const std::vector<std::array<std::size_t, 2>>& pairs)
-  {
-    for (const auto& [one, other] : pairs)
-    {
-      for (const std::size_t s : { one, other })
-      {
-        if (this->Stretches[s].form == StretchForm::Raw && this->Stretches[s].edges() > 1)
-        {
-          this->Mirror.why = this->nameOf(s) + " stays as the mesh has it";
-          return false;
-        }
-      }
-      const double difference = std::abs(this->lengthOf(one) - this->lengthOf(other));
-      if (difference > mirroredLengthTolerance)
-      {
-        this->Mirror.why = "stretches of " + this->nameOf(one) + " and " + this->nameOf(other) +
-          " that are mirror images differ by " + formatNumber(difference, 2) +
-          " mm in length, more than " + formatNumber(mirroredLengthTolerance, 1) + " mm";
-        return false;
-      }
-      this->Mirror.difference = std::max(this->Mirror.difference, difference);
-    }
-    return true;
-  }
-
-  const DrawingSource& All;
-  const BorderChain& Chain;
-  const std::vector<PlannedStretch>& Stretches;
-  OutlineMirror& Mirror;
 };
+
+/// Pairs stretches that are mirror images, and finds by how much their lengths differ. \return why
+/// they are none; empty: they are
+std::string pairStretches(const Outline& outline, OutlineMirror& mirror)
+{
+  if (mirror.axis.miss > mirrorTolerance)
+  {
+    return "mirrored, it misses itself by " + formatNumber(mirror.axis.miss, 2) +
+      " mm, more than " + formatNumber(mirrorTolerance, 1) + " mm";
+  }
+  if (outline.stretches.front().smoothEnds)
+  {
+    return "its outline has no corner";
+  }
+  const std::size_t count = outline.stretches.size();
+  std::vector<std::size_t> image;
+  for (std::size_t s = 0; s < count; ++s)
+  {
+    image.push_back(outline.imageOfStart(s, mirror.axis));
+  }
+  for (std::size_t s = 0; s < count; ++s)
+  {
+    const std::size_t other = image[(s + 1) % count];
+    if (other == count || image[s] == count || (other + 1) % count != image[s])
+    {
+      return "the corner at the " + std::string(image[s] == count ? "start" : "end") + " of " +
+        outline.nameOf(s) + " has no counterpart within " + formatNumber(sameCorner, 1) + " mm";
+    }
+    if (outline.stretches[s].form == StretchForm::Raw && outline.stretches[s].edges() > 1)
+    {
+      return outline.nameOf(s) + " stays as the mesh has it";
+    }
+    const double difference = std::abs(outline.lengthOf(s) - outline.lengthOf(other));
+    if (difference > mirroredLengthTolerance)
+    {
+      return "stretches of " + outline.nameOf(s) + " and " + outline.nameOf(other) +
+        " that are mirror images differ by " + formatNumber(difference, 2) +
+        " mm in length, more than " + formatNumber(mirroredLengthTolerance, 1) + " mm";
+    }
+    mirror.difference = std::max(mirror.difference, difference);
+    if (s <= other)
+    {
+      mirror.stretches.push_back({ s, other });
+    }
+  }
+  return {};
+}
 
 void addBreaks(const std::vector<double>& more, std::vector<double>& breaks)
 {
@@ -186,7 +152,12 @@ OutlineMirror findOutlineMirror(const DrawingSource& all, const BorderChains& ch
   ChainEdge place;
   chains.find(all.loops[piece].front()[0], all.loops[piece].front()[1], place); // loops are chains
   mirror.chain = place.chain;
-  MirrorSearch(all, chains.chains()[place.chain], plan[place.chain].stretches, mirror).find();
+  mirror.why =
+    pairStretches({ all, chains.chains()[place.chain], plan[place.chain].stretches }, mirror);
+  if (!mirror.why.empty())
+  {
+    mirror.stretches.clear();
+  }
   return mirror;
 }
 

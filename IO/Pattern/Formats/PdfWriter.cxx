@@ -36,50 +36,6 @@ constexpr double lineFeed = 5.0;
 constexpr std::array<double, 10> columns{ 15.0, 48.0, 74.0, 100.0, 108.0, 126.0, 144.0, 162.0,
   178.0, 197.0 };
 
-void write(cairo_t* context, const std::string& text, double x, double y, double height)
-{
-  cairo_set_font_size(context, height);
-  cairo_move_to(context, x, y);
-  cairo_show_text(context, visualOrder(cleanText(text)).c_str());
-}
-
-void writeRow(cairo_t* context, const std::vector<std::string>& row, double y)
-{
-  for (std::size_t k = 0; k < row.size() && k + 1 < columns.size(); ++k)
-  {
-    write(
-      context, fitText(row[k], letters, columns[k + 1] - columns[k] - 1.0), columns[k], y, letters);
-  }
-}
-
-/// Draws the table of Pattern::walk on as many A4 pages as it takes.
-void drawWalkPages(const Pattern& pattern, cairo_surface_t* surface, cairo_t* context)
-{
-  cairo_pdf_surface_set_size(
-    surface, pointsPerMillimetre * walkPaper[0], pointsPerMillimetre * walkPaper[1]);
-  const double top = walkMargin + 14.0;
-  for (std::size_t next = 1; next < pattern.walk.size();)
-  {
-    cairo_identity_matrix(context);
-    cairo_scale(context, pointsPerMillimetre, pointsPerMillimetre);
-    cairo_set_source_rgb(context, 0.0, 0.0, 0.0);
-    write(context,
-      fitText("Walk of the seams: " + pattern.name, 5.0, walkPaper[0] - 2.0 * walkMargin),
-      walkMargin, walkMargin + 5.0, 5.0);
-    writeRow(context, pattern.walk.front(), top);
-    cairo_set_line_width(context, 0.2);
-    cairo_move_to(context, walkMargin, top + 1.5);
-    cairo_line_to(context, walkPaper[0] - walkMargin, top + 1.5);
-    cairo_stroke(context);
-    for (double y = top + 1.5 * lineFeed;
-         y < walkPaper[1] - walkMargin && next < pattern.walk.size(); y += lineFeed)
-    {
-      writeRow(context, pattern.walk[next++], y);
-    }
-    cairo_show_page(context);
-  }
-}
-
 /// Nothing is thrown through cairo, which is C.
 cairo_status_t append(void* closure, const unsigned char* data, unsigned int length)
 {
@@ -178,7 +134,7 @@ public:
     }
     if (this->Selected.pages)
     {
-      drawWalkPages(this->Drawn, this->Surface, this->Context);
+      this->drawWalkPages();
     }
     return closePdf(this->Surface, this->Context);
   }
@@ -227,8 +183,7 @@ private:
   {
     const Tile& tile = this->Plan.pages[page];
     const Point2& printable = this->Plan.printable;
-    cairo_identity_matrix(this->Context);
-    cairo_scale(this->Context, pointsPerMillimetre, pointsPerMillimetre);
+    this->beginPage();
     cairo_translate(this->Context, pageMargin, pageMargin);
 
     // Beneath the drawing, whose lines must not vanish under a trim line.
@@ -258,6 +213,43 @@ private:
       }
     }
     cairo_restore(this->Context);
+  }
+
+  void beginPage()
+  {
+    cairo_identity_matrix(this->Context);
+    cairo_scale(this->Context, pointsPerMillimetre, pointsPerMillimetre);
+  }
+
+  /// Draws the table of Pattern::walk on as many A4 pages as it takes.
+  void drawWalkPages()
+  {
+    const auto writeRow = [this](const std::vector<std::string>& row, double y) {
+      for (std::size_t k = 0; k < row.size() && k + 1 < columns.size(); ++k)
+      {
+        this->text(fitText(row[k], letters, columns[k + 1] - columns[k] - 1.0),
+          { columns[k], y - 0.35 * letters }, letters, Anchor::Start);
+      }
+    };
+    cairo_pdf_surface_set_size(
+      this->Surface, pointsPerMillimetre * walkPaper[0], pointsPerMillimetre * walkPaper[1]);
+    const double top = walkMargin + 14.0;
+    for (std::size_t next = 1; next < this->Drawn.walk.size();)
+    {
+      this->beginPage();
+      this->pen(blackInk, 0.2);
+      this->text(
+        fitText("Walk of the seams: " + this->Drawn.name, 5.0, walkPaper[0] - 2.0 * walkMargin),
+        { walkMargin, walkMargin + 3.25 }, 5.0, Anchor::Start);
+      writeRow(this->Drawn.walk.front(), top);
+      this->line({ walkMargin, top + 1.5 }, { walkPaper[0] - walkMargin, top + 1.5 });
+      for (double y = top + 1.5 * lineFeed;
+           y < walkPaper[1] - walkMargin && next < this->Drawn.walk.size(); y += lineFeed)
+      {
+        writeRow(this->Drawn.walk[next++], y);
+      }
+      cairo_show_page(this->Context);
+    }
   }
 
   void drawStrokes(std::size_t p)
