@@ -92,12 +92,6 @@ private:
   std::vector<SurfacePoint> Before;
 };
 
-bool onBoundary(const TriangleMesh& mesh, const SurfacePoint& point)
-{
-  return (point.type == SurfacePointType::Vertex && mesh.onBoundary(point.id)) ||
-    (point.type == SurfacePointType::Edge && mesh.twin(point.id) == none);
-}
-
 bool isClosed(const SurfacePath& path)
 {
   return samePlace(path.points.front(), path.points.back());
