@@ -292,11 +292,8 @@ private:
     Point2 control = this->vector<Point2>(json, "a control point of " + owner);
     if (this->Absolute)
     {
-      const Point2& from = panel.vertices[edge.ends[0]];
-      const Point2 chord = panel.vertices[edge.ends[1]] - from;
-      const Point2 way = this->Scale * control - from;
-      control = Point2(way.dot(chord), way.dot(Point2(-chord.y(), chord.x()))) /
-        std::max(chord.squaredNorm(), 1e-300);
+      control = pattern::inFrameOf(
+        this->Scale * control, panel.vertices[edge.ends[0]], panel.vertices[edge.ends[1]]);
     }
     edge.parameters[at] = control.x();
     edge.parameters[at + 1] = control.y();

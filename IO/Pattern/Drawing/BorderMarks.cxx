@@ -145,31 +145,19 @@ Point2 NotchMarks::onCutLine(const Point2& from, const Point2& direction) const
 void NotchMarks::add(
   const Point2& foot, const Point2& outward, double arcLength, const std::string& name)
 {
-  Notch notch;
-  notch.foot = foot;
-  notch.from = this->onCutLine(foot, outward);
-  const double room = (notch.from - foot).norm();
+  const Point2 from = this->onCutLine(foot, outward);
+  const double room = (from - foot).norm();
   // A cut into the allowance stays clear of the seam; without allowance it is a short mark.
   const double most = this->All.options.notchLength;
   const double length = room > leastRoom ? std::min(most, 0.6 * room) : std::min(most, 3.0);
-  notch.to = notch.from - length * outward;
-  notch.arcLength = arcLength;
-  notch.name = name;
-  this->Drawing.notches.push_back(std::move(notch));
+  this->Drawing.notches.push_back({ foot, from, from - length * outward, true, arcLength, name });
 }
 
 void NotchMarks::addAcross(
   const Point2& foot, const Point2& outward, double arcLength, const std::string& name)
 {
-  Notch notch;
-  notch.onCutLine = false;
-  notch.foot = foot;
-  const double half = std::min(this->All.options.notchLength, 5.0) / 2.0;
-  notch.from = foot + half * outward;
-  notch.to = foot - half * outward;
-  notch.arcLength = arcLength;
-  notch.name = name;
-  this->Drawing.notches.push_back(std::move(notch));
+  const Point2 half = std::min(this->All.options.notchLength, 5.0) / 2.0 * outward;
+  this->Drawing.notches.push_back({ foot, foot + half, foot - half, false, arcLength, name });
 }
 
 void NotchMarks::add(const BorderMark& mark)

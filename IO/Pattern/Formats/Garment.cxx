@@ -279,8 +279,7 @@ Points2 pointsAlong(
     arc.push_back(arc.back() + step.norm());
     if (k > 1 && step.norm() > 0.0 && before.norm() > 0.0)
     {
-      const double turn =
-        std::abs(std::atan2(before.x() * step.y() - before.y() * step.x(), before.dot(step)));
+      const double turn = std::abs(std::atan2(cross(before, step), before.dot(step)));
       sharpest = std::max(sharpest, turn / std::max(step.norm(), before.norm()));
     }
     before = step;
@@ -304,6 +303,14 @@ Points2 pointsAlong(
   }
   points.push_back(end);
   return points;
+}
+
+Point2 inFrameOf(const Point2& point, const Point2& from, const Point2& to)
+{
+  const Point2 chord = to - from;
+  const Point2 left(-chord.y(), chord.x());
+  return Point2((point - from).dot(chord), (point - from).dot(left)) /
+    std::max(chord.squaredNorm(), 1e-300);
 }
 
 Point3 placedPoint(const GarmentPanel& panel, const Point2& point)

@@ -74,6 +74,9 @@ Status checkGarment(const Garment& garment);
 Points2 pointsAlong(
   const GarmentPanel& panel, const GarmentEdge& edge, double distance, std::size_t least);
 
+/// A point in the frame of the chord from one point to another: along it, and to its left.
+Point2 inFrameOf(const Point2& point, const Point2& from, const Point2& to);
+
 /// The point of space at which a panel has a point of its plane.
 Point3 placedPoint(const GarmentPanel& panel, const Point2& point);
 

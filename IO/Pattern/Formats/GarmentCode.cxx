@@ -113,14 +113,6 @@ void place(const DrawingSource& all, std::size_t piece, GarmentPanel& panel)
       std::asin(std::clamp(-turn(2, 0), -1.0, 1.0)), std::atan2(turn(1, 0), turn(0, 0)));
 }
 
-/// A control point in the frame of its edge: along the chord, and to its left.
-Point2 relative(const Point2& control, const Point2& from, const Point2& to)
-{
-  const Point2 chord = to - from;
-  const Point2 left(-chord.y(), chord.x());
-  return Point2((control - from).dot(chord), (control - from).dot(left)) / chord.squaredNorm();
-}
-
 void draw(const std::vector<BorderEdge>& border, GarmentPanel& panel)
 {
   const auto at = [&border](std::size_t k) {
@@ -138,7 +130,7 @@ void draw(const std::vector<BorderEdge>& border, GarmentPanel& panel)
       for (const std::size_t c : { 1U, 2U })
       {
         const Point2 control =
-          relative(centimetresPerMillimetre * border[k].curve.control[c], at(k), at(k + 1));
+          inFrameOf(centimetresPerMillimetre * border[k].curve.control[c], at(k), at(k + 1));
         edge.parameters[2 * c - 2] = control.x();
         edge.parameters[2 * c - 1] = control.y();
       }

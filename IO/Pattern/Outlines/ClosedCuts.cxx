@@ -38,7 +38,7 @@ Indices joinedPoints(const PatternSource& source)
   return joined;
 }
 
-/// Both banks of closed edges, in both directions.
+/// Both banks of closed edges.
 std::unordered_set<std::uint64_t> closedEdges(const PatternSource& source)
 {
   std::unordered_set<std::uint64_t> closed;
@@ -48,8 +48,7 @@ std::unordered_set<std::uint64_t> closedEdges(const PatternSource& source)
     {
       if (pair.closed)
       {
-        closed.insert(edgeKey(edge[0], edge[1]));
-        closed.insert(edgeKey(edge[1], edge[0]));
+        closed.insert(undirectedKey(edge[0], edge[1]));
       }
     }
   }
@@ -93,7 +92,7 @@ PatternSource withoutClosedCuts(const PatternSource& source)
     part.points.clear();
     for (std::size_t k = 0; k < wire.points.size(); ++k)
     {
-      if (k > 0 && closed.count(edgeKey(wire.points[k - 1], wire.points[k])) > 0)
+      if (k > 0 && closed.count(undirectedKey(wire.points[k - 1], wire.points[k])) > 0)
       {
         if (part.points.size() > 1)
         {

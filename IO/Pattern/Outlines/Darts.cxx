@@ -49,6 +49,18 @@ bool folds(const Loop& loop, std::size_t first, std::size_t count)
   return count % 2 == 0;
 }
 
+/// The dart whose legs are edges of a loop, from one mouth or tip to the other.
+Dart dartOf(const Loop& loop, std::size_t loopIndex, std::size_t first, std::size_t edges)
+{
+  Dart dart;
+  dart.loop = loopIndex;
+  dart.firstEdge = first % loop.size();
+  dart.edges = edges;
+  dart.tip = loop.point(first + edges / 2);
+  dart.name = loop.source.wires[loop.wire[dart.firstEdge]].name;
+  return dart;
+}
+
 void findOpenDarts(const Loop& loop, std::size_t loopIndex, std::vector<Dart>& darts)
 {
   const std::size_t count = loop.size();
@@ -67,14 +79,8 @@ void findOpenDarts(const Loop& loop, std::size_t loopIndex, std::vector<Dart>& d
     }
     if (curve != none && end - k < count && folds(loop, k, end - k))
     {
-      Dart dart;
-      dart.loop = loopIndex;
-      dart.firstEdge = k % count;
-      dart.edges = end - k;
-      dart.tip = loop.point(k + dart.edges / 2);
-      dart.mouth = { loop.point(k), loop.point(end) };
-      dart.name = loop.source.wires[loop.wire[k % count]].name;
-      darts.push_back(std::move(dart));
+      darts.push_back(dartOf(loop, loopIndex, k, end - k));
+      darts.back().mouth = { loop.point(k), loop.point(end) };
     }
     k = end;
   }
@@ -95,14 +101,8 @@ void findClosedDart(const Loop& loop, std::size_t loopIndex, std::vector<Dart>& 
   {
     if (folds(loop, k, count))
     {
-      Dart dart;
-      dart.loop = loopIndex;
-      dart.firstEdge = k;
-      dart.edges = count;
-      dart.tip = loop.point(k + count / 2);
-      dart.otherTip = loop.point(k);
-      dart.name = loop.source.wires[loop.wire[k]].name;
-      darts.push_back(std::move(dart));
+      darts.push_back(dartOf(loop, loopIndex, k, count));
+      darts.back().otherTip = loop.point(k);
       return;
     }
   }

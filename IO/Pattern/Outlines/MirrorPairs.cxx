@@ -13,6 +13,17 @@ namespace flattening::pattern
 {
 namespace
 {
+Segments linesOf(const PieceShape& shape)
+{
+  Segments lines;
+  addSegments(shape.outline, true, lines);
+  for (const Points2& line : shape.lines)
+  {
+    addSegments(line, false, lines);
+  }
+  return lines;
+}
+
 /// A shape about the centroid of its area, with the moments that say how it is turned.
 class LaidShape
 {
@@ -47,11 +58,7 @@ public:
       this->Round += mixed(0, 0) + mixed(1, 1);
       this->Long += Point2(mixed(0, 0) - mixed(1, 1), 2.0 * mixed(0, 1));
     }
-    for (const Points2& line : this->Shape.lines)
-    {
-      addSegments(line, false, this->Lines);
-    }
-    addSegments(this->Shape.outline, true, this->Lines);
+    this->Lines = linesOf(this->Shape);
   }
 
   double area() const { return this->Area; }
@@ -108,7 +115,7 @@ private:
     const Points2& outline = this->Shape.outline;
     const Point2& a = outline[k];
     const Point2& b = outline[(k + 1) % outline.size()];
-    return { a, b, a.x() * b.y() - a.y() * b.x() };
+    return { a, b, flattening::cross(a, b) };
   }
 
   void move(const Point2& by)
@@ -151,12 +158,7 @@ Point2 imageOf(const Point2& p, const MirrorAxis& axis)
 
 double mirrorMiss(const PieceShape& shape, const MirrorAxis& axis)
 {
-  Segments lines;
-  addSegments(shape.outline, true, lines);
-  for (const Points2& line : shape.lines)
-  {
-    addSegments(line, false, lines);
-  }
+  const Segments lines = linesOf(shape);
   double most = 0.0;
   const auto add = [&](const Points2& points) {
     for (const Point2& p : points)
