@@ -17,6 +17,13 @@ namespace
 /// Each step doubles the digits: after these nothing but what contradicts itself is left.
 constexpr int mostLengthSteps = 8;
 
+/// The host vertices of an edge.
+std::array<Index, 2> ends(const WireNetwork& network, std::size_t e)
+{
+  const WireEdge& edge = network.edges[e];
+  return { network.hostOfVertex[edge.from], network.hostOfVertex[edge.to] };
+}
+
 /// Vector from start to end of each edge.
 Points2 edgeVectors(
   const WireNetwork& network, const std::vector<double>& theta, const std::vector<double>& length)
@@ -37,8 +44,9 @@ Points2 placeAlongTree(const WireNetwork& network, const Points2& vectors)
   const CompressedRows incident = groupMembers(count, [&network](const auto& visit) {
     for (Index e = 0; e < network.edgeCount(); ++e)
     {
-      visit(network.hostOfVertex[network.edges[e].from], e);
-      visit(network.hostOfVertex[network.edges[e].to], e);
+      const auto [from, to] = ends(network, e);
+      visit(from, e);
+      visit(to, e);
     }
   });
   Points2 positions(count, Point2::Zero());
@@ -50,8 +58,8 @@ Points2 placeAlongTree(const WireNetwork& network, const Points2& vectors)
     const Index host = queue[at];
     for (Index e : incident[host])
     {
-      const Index from = network.hostOfVertex[network.edges[e].from];
-      const Index other = from == host ? network.hostOfVertex[network.edges[e].to] : from;
+      const auto [from, to] = ends(network, e);
+      const Index other = from == host ? to : from;
       if (!placed[other])
       {
         placed[other] = 1;
@@ -69,10 +77,8 @@ double largestMiss(const WireNetwork& network, const Points2& positions, const P
   double worst = 0.0;
   for (std::size_t e = 0; e < vectors.size(); ++e)
   {
-    const WireEdge& edge = network.edges[e];
-    const Point2 placed =
-      positions[network.hostOfVertex[edge.to]] - positions[network.hostOfVertex[edge.from]];
-    worst = std::max(worst, (placed - vectors[e]).norm());
+    const auto [from, to] = ends(network, e);
+    worst = std::max(worst, (positions[to] - positions[from] - vectors[e]).norm());
   }
   return worst;
 }
@@ -84,10 +90,11 @@ struct EliminationOrder
   explicit EliminationOrder(const WireNetwork& network)
     : degree(network.hostVertices.size(), 0)
   {
-    for (const WireEdge& edge : network.edges)
+    for (std::size_t e = 0; e < network.edges.size(); ++e)
     {
-      ++this->degree[network.hostOfVertex[edge.from]];
-      ++this->degree[network.hostOfVertex[edge.to]];
+      const auto [from, to] = ends(network, e);
+      ++this->degree[from];
+      ++this->degree[to];
     }
     const auto rank = [](std::size_t count, const auto& isAlong, Indices& ranks) {
       Index next = 0;
@@ -111,8 +118,8 @@ struct EliminationOrder
     this->edgesAlong = rank(
       network.edges.size(),
       [&](std::size_t e) {
-        return isAlong(network.hostOfVertex[network.edges[e].from]) &&
-          isAlong(network.hostOfVertex[network.edges[e].to]);
+        const auto [from, to] = ends(network, e);
+        return isAlong(from) && isAlong(to);
       },
       this->rankOfEdge);
   }
@@ -133,8 +140,9 @@ void spreadMisses(const WireNetwork& network, const Points2& vectors, const Elim
   Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(count, 2);
   for (std::size_t e = 0; e < vectors.size(); ++e)
   {
-    const Index a = order.rankOfHost[network.hostOfVertex[network.edges[e].from]];
-    const Index b = order.rankOfHost[network.hostOfVertex[network.edges[e].to]];
+    const auto [from, to] = ends(network, e);
+    const Index a = order.rankOfHost[from];
+    const Index b = order.rankOfHost[to];
     entries.emplace_back(a, a, 1.0);
     entries.emplace_back(b, b, 1.0);
     entries.emplace_back(std::max(a, b), std::min(a, b), -1.0);
@@ -162,10 +170,8 @@ double largestLengthError(
   double worst = 0.0;
   for (std::size_t e = 0; e < network.edges.size(); ++e)
   {
-    const WireEdge& edge = network.edges[e];
-    const double placed =
-      (positions[network.hostOfVertex[edge.to]] - positions[network.hostOfVertex[edge.from]])
-        .norm();
+    const auto [from, to] = ends(network, e);
+    const double placed = (positions[to] - positions[from]).norm();
     worst = std::max(worst, std::abs(placed - length[e]) / length[e]);
   }
   return worst;
@@ -219,7 +225,7 @@ public:
     }
     for (std::size_t e = 0; e < this->Length.size(); ++e)
     {
-      const auto [a, b] = this->ends(e);
+      const auto [a, b] = ends(this->Network, e);
       const Point2 d = positions[b] - positions[a];
       const double l = d.norm();
       if (!(l > 0.0))
@@ -253,7 +259,7 @@ public:
     Eigen::VectorXd rightHandSide = Eigen::VectorXd::Zero(this->Kkt.rows());
     for (std::size_t e = 0; e < this->Length.size(); ++e)
     {
-      const auto [a, b] = this->ends(e);
+      const auto [a, b] = ends(this->Network, e);
       rightHandSide[this->Row[e]] = this->Length[e] - (positions[b] - positions[a]).norm();
     }
     const Eigen::MatrixXd change = this->Solver.solveRefined(this->Kkt, rightHandSide);
@@ -269,12 +275,6 @@ public:
   }
 
 private:
-  std::array<Index, 2> ends(std::size_t e) const
-  {
-    return { this->Network.hostOfVertex[this->Network.edges[e].from],
-      this->Network.hostOfVertex[this->Network.edges[e].to] };
-  }
-
   const WireNetwork& Network;
   const std::vector<double>& Length;
   Indices FirstColumn; ///< per host, of its two

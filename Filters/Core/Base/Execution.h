@@ -61,6 +61,17 @@ struct Execution
   }
   /// What a body throws comes out on the calling thread.
   void parallelFor(Index count, const std::function<void(Index, Index)>& body) const;
+  /// The same with body(k) for each number below `count`.
+  template <typename Body>
+  void forEach(Index count, const Body& body) const
+  {
+    this->parallelFor(count, [&body](Index begin, Index end) {
+      for (Index k = begin; k < end; ++k)
+      {
+        body(k);
+      }
+    });
+  }
 };
 
 /// Calls compute(k), which gives a Result, on threads for each number below `count`, and
@@ -74,12 +85,7 @@ void computeAndAdd(Index count, const Execution& execution, const Compute& compu
   for (Index first = 0; first < count; first += together)
   {
     const Index here = std::min(together, count - first);
-    execution.parallelFor(here, [&](Index begin, Index end) {
-      for (Index k = begin; k < end; ++k)
-      {
-        results[k] = compute(first + k);
-      }
-    });
+    execution.forEach(here, [&](Index k) { results[k] = compute(first + k); });
     for (Index k = 0; k < here; ++k)
     {
       add(first + k, results[k]);

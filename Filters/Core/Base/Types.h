@@ -43,8 +43,6 @@ using Triangles = std::vector<Triangle>;
 
 inline constexpr Index none = -1;
 inline constexpr double pi = 3.141592653589793238462643383279502884;
-/// The larger part of a golden section.
-inline constexpr double inverseGoldenRatio = 0.618033988749894848204586834365638118;
 inline constexpr double degree = pi / 180.0; ///< in radians
 
 /// Whether points are the same to the last bit. Unlike == it tells signed zeros apart, and knows a
@@ -68,19 +66,41 @@ inline double angleBetween(const Point3& u, const Point3& v)
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
+/// The point of the segment from a to b that is nearest to another, as a fraction of the way.
+template <typename Point>
+double fractionAlong(const Point& a, const Point& b, const Point& other)
+{
+  const Point way = b - a;
+  const double square = way.squaredNorm();
+  return square > 0.0 ? std::clamp(way.dot(other - a) / square, 0.0, 1.0) : 0.0;
+}
+
 /// How far a point of a polyline lies from the segment that joins its ends, at most.
 inline double farthestFromChord(const Points2& line)
 {
   const Point2& from = line.front();
   const Point2 chord = line.back() - from;
-  const double square = chord.squaredNorm();
   double farthest = 0.0;
   for (const Point2& p : line)
   {
-    const Point2 q = p - from;
-    const double along = square > 0.0 ? std::clamp(q.dot(chord) / square, 0.0, 1.0) : 0.0;
-    farthest = std::max(farthest, (q - along * chord).norm());
+    farthest = std::max(farthest, (p - from - fractionAlong(from, line.back(), p) * chord).norm());
   }
   return farthest;
+}
+
+/// Where a function with one minimum between two places is least, by golden sections.
+/// \param narrow the width that ends the search
+template <typename Function>
+double leastBetween(double low, double high, int sections, double narrow, const Function& function)
+{
+  constexpr double larger = 0.618033988749894848204586834365638118; // part of a golden section
+  for (int k = 0; k < sections && high - low > narrow; ++k)
+  {
+    const double a = high - larger * (high - low);
+    const double b = low + larger * (high - low);
+    const bool nearA = function(a) <= function(b);
+    (nearA ? high : low) = nearA ? b : a;
+  }
+  return 0.5 * (low + high);
 }
 }

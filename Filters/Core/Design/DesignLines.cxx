@@ -7,7 +7,6 @@
 #include "Surface/SurfacePoint.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -59,26 +58,13 @@ double extremum(const TriangleMesh& mesh, const Point3& axis, bool greatest)
   return found;
 }
 
-/// The length of all of a section, triangle by triangle.
+/// The length of all of a section.
 double sectionLength(const TriangleMesh& mesh, const Plane& plane)
 {
   double length = 0.0;
-  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  for (const PlaneSection& section : planeSections(mesh, plane.point, plane.normal))
   {
-    std::array<Point3, 3> crossings;
-    std::size_t count = 0;
-    for (Index h = 3 * t; h < 3 * t + 3; ++h)
-    {
-      const Point3& a = mesh.point(mesh.from(h));
-      const Point3& b = mesh.point(mesh.to(h));
-      const double from = plane.normal.dot(a - plane.point);
-      const double to = plane.normal.dot(b - plane.point);
-      if ((from >= 0.0) != (to >= 0.0))
-      {
-        crossings[count++] = a + from / (from - to) * (b - a);
-      }
-    }
-    length += count == 2 ? (crossings[1] - crossings[0]).norm() : 0.0;
+    length += section.length;
   }
   return length;
 }

@@ -29,10 +29,7 @@ struct NearestPlace
 
   void offer(const Point3& a, const Point3& b)
   {
-    const Point3 side = b - a;
-    const double length = side.squaredNorm();
-    const double along = length > 0.0 ? std::clamp(side.dot(point - a) / length, 0.0, 1.0) : 0.0;
-    const Point3 candidate = a + along * side;
+    const Point3 candidate = a + fractionAlong(a, b, point) * (b - a);
     if ((point - candidate).norm() < distance)
     {
       distance = (point - candidate).norm();

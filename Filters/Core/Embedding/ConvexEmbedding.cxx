@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace flattening
 {
@@ -32,39 +31,26 @@ struct WeightedEdge
 
 std::vector<WeightedEdge> cotangentEdges(const TriangleMesh& mesh)
 {
-  std::vector<WeightedEdge> sides;
+  std::vector<double> cotangents(mesh.halfedgeCount());
   for (Index t = 0; t < mesh.triangleCount(); ++t)
   {
     const Triangle& c = mesh.triangle(t);
     const TriangleFrame frame(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
     for (int k = 0; k < 3; ++k)
     {
-      const int l = (k + 1) % 3;
-      const double cotangents =
-        -4.0 * frame.area * (frame.gradient[k] * std::conj(frame.gradient[l])).real();
-      sides.push_back({ std::min(c[k], c[l]), std::max(c[k], c[l]), cotangents });
+      cotangents[3 * t + k] =
+        -4.0 * frame.area * (frame.gradient[k] * std::conj(frame.gradient[(k + 1) % 3])).real();
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const WeightedEdge& a, const WeightedEdge& b) {
-    return std::tie(a.from, a.to, a.weight) < std::tie(b.from, b.to, b.weight);
-  });
   std::vector<WeightedEdge> edges;
-  for (const WeightedEdge& side : sides)
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
   {
-    const bool same =
-      !edges.empty() && edges.back().from == side.from && edges.back().to == side.to;
-    if (same)
+    const Index twin = mesh.twin(h);
+    if (twin == none || h < twin)
     {
-      edges.back().weight += side.weight;
+      const double sum = cotangents[h] + (twin == none ? 0.0 : cotangents[twin]);
+      edges.push_back({ mesh.from(h), mesh.to(h), std::clamp(sum, smallestWeight, largestWeight) });
     }
-    else
-    {
-      edges.push_back(side);
-    }
-  }
-  for (WeightedEdge& edge : edges)
-  {
-    edge.weight = std::clamp(edge.weight, smallestWeight, largestWeight);
   }
   return edges;
 }

@@ -6,6 +6,7 @@
 #include "Embedding/RigidEmbedding.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -149,25 +150,13 @@ Status checkOptions(const InteriorOptions& options)
 
 void summarize(const std::vector<std::unique_ptr<PatchEmbedding>>& patches, InteriorResult& result)
 {
-  Indices failed;
-  Indices unconverged;
-  Indices stalled;
+  std::array<Indices, 4> ended;
   for (const auto& patch : patches)
   {
     result.iterations = std::max(result.iterations, patch->iterations());
-    if (patch->outcome() == Outcome::Failed)
-    {
-      failed.push_back(patch->patch());
-    }
-    else if (patch->outcome() == Outcome::NotConverged)
-    {
-      unconverged.push_back(patch->patch());
-    }
-    else if (patch->outcome() == Outcome::Stalled)
-    {
-      stalled.push_back(patch->patch());
-    }
+    ended[static_cast<std::size_t>(patch->outcome())].push_back(patch->patch());
   }
+  const auto& [done, unconverged, stalled, failed] = ended;
   if (!failed.empty())
   {
     result.status = { StatusCode::NumericalFailure,
@@ -221,12 +210,7 @@ InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
       work(0);
       return !execution.cancelled();
     }
-    execution.parallelFor(static_cast<Index>(patches.size()), [&](Index begin, Index end) {
-      for (Index i = begin; i < end; ++i)
-      {
-        work(i);
-      }
-    });
+    execution.forEach(static_cast<Index>(patches.size()), [&](Index i) { work(i); });
     return !execution.cancelled();
   };
 

@@ -344,12 +344,7 @@ UntanglingResult untangleInterior(const Piece& piece, const WireNetwork& network
   else
   {
     const Execution inner = execution.nestedExecution();
-    execution.parallelFor(static_cast<Index>(patches.size()), [&](Index begin, Index end) {
-      for (Index k = begin; k < end; ++k)
-      {
-        untangle(k, inner);
-      }
-    });
+    execution.forEach(static_cast<Index>(patches.size()), [&](Index k) { untangle(k, inner); });
   }
   for (std::size_t k = 0; k < patches.size(); ++k)
   {

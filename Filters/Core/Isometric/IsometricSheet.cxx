@@ -31,11 +31,8 @@ double IsometricSheet::energy(const Eigen::VectorXd& x, const Execution& executi
 {
   // Summed in the triangles' order, whatever the threads.
   std::vector<double> density(this->Cells.size());
-  execution.parallelFor(static_cast<Index>(density.size()), [&](Index begin, Index end) {
-    for (Index t = begin; t < end; ++t)
-    {
-      density[t] = this->Frames[t].area * this->Energy.density(this->mapParts(t, x));
-    }
+  execution.forEach(static_cast<Index>(density.size()), [&](Index t) {
+    density[t] = this->Frames[t].area * this->Energy.density(this->mapParts(t, x));
   });
   double sum = 0.0;
   for (double d : density)

@@ -110,12 +110,7 @@ struct IsometricSetup
     };
     const bool few = 2 * piece.mesh.vertexCount() < threadsFrom;
     const Execution run = few ? execution.onOneThread() : execution;
-    run.parallelFor(2, [&pose](Index first, Index last) {
-      for (Index part = first; part < last; ++part)
-      {
-        pose(part);
-      }
-    });
+    run.forEach(2, [&pose](Index part) { pose(part); });
     this->order = this->model->eliminationOrder(this->order);
     if (options.rough)
     {

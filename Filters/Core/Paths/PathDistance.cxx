@@ -2,6 +2,7 @@
 #include "Paths/PathDistance.h"
 
 #include "Base/Memory.h"
+#include "Base/Types.h"
 #include "Paths/PathPoints.h"
 #include "Paths/PointDirections.h"
 
@@ -35,8 +36,7 @@ PathFoot footOnSegment(const SurfacePath& path, std::size_t segment, const Point
 {
   const Point3& a = path.points[segment].position;
   const Point3 way = path.points[segment + 1].position - a;
-  const double square = way.squaredNorm();
-  const double s = square > 0.0 ? std::clamp(way.dot(point - a) / square, 0.0, 1.0) : 0.0;
+  const double s = fractionAlong(a, path.points[segment + 1].position, point);
   return { segment, s, (a + s * way - point).norm() };
 }
 
@@ -120,17 +120,11 @@ PathDistance distanceFrom(
       const double place =
         places[foot.segment] + foot.along * (places[foot.segment + 1] - places[foot.segment]);
       const double reach = from(place).length;
-      double low = std::max(place - reach, 0.0);
-      double high = std::min(place + reach, places.back());
-      for (int k = 0; k < narrowings && high - low > 1e-9 * places.back(); ++k)
-      {
-        const double a = high - inverseGoldenRatio * (high - low);
-        const double b = low + inverseGoldenRatio * (high - low);
-        const bool nearerA = from(a).length <= from(b).length;
-        (nearerA ? high : low) = nearerA ? b : a;
-      }
+      const double least =
+        leastBetween(std::max(place - reach, 0.0), std::min(place + reach, places.back()),
+          narrowings, 1e-9 * places.back(), [&](double at) { return from(at).length; });
       offer(place);
-      offer(0.5 * (low + high));
+      offer(least);
     }
     return found;
   });

@@ -311,15 +311,9 @@ PlaneSection girth(const TriangleMesh& mesh, const std::vector<SurfacePoint>& po
         best = pi * k / planes;
       }
     }
-    double low = best - pi / planes;
-    double high = best + pi / planes;
-    for (int k = 0; k < planeHalvings; ++k)
-    {
-      const double a = high - inverseGoldenRatio * (high - low);
-      const double b = low + inverseGoldenRatio * (high - low);
-      (tape(a) <= tape(b) ? high : low) = tape(a) <= tape(b) ? b : a;
-    }
-    const double refined = tape(0.5 * (low + high)) <= shortest ? 0.5 * (low + high) : best;
+    const double least =
+      leastBetween(best - pi / planes, best + pi / planes, planeHalvings, 0.0, tape);
+    const double refined = tape(least) <= shortest ? least : best;
     return closedThrough(
       mesh, points, std::cos(refined) * first + std::sin(refined) * second, where);
   });

@@ -133,12 +133,9 @@ SurfaceMeasures measureSurface(const TriangleMesh& mesh, const Execution& execut
   SurfaceMeasures measures;
   measures.angles = cornerAngles(mesh, execution);
   measures.frames.resize(mesh.triangleCount());
-  execution.parallelFor(mesh.triangleCount(), [&](Index begin, Index end) {
-    for (Index t = begin; t < end; ++t)
-    {
-      const Triangle& c = mesh.triangle(t);
-      measures.frames[t] = TriangleFrame(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
-    }
+  execution.forEach(mesh.triangleCount(), [&](Index t) {
+    const Triangle& c = mesh.triangle(t);
+    measures.frames[t] = TriangleFrame(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
   });
   return measures;
 }
@@ -154,12 +151,8 @@ FlatteningQuality measureFlattening(const TriangleMesh& mesh, const SurfaceMeasu
 {
   FlatteningQuality quality;
   quality.triangles.resize(mesh.triangleCount());
-  execution.parallelFor(mesh.triangleCount(), [&](Index begin, Index end) {
-    for (Index t = begin; t < end; ++t)
-    {
-      quality.triangles[t] = measureTriangle(mesh, surface, positions, t);
-    }
-  });
+  execution.forEach(mesh.triangleCount(),
+    [&](Index t) { quality.triangles[t] = measureTriangle(mesh, surface, positions, t); });
   // Sums in the order of the triangles do not depend on the threads.
   summarizeTriangles(surface.frames, quality.triangles, quality.summary);
   for (Index h : edges)
@@ -180,13 +173,10 @@ MapDistortion measureDistortion(
 {
   std::vector<TriangleFrame> frames(mesh.triangleCount());
   std::vector<TriangleQuality> triangles(mesh.triangleCount());
-  execution.parallelFor(mesh.triangleCount(), [&](Index begin, Index end) {
-    for (Index t = begin; t < end; ++t)
-    {
-      const Triangle& c = mesh.triangle(t);
-      frames[t] = TriangleFrame(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
-      triangles[t] = measureStretch(c, frames[t], positions);
-    }
+  execution.forEach(mesh.triangleCount(), [&](Index t) {
+    const Triangle& c = mesh.triangle(t);
+    frames[t] = TriangleFrame(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
+    triangles[t] = measureStretch(c, frames[t], positions);
   });
   MapDistortion distortion;
   const auto [least, most] = std::minmax_element(triangles.begin(), triangles.end(),

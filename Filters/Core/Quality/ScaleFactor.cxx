@@ -212,17 +212,14 @@ bool ScaleFactor::solveBetweenSites(
   this->Green.resize(sites, sites);
   const Index blocks = (sites + blockColumns - 1) / blockColumns;
   std::vector<char> solved(blocks, 0);
-  execution.parallelFor(blocks, [&](Index begin, Index end) {
-    for (Index b = begin; b < end; ++b)
+  execution.forEach(blocks, [&](Index b) {
+    const Index first = b * blockColumns;
+    const Index width = std::min(blockColumns, sites - first);
+    const Eigen::MatrixXd columns = solver.solve(Eigen::MatrixXd(means.middleCols(first, width)));
+    solved[b] = columns.rows() == means.rows() ? 1 : 0;
+    if (solved[b])
     {
-      const Index first = b * blockColumns;
-      const Index width = std::min(blockColumns, sites - first);
-      const Eigen::MatrixXd columns = solver.solve(Eigen::MatrixXd(means.middleCols(first, width)));
-      solved[b] = columns.rows() == means.rows() ? 1 : 0;
-      if (solved[b])
-      {
-        this->Green.middleCols(first, width) = means.transpose() * columns;
-      }
+      this->Green.middleCols(first, width) = means.transpose() * columns;
     }
   });
   return !execution.cancelled() &&

@@ -54,12 +54,7 @@ double cutLength(const TriangleMesh& mesh)
 std::vector<double> cornerAngles(const TriangleMesh& mesh, const Execution& execution)
 {
   std::vector<double> angles(mesh.halfedgeCount());
-  execution.parallelFor(mesh.halfedgeCount(), [&](Index begin, Index end) {
-    for (Index h = begin; h < end; ++h)
-    {
-      angles[h] = mesh.angle(h);
-    }
-  });
+  execution.forEach(mesh.halfedgeCount(), [&](Index h) { angles[h] = mesh.angle(h); });
   return angles;
 }
 

@@ -125,12 +125,8 @@ InteriorResult relaxInterior(const Piece& piece, const WireNetwork& network,
   std::vector<Relaxed> relaxed(patches.size());
   const double smallest = options.movement * meanWireEdge(network);
   Points2 moved = positions;
-  execution.parallelFor(static_cast<Index>(patches.size()), [&](Index begin, Index end) {
-    for (Index k = begin; k < end; ++k)
-    {
-      relaxed[k] = relaxPatch(patches[k], piece.mesh, options, smallest, moved);
-    }
-  });
+  execution.forEach(static_cast<Index>(patches.size()),
+    [&](Index k) { relaxed[k] = relaxPatch(patches[k], piece.mesh, options, smallest, moved); });
   if (execution.cancelled())
   {
     result.status = { StatusCode::Cancelled, "cancelled while placing the interior", {} };

@@ -239,26 +239,12 @@ private:
   /// How far the turning and 2 pi constraints are from holding.
   double angularResidual() const
   {
-    double worst = 0.0;
-    for (Index loop = 0; loop < this->Net.loopCount(); ++loop)
+    const Eigen::VectorXd all = AngleConstraints(this->Problem).residual(this->Theta);
+    const Index closures = 3 * this->Net.loopCount();
+    double worst = all.tail(all.size() - closures).lpNorm<Eigen::Infinity>();
+    for (Index turning = 0; turning < closures; turning += 3)
     {
-      const Index count = this->Net.loopBegin[loop + 1] - this->Net.loopBegin[loop];
-      double sum = (count - 2) * pi;
-      for (Index i = this->Net.loopBegin[loop]; i < this->Net.loopBegin[loop + 1]; ++i)
-      {
-        sum -= this->Theta[i];
-      }
-      worst = std::max(worst, std::abs(sum));
-    }
-    for (std::size_t host = 0; host < this->Net.hostVertices.size(); ++host)
-    {
-      double sum = this->Net.interior[host] ? 2.0 * pi : 0.0;
-      for (Index k = this->Net.vertexNodeBegin[host];
-           this->Net.interior[host] && k < this->Net.vertexNodeBegin[host + 1]; ++k)
-      {
-        sum -= this->Theta[this->Net.vertexNodes[k]];
-      }
-      worst = std::max(worst, std::abs(sum));
+      worst = std::max(worst, std::abs(all[turning]));
     }
     return worst;
   }

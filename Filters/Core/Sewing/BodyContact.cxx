@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sewing/BodyContact.h"
 
+#include "Surface/SurfacePoint.h"
 #include "Surface/TriangleMesh.h"
 
 #include <algorithm>
@@ -50,10 +51,7 @@ ContactBody::ContactBody(TriangleMesh mesh)
 {
   for (Index t = 0; t < this->Mesh.triangleCount(); ++t)
   {
-    const Triangle& c = this->Mesh.triangle(t);
-    this->FaceNormals.push_back(
-      areaVector(this->Mesh.point(c[0]), this->Mesh.point(c[1]), this->Mesh.point(c[2]))
-        .normalized());
+    this->FaceNormals.push_back(triangleNormal(this->Mesh, t));
   }
 }
 
@@ -130,12 +128,8 @@ std::vector<ContactBody::Place> BodyContact::places(
   const Eigen::VectorXd& x, const Execution& execution) const
 {
   std::vector<ContactBody::Place> places(this->Touches.size());
-  execution.parallelFor(static_cast<Index>(places.size()), [&](Index begin, Index end) {
-    for (Index k = begin; k < end; ++k)
-    {
-      places[k] = this->Body->locate(x.segment<3>(this->Touches[k].first));
-    }
-  });
+  execution.forEach(static_cast<Index>(places.size()),
+    [&](Index k) { places[k] = this->Body->locate(x.segment<3>(this->Touches[k].first)); });
   return places;
 }
 

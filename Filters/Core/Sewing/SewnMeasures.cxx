@@ -42,12 +42,8 @@ std::vector<double> distancesFrom(
 {
   const SurfaceLocator locator(surface);
   std::vector<double> distances(points.size());
-  execution.parallelFor(static_cast<Index>(points.size()), [&](Index begin, Index end) {
-    for (Index k = begin; k < end; ++k)
-    {
-      distances[k] = locator.closest(points[k]).distance;
-    }
-  });
+  execution.forEach(static_cast<Index>(points.size()),
+    [&](Index k) { distances[k] = locator.closest(points[k]).distance; });
   return distances;
 }
 

@@ -83,12 +83,9 @@ double SewnMembrane::energy(const Eigen::VectorXd& x, const Execution& execution
 {
   // Summed in the triangles' order, whatever the threads.
   std::vector<double> density(this->Cells.size());
-  execution.parallelFor(static_cast<Index>(density.size()), [&](Index begin, Index end) {
-    for (Index t = begin; t < end; ++t)
-    {
-      const double area = this->Frames[t].area;
-      density[t] = area > 0.0 ? area * this->Density.value(metricOf(this->mapOf(t, x))) : 0.0;
-    }
+  execution.forEach(static_cast<Index>(density.size()), [&](Index t) {
+    const double area = this->Frames[t].area;
+    density[t] = area > 0.0 ? area * this->Density.value(metricOf(this->mapOf(t, x))) : 0.0;
   });
   double sum = 0.0;
   for (double d : density)

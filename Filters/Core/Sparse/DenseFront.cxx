@@ -344,14 +344,11 @@ void forEachTile(Index tiles, const Execution& execution, const Subtract& subtra
     return;
   }
   // The first tiles are the longest: pair each with one from the end.
-  execution.parallelFor((tiles + 1) / 2, [&](Index first, Index last) {
-    for (Index pair = first; pair < last; ++pair)
+  execution.forEach((tiles + 1) / 2, [&](Index pair) {
+    subtract(pair);
+    if (tiles - 1 - pair != pair)
     {
-      subtract(pair);
-      if (tiles - 1 - pair != pair)
-      {
-        subtract(tiles - 1 - pair);
-      }
+      subtract(tiles - 1 - pair);
     }
   });
 }
