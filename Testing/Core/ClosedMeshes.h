@@ -37,6 +37,15 @@ TriangleMesh rolledUp(Index around, Index across, const Place& place)
   return { std::move(points), std::move(triangles) };
 }
 
+/// Two triangles a side, its corners 0 and 1 in each coordinate.
+inline TriangleMesh cube()
+{
+  return { { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
+             { 1, 1, 1 }, { 0, 1, 1 } },
+    { { 0, 2, 1 }, { 0, 3, 2 }, { 4, 5, 6 }, { 4, 6, 7 }, { 0, 1, 5 }, { 0, 5, 4 }, { 1, 2, 6 },
+      { 1, 6, 5 }, { 2, 3, 7 }, { 2, 7, 6 }, { 3, 0, 4 }, { 3, 4, 7 } } };
+}
+
 /// The unit sphere: an octahedron whose edges are halved again and again.
 inline TriangleMesh sphere(int halvings)
 {

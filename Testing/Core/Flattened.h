@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Flattening/SurfaceFlattening.h"
-#include "TestMeshes.h"
+#include "WiredSurface.h"
 
 namespace testmeshes
 {
@@ -27,5 +27,34 @@ inline FlatteningResult flatten(const Surface& surface, const FlatteningOptions&
   const Execution& execution = {}, FlatteningCache* cache = nullptr)
 {
   return flattenSurface(surface.mesh, surface.curves, options, execution, cache);
+}
+
+/// Of the edges of wires, connectors left out.
+inline double worstLength(const FlatteningResult& result)
+{
+  double worst = 0.0;
+  for (const Wire& wire : result.wires)
+  {
+    worst = std::max(worst, wire.connector ? 0.0 : wire.maximumEdgeError);
+  }
+  return worst;
+}
+
+/// Largest distance of a piece's flat vertices from the unrolling, each piece moved on its own.
+inline double worstPiece(const Surface& surface, const FlatteningResult& result)
+{
+  double worst = 0.0;
+  for (const Piece& piece : extractPieces(*result.cut))
+  {
+    Points2 flat;
+    Points2 unrolled;
+    for (const Index v : piece.vertices)
+    {
+      flat.push_back(result.positions[v]);
+      unrolled.push_back(surface.unrolled[result.cut->originalVertex[v]]);
+    }
+    worst = std::max(worst, rigidDistance(flat, unrolled));
+  }
+  return worst;
 }
 }

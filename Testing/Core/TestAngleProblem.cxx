@@ -50,19 +50,6 @@ TEST(AngleProblem, AllConstraintsHoldForTheAnglesOfAFlatSurface)
   EXPECT_DOUBLE_EQ(angleObjective(problem, wired.network.alpha), 0.0);
 }
 
-TEST(AngleProblem, CountsVariablesAndConstraintsAsThePaper)
-{
-  // n_var = sum n_p - l, n_con = 3 m + r, r the interior vertices on accessory curves.
-  Surface surface = cushion(6, 6, 0.5);
-  surface.curves = { curveOf(CurveType::Key, "key", rowCurve(6, 3).vertices),
-    columnCurve(6, 6, 2) };
-  const WiredSurface wired(surface);
-  const AngleProblem problem = wired.problem();
-  const AngleConstraints constraints(problem);
-  EXPECT_EQ(constraints.freeCount(), wired.network.nodeCount() - problem.locks.lockedCount);
-  EXPECT_EQ(constraints.rowCount(), 3 * 4 + 4);
-}
-
 TEST(AngleProblem, TheJacobianIsTheDerivativeOfTheResidual)
 {
   for (const Surface& surface : wiredSurfaces())

@@ -119,34 +119,6 @@ TEST(AngleSolver, NewtonConvergesQuadraticallyInAFewSteps)
   }
 }
 
-TEST(AngleSolver, SensitivityIsTheDerivativeOfTheOptimumByEachLength)
-{
-  for (const Surface& surface : curvedSurfaces())
-  {
-    const WiredSurface wired(surface);
-    AngleProblem problem = wired.problem();
-    for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
-    {
-      const std::vector<double> sensitivity =
-        lengthSensitivity(wired.network, solve(problem, method));
-      const double scale = *std::max_element(sensitivity.begin(), sensitivity.end());
-      ASSERT_GT(scale, 0.0);
-      for (Index e = 0; e < wired.network.edgeCount(); e += 5)
-      {
-        const double length = problem.length[e];
-        const double step = 1e-4 * length;
-        problem.length[e] = length + step;
-        const double longer = solve(problem, AngleMethod::Newton).objective;
-        problem.length[e] = length - step;
-        const double shorter = solve(problem, AngleMethod::Newton).objective;
-        problem.length[e] = length;
-        EXPECT_NEAR(sensitivity[e], (longer - shorter) / (2.0 * step), 1e-5 * scale)
-          << "edge " << e;
-      }
-    }
-  }
-}
-
 TEST(AngleSolver, AWideBandFindsTheLengthWhoseSensitivityIsItsCost)
 {
   // Free to choose, the stretch h ends where dF/dh + w h = 0; sensitivity is dF/dl.

@@ -222,15 +222,7 @@ TEST(BoundaryOverlap, BanksThatPassEachOtherAreAnOverlap)
 
 TEST(BoundaryOverlap, PiecesSideBySideAreFreeAndOnTopOfEachOtherAreNot)
 {
-  const Surface one = flatPatch(4, 3);
-  Points3 points = one.mesh.points();
-  Triangles triangles = one.mesh.triangles();
-  for (const Triangle& c : one.mesh.triangles())
-  {
-    triangles.push_back({ c[0] + 20, c[1] + 20, c[2] + 20 });
-  }
-  points.insert(points.end(), one.mesh.points().begin(), one.mesh.points().end());
-  const TriangleMesh two(points, triangles);
+  const TriangleMesh two = together({ flatPatch(4, 3), flatPatch(4, 3) }).mesh;
   const auto besides = [&](const Point2& shift) {
     Points2 positions;
     for (Index v = 0; v < 40; ++v)

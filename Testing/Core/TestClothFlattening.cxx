@@ -85,16 +85,6 @@ Point2 chord(const FlatteningResult& result, Index curve)
   }
   return Point2::Zero();
 }
-
-double largestLengthError(const FlatteningResult& result)
-{
-  double worst = 0.0;
-  for (const Wire& wire : result.wires)
-  {
-    worst = std::max(worst, wire.maximumEdgeError);
-  }
-  return worst;
-}
 }
 
 TEST(ClothFlattening, TheIsotropicSheetIsThePlainScheme)
@@ -121,7 +111,7 @@ TEST(ClothFlattening, ThreadsAreStrainedLessThanInTheIsotropicSheetAndLengthsHol
     const FlatteningResult result = flatten(surface, on(material));
     ASSERT_TRUE(flattened(result)) << material << ": " << result.status.message;
     EXPECT_LT(threadRms(result), 0.75 * before) << material;
-    EXPECT_LT(largestLengthError(result), 1e-12) << material;
+    EXPECT_LT(worstLength(result), 1e-12) << material;
     EXPECT_TRUE(result.pieces.front().quality.flipped.empty());
     EXPECT_TRUE(result.pieces.front().cloth->solved);
   }
@@ -255,11 +245,11 @@ TEST(ClothFlattening, WiresBetweenSliversAreNotGivenUpForTheCloth)
     const double v = j / 8.0;
     return Point3(u < 0.5 ? u : 0.5 + 1e-9 * (u - 0.5), v, 0.2 * std::sin(6.0 * v) * u);
   });
-  const double before = largestLengthError(flatten(surface, {}));
+  const double before = worstLength(flatten(surface, {}));
   for (const char* material : { "twill", "jersey" })
   {
     const FlatteningResult result = flatten(surface, on(material));
-    EXPECT_LT(largestLengthError(result), std::max(1e-6, 10.0 * before)) << material;
+    EXPECT_LT(worstLength(result), std::max(1e-6, 10.0 * before)) << material;
   }
 }
 
@@ -295,7 +285,7 @@ TEST(ClothFlattening, LimitsThatCannotBeMetNameTrianglesAndTheWire)
   EXPECT_NE(result.status.message.find("laminate"), std::string::npos);
   EXPECT_TRUE(has(result.status, Remedy::AddDarts));
   EXPECT_TRUE(has(result.status, Remedy::TakeSofterCloth));
-  EXPECT_LT(largestLengthError(result), 1e-12);
+  EXPECT_LT(worstLength(result), 1e-12);
 }
 
 TEST(ClothFlattening, ACurveThatIsNoneOfThePieceIsSaid)

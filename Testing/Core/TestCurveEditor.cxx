@@ -198,24 +198,6 @@ TEST(CurveEditor, OnThePlaneSegmentsAreStraightAndAClosedCurveHasItsPerimeter)
   EXPECT_NEAR(lengthOf(editor.curve(0)), perimeter, 1e-9 * perimeter);
 }
 
-TEST(CurveEditor, TheHalvesOfASplitCurveJoinToItAgain)
-{
-  CurveEditor editor(drawing(hill()));
-  ASSERT_TRUE(
-    editor
-      .add(through(editor.surface(), { { 1, 2, 0 }, { 6, 14, 0 }, { 14, 13, 0 }, { 18, 3, 0 } }))
-      .ok());
-  const double whole = lengthOf(editor.curve(0));
-  ASSERT_TRUE(editor.split(0, 2).ok());
-  ASSERT_EQ(editor.curveCount(), 2);
-  EXPECT_NE(editor.curve(0).traits.name, editor.curve(1).traits.name);
-  EXPECT_EQ(lengthOf(editor.curve(0)) + lengthOf(editor.curve(1)), whole);
-  ASSERT_TRUE(editor.join(1, 0).ok());
-  ASSERT_EQ(editor.curveCount(), 1);
-  EXPECT_EQ(editor.curve(0).nodes.size(), 4);
-  EXPECT_NEAR(lengthOf(editor.curve(0)), whole, 1e-9 * whole);
-}
-
 TEST(CurveEditor, AnOpenedLoopKeepsItsLength)
 {
   CurveEditor editor(drawing(hill()));

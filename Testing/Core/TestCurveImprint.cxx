@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <set>
 
 using namespace flattening;
@@ -150,20 +149,6 @@ TEST(CurveImprint, ACurveHasVerticesOnlyAtItsPointsAndWhereItCrossesEdges)
   expectSameSurface(mesh, result);
   // Crossed: the ruling x = 1 and the diagonal of the second square.
   EXPECT_EQ(result.curves[1].vertices.size(), 4u);
-}
-
-TEST(CurveImprint, ACurveThroughVerticesAndAlongEdgesUsesThemAndSplitsNothing)
-{
-  const TriangleMesh mesh = grid(8);
-  // A diagonal of the mesh and a grid line, each given by its ends only.
-  const auto result = imprintCurves(mesh,
-    { polyline({ Point3(1, 1, 0), Point3(7, 7, 0), Point3(7, 0, 0) }),
-      polyline({ Point3(0, 0, 0), Point3(8, 0, 0) }) },
-    {});
-  expectSameSurface(mesh, result);
-  EXPECT_EQ(result.mesh.triangles(), mesh.triangles());
-  EXPECT_EQ(result.curves[0].vertices.size(), 14u);
-  EXPECT_EQ(result.curves[1].vertices, (Indices{ 0, 1, 2, 3, 4, 5, 6, 7, 8 }));
 }
 
 TEST(CurveImprint, AClosedCurveStaysClosed)

@@ -78,16 +78,6 @@ double bendOf(const Points2& leg)
   }
   return most;
 }
-
-double worstLength(const FlatteningResult& result)
-{
-  double worst = 0.0;
-  for (const Wire& wire : result.wires)
-  {
-    worst = std::max(worst, wire.connector ? 0.0 : wire.maximumEdgeError);
-  }
-  return worst;
-}
 }
 
 TEST(DartFolding, FreeLegsMissEachOtherWhenFolded)

@@ -86,22 +86,13 @@ TEST(CurveImprintRefusal, ASegmentThatNoSectionOfTheSurfaceJoinsIsRefusedWithIts
 TEST(CurveImprintRefusal, ASegmentBetweenSeparatePartsIsRefusedWithItsPointsAndTheParts)
 {
   // Grids of three sizes beside each other; by vertices and between them, split or not.
-  Points3 points;
-  Triangles triangles;
+  std::vector<testmeshes::Surface> parts;
   for (const Index n : { 2, 5, 3 })
   {
-    const TriangleMesh part = grid(n);
-    const auto first = static_cast<Index>(points.size());
-    for (const Point3& p : part.points())
-    {
-      points.push_back(p + Point3(10.0 * n, 0, 0));
-    }
-    for (const Triangle& t : part.triangles())
-    {
-      triangles.push_back({ first + t[0], first + t[1], first + t[2] });
-    }
+    parts.emplace_back().mesh = testmeshes::moved(
+      grid(n), [n](const Point3& p) -> Point3 { return p + Point3(10.0 * n, 0, 0); });
   }
-  const TriangleMesh whole = prepareSurface(points, triangles).mesh;
+  const TriangleMesh whole = testmeshes::together(parts).mesh;
   for (const double scale : { 1e-3, 1.0, 1e4 })
   {
     const TriangleMesh mesh = mapped(whole, [&](const Point3& p) { return Point3(scale * p); });

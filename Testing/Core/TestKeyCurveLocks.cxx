@@ -72,28 +72,6 @@ TEST(KeyCurveLocks, FollowEquation1OnTheSurface)
   EXPECT_EQ(locked, 2 * 7 + 2) << "two nodes a vertex, four where the accessory curve crosses";
 }
 
-TEST(KeyCurveLocks, AStraightKeyHasAStraightAngleOnBothItsSides)
-{
-  Surface surface = cushion(6, 6, 0.5);
-  surface.curves = { shapedKey(KeyShape::Straight, rowVertices(6, 3)), columnCurve(6, 6, 2) };
-  const WiredSurface wired(surface);
-  const NodeLocks locks = wired.locks();
-  for (Index i = 1; i < 6; ++i)
-  {
-    const auto sides = sidesOf(wired, locks, 3 * 7 + i);
-    EXPECT_NEAR(sides[0], pi, 1e-13);
-    EXPECT_NEAR(sides[1], pi, 1e-13);
-  }
-  // Its ends stay free: a straight line says nothing of what it meets there.
-  for (const Index end : { 3 * 7, 3 * 7 + 6 })
-  {
-    for (const Index node : wired.nodes(end))
-    {
-      EXPECT_FALSE(locks.locked[node]);
-    }
-  }
-}
-
 TEST(KeyCurveLocks, AnglesOnOneSideOfAShapedKeyAreDividedAsOnTheSurface)
 {
   Surface surface = cushion(6, 6, 0.5);

@@ -256,6 +256,58 @@ inline Surface movedRigidly(Surface surface)
   return surface;
 }
 
+/// Surfaces as one, in the order given. Curves keep their order.
+inline Surface together(const std::vector<Surface>& parts)
+{
+  Surface all;
+  Points3 points;
+  Triangles triangles;
+  for (const Surface& part : parts)
+  {
+    const auto first = static_cast<Index>(points.size());
+    points.insert(points.end(), part.mesh.points().begin(), part.mesh.points().end());
+    for (Triangle t : part.mesh.triangles())
+    {
+      triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
+    }
+    for (FeatureCurve curve : part.curves)
+    {
+      for (Index& v : curve.vertices)
+      {
+        v += first;
+      }
+      all.curves.push_back(curve);
+    }
+  }
+  all.mesh = TriangleMesh(std::move(points), std::move(triangles));
+  return all;
+}
+
+/// Four sides of a pyramid, with its edges to the top as curves: it cannot be laid flat without a
+/// change of their lengths.
+inline Surface pyramid(double height)
+{
+  Points3 points{ Point3(0, 0, height), Point3(1, 0, 0), Point3(0, 1, 0), Point3(-1, 0, 0),
+    Point3(0, -1, 0) };
+  Surface surface;
+  surface.mesh =
+    TriangleMesh(std::move(points), { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 1 } });
+  for (Index v = 1; v <= 4; ++v)
+  {
+    surface.curves.push_back(accessory("ridge " + std::to_string(v), { 0, v }));
+  }
+  return surface;
+}
+
+/// A spiral staircase, which turns more than once: it lies on itself in the plane.
+inline Surface staircase()
+{
+  return patch(40, 2, [](double i, double j) {
+    const double turn = 3.0 * pi * i / 40.0;
+    return Point3((1.0 + j) * std::cos(-turn), (1.0 + j) * std::sin(-turn), 0.05 * i);
+  });
+}
+
 /// The surface after its cuts, as a single piece.
 inline Piece onlyPiece(const Surface& surface)
 {

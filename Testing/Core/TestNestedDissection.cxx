@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/CompressedRows.h"
 #include "Sparse/NestedDissection.h"
 #include "TestGraphs.h"
 #include "TestMeshes.h"
@@ -45,29 +46,21 @@ TEST(NestedDissection, PutsASmallSeparatorThatDividesTheMeshLast)
     {
       separates[dissection.order[k]] = 1;
     }
-    Indices part(count);
-    std::iota(part.begin(), part.end(), 0);
-    for (bool changed = true; changed;)
+    JoinedSets parts(count);
+    for (const Triangle& t : triangles)
     {
-      changed = false;
-      for (const Triangle& t : triangles)
+      for (int k = 0; k < 3; ++k)
       {
-        for (int k = 0; k < 3; ++k)
+        if (!separates[t[k]] && !separates[t[(k + 1) % 3]])
         {
-          const Index a = t[k];
-          const Index b = t[(k + 1) % 3];
-          if (!separates[a] && !separates[b] && part[a] != part[b])
-          {
-            part[a] = part[b] = std::min(part[a], part[b]);
-            changed = true;
-          }
+          parts.join(t[k], t[(k + 1) % 3]);
         }
       }
     }
     Indices size(count, 0);
     for (Index v = 0; v < count; ++v)
     {
-      size[part[v]] += separates[v] ? 0 : 1;
+      size[parts.find(v)] += separates[v] ? 0 : 1;
     }
     EXPECT_LT(*std::max_element(size.begin(), size.end()), 0.65 * count);
   }

@@ -429,11 +429,7 @@ TEST(PathOffset, RefusesWhatHasNone)
 /// No way over a surface is shorter than the straight one through space.
 TEST(PathOffset, OfACubeOfTwelveTrianglesIsNowhereTooFar)
 {
-  const Points3 corners{ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 }, { 1.0, 1.0, 0.0 }, { 0.0, 1.0, 0.0 },
-    { 0.0, 0.0, 1.0 }, { 1.0, 0.0, 1.0 }, { 1.0, 1.0, 1.0 }, { 0.0, 1.0, 1.0 } };
-  const TriangleMesh mesh(corners,
-    { { 0, 2, 1 }, { 0, 3, 2 }, { 4, 5, 6 }, { 4, 6, 7 }, { 0, 1, 5 }, { 0, 5, 4 }, { 1, 2, 6 },
-      { 1, 6, 5 }, { 2, 3, 7 }, { 2, 7, 6 }, { 3, 0, 4 }, { 3, 4, 7 } });
+  const TriangleMesh mesh = cube();
   const PathGraph graph(mesh);
   std::mt19937 random(11);
   int drawn = 0;

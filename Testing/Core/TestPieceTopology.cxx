@@ -35,33 +35,6 @@ TriangleMesh torusWithAHole()
   return TriangleMesh(ring().points(), std::move(triangles));
 }
 
-/// Surfaces as one, in the order given. Curves keep their order.
-Surface together(const std::vector<Surface>& parts)
-{
-  Surface all;
-  Points3 points;
-  Triangles triangles;
-  for (const Surface& part : parts)
-  {
-    const auto first = static_cast<Index>(points.size());
-    points.insert(points.end(), part.mesh.points().begin(), part.mesh.points().end());
-    for (Triangle t : part.mesh.triangles())
-    {
-      triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
-    }
-    for (FeatureCurve curve : part.curves)
-    {
-      for (Index& v : curve.vertices)
-      {
-        v += first;
-      }
-      all.curves.push_back(curve);
-    }
-  }
-  all.mesh = TriangleMesh(std::move(points), std::move(triangles));
-  return all;
-}
-
 Surface partOf(TriangleMesh mesh)
 {
   Surface part;

@@ -137,14 +137,3 @@ TEST(ProgressiveWarping, WiresMeetAlsoWhereTheLastPatchesHaveNoFreeAngle)
   EXPECT_LT(solution.angles.closure, 1e-12 * perimeter(problem));
   EXPECT_LT(worstConstraint(problem, solution.angles.theta), 1e-11);
 }
-
-TEST(ProgressiveWarping, WiresMeetAroundAHole)
-{
-  Surface surface = cushion(8, 8, 0.4);
-  surface.curves = { curveOf(CurveType::Dart, "eye", { 31, 40, 49 }), rowCurve(8, 4) };
-  const WiredSurface wired(surface);
-  const AngleProblem problem = wired.problem();
-  const PieceSolution solution = warpAndRepair(wired);
-  ASSERT_TRUE(solution.angles.status.ok()) << solution.angles.status.message;
-  EXPECT_LT(worstConstraint(problem, solution.angles.theta), 1e-11);
-}

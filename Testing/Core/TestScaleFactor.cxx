@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Quality/ScaleFactor.h"
 
+#include "ClosedMeshes.h"
 #include "MeshTriangles.h"
 #include "Quality/IntrinsicDelaunay.h"
 #include "TestMeshes.h"
@@ -357,8 +358,7 @@ TEST(ScaleFactor, WeighsWhatMattersMore)
 
 TEST(ScaleFactor, IsUndefinedWhereNothingFixesTheScale)
 {
-  const Points3 corners{ { 1, 1, 1 }, { -1, -1, 1 }, { -1, 1, -1 }, { 1, -1, -1 } };
-  const TriangleMesh closed(corners, { { 0, 1, 2 }, { 0, 3, 1 }, { 0, 2, 3 }, { 1, 3, 2 } });
+  const TriangleMesh closed = sphere(0);
   EXPECT_FALSE(ScaleFactor(closed, {}, {}).ok());
   ScaleFactorOptions one;
   one.fixed = { 2 };

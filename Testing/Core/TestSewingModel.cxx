@@ -115,34 +115,6 @@ TEST(SewingModel, TheConvexPartHasNoNegativeEigenvalueAndTheExactHessianHasWhere
   }
 }
 
-TEST(SewingModel, KnowsNothingOfRigidMotions)
-{
-  const SewnCloth cloth = roughCloth();
-  SewnCloth moved = cloth;
-  const Eigen::Matrix3d turn =
-    Eigen::AngleAxisd(1.1, Point3(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
-  for (Point3& p : moved.points)
-  {
-    p = turn * p + Point3(3.0, -8.0, 5.0);
-  }
-  SewingModel model(cloth, stiff);
-  SewingModel other(moved, stiff);
-  const double energy = model.objective(model.start(), {});
-  EXPECT_NEAR(other.objective(other.start(), {}), energy, 1e-12 * energy);
-  // No force moves or turns the whole.
-  const Eigen::VectorXd x = model.start();
-  const Eigen::VectorXd force = model.linearize(x, {}, Curvature::Exact, 0.0, {}).gradient;
-  Point3 sum = Point3::Zero();
-  Point3 torque = Point3::Zero();
-  for (Index v = 0; 3 * v < force.size(); ++v)
-  {
-    sum += force.segment<3>(3 * v);
-    torque += Point3(x.segment<3>(3 * v)).cross(Point3(force.segment<3>(3 * v)));
-  }
-  EXPECT_LT(sum.norm(), 1e-12 * force.norm());
-  EXPECT_LT(torque.norm(), 1e-12 * force.norm() * x.norm());
-}
-
 TEST(SewingModel, AnUnrolledCylinderIsNotStretchedAndBendsAsAPlateDoes)
 {
   // modulus thickness^3 / 12 / radius^2 / 2 an area, here over half the modulus a thickness.

@@ -12,60 +12,6 @@ using namespace flattening;
 using namespace statustesting;
 using namespace testmeshes;
 
-namespace
-{
-/// Four sides of a pyramid, with its edges to the top as curves: it cannot be laid flat without a
-/// change of their lengths.
-Surface pyramid(double height)
-{
-  Points3 points{ Point3(0, 0, height), Point3(1, 0, 0), Point3(0, 1, 0), Point3(-1, 0, 0),
-    Point3(0, -1, 0) };
-  Surface surface;
-  surface.mesh =
-    TriangleMesh(std::move(points), { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 1 } });
-  for (Index v = 1; v <= 4; ++v)
-  {
-    surface.curves.push_back(accessory("ridge " + std::to_string(v), { 0, v }));
-  }
-  return surface;
-}
-
-/// Two surfaces in one, apart from each other.
-Surface beside(const Surface& a, const Surface& b)
-{
-  Surface both = a;
-  Points3 points = a.mesh.points();
-  Triangles triangles = a.mesh.triangles();
-  const Index first = a.mesh.vertexCount();
-  for (const Point3& point : b.mesh.points())
-  {
-    points.push_back(point + Point3(100.0, 0.0, 0.0));
-  }
-  for (Triangle t : b.mesh.triangles())
-  {
-    triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
-  }
-  for (FeatureCurve curve : b.curves)
-  {
-    for (Index& v : curve.vertices)
-    {
-      v += first;
-    }
-    both.curves.push_back(std::move(curve));
-  }
-  both.mesh = TriangleMesh(std::move(points), std::move(triangles));
-  return both;
-}
-
-Surface stairCase()
-{
-  return patch(40, 2, [](double i, double j) {
-    const double turn = 3.0 * pi * i / 40.0;
-    return Point3((1.0 + j) * std::cos(-turn), (1.0 + j) * std::sin(-turn), 0.05 * i);
-  });
-}
-}
-
 TEST(StatusTruth, WiresThatMissTheirLengthsAreNamedWithTheirErrors)
 {
   for (const Scheme scheme : { Scheme::Global, Scheme::Isometric, Scheme::Progressive })
@@ -146,7 +92,7 @@ TEST(StatusTruth, TheRunTellsTheWorstOfItsPieces)
     EXPECT_GT(severity(fromBad[k]), severity(fromBad[k + 1])) << statusName(fromBad[k]);
   }
   for (const Surface& surface :
-    { beside(pyramid(1.0), stairCase()), beside(stairCase(), pyramid(1.0)) })
+    { together({ pyramid(1.0), staircase() }), together({ staircase(), pyramid(1.0) }) })
   {
     const FlatteningResult result = flatten(surface);
     ASSERT_EQ(result.pieces.size(), 2U);

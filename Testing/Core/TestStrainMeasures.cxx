@@ -79,25 +79,6 @@ TEST(StrainMeasures, CompressionCountsLikeExtension)
   }
 }
 
-TEST(StrainMeasures, TheQuantileIsThatOfTheAreaNotOfTheTriangles)
-{
-  // 20 triangles of area 1/2: 19 of them are 95 %.
-  Separate equal;
-  for (int k = 0; k < 20; ++k)
-  {
-    equal.add(1.0, stretch(std::exp(0.01 * (k + 1)), 1.0));
-  }
-  EXPECT_NEAR(equal.measures().strainP95, 0.19, 1e-12);
-  // One that is strained more has 5.1 % of the area, then 4.9 %.
-  for (const double share : { 0.051, 0.049 })
-  {
-    Separate two;
-    two.add(std::sqrt(share), stretch(std::exp(0.7), 1.0));
-    two.add(std::sqrt(1.0 - share), stretch(1.0, std::exp(-0.1)));
-    EXPECT_NEAR(two.measures().strainP95, share > 0.05 ? 0.7 : 0.1, 1e-12);
-  }
-}
-
 TEST(StrainMeasures, TheQuantileIsThatOfSortedStrains)
 {
   const Surface surface = cushion(23, 17, 0.4);

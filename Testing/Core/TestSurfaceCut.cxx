@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ClosedMeshes.h"
 #include "Cut/SurfaceCut.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
 
-#include <set>
+#include <map>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -62,74 +61,51 @@ TEST(SurfaceCut, LeavesASurfaceWithoutDartsAndSeamsWhole)
   EXPECT_EQ(cut.pieceCount, 1);
 }
 
-TEST(SurfaceCut, OpensADartFromTheBoundaryButNotItsTip)
+TEST(SurfaceCut, OpensCutsButNotTheirTipsAndPartsThePieces)
 {
-  const Surface surface = cushion(4, 4, 0.3);
-  const CutSurface cut = cutSurface(surface.mesh, { curveOf(CurveType::Dart, "d", { 2, 7, 12 }) });
-  ASSERT_TRUE(cut.status.ok());
-  EXPECT_EQ(copiesOf(cut, 2), 2);
-  EXPECT_EQ(copiesOf(cut, 7), 2);
-  EXPECT_EQ(copiesOf(cut, 12), 1);
-  EXPECT_EQ(cut.seamPairs.size(), 2U);
-  expectSewable(surface.mesh, cut);
-  EXPECT_EQ(cut.pieceCount, 1);
-  EXPECT_EQ(cut.mesh.boundaryLoops().size(), 1U);
-  EXPECT_EQ(eulerCharacteristic(cut.mesh), 1);
-}
-
-TEST(SurfaceCut, OpensAFishEyeDartIntoAHole)
-{
-  const Surface surface = cushion(6, 6, 0.3);
-  const CutSurface cut = cutSurface(surface.mesh,
-    { curveOf(CurveType::Dart, "eye", { at(6, 3, 1), at(6, 3, 2), at(6, 3, 3), at(6, 3, 4) }) });
-  EXPECT_EQ(copiesOf(cut, at(6, 3, 1)), 1);
-  EXPECT_EQ(copiesOf(cut, at(6, 3, 2)), 2);
-  EXPECT_EQ(copiesOf(cut, at(6, 3, 4)), 1);
-  EXPECT_EQ(cut.mesh.boundaryLoops().size(), 2U);
-  EXPECT_EQ(eulerCharacteristic(cut.mesh), 0);
-  expectSewable(surface.mesh, cut);
-}
-
-TEST(SurfaceCut, ACutOfOneInnerEdgeOpensNothing)
-{
-  const Surface surface = cushion(4, 4, 0.3);
-  const CutSurface cut =
-    cutSurface(surface.mesh, { curveOf(CurveType::Dart, "d", { at(4, 2, 1), at(4, 2, 2) }) });
-  ASSERT_TRUE(cut.status.ok());
-  EXPECT_EQ(cut.mesh.triangles(), surface.mesh.triangles());
-  EXPECT_TRUE(cut.seamPairs.empty());
-}
-
-TEST(SurfaceCut, ADartBetweenTwoBoundaryPointsSeparates)
-{
-  const Surface surface = cushion(4, 4, 0.3);
-  FeatureCurve dart = columnCurve(4, 4, 2);
-  for (const CurveType type : { CurveType::Dart, CurveType::Seam })
+  const auto v = [](Index i, Index j) { return at(6, i, j); };
+  const auto dart = [](Indices vertices) { return curveOf(CurveType::Dart, "d", vertices); };
+  struct Case
   {
-    dart.type = type;
-    const CutSurface cut = cutSurface(surface.mesh, { dart });
-    EXPECT_EQ(cut.pieceCount, 2);
-    EXPECT_EQ(cut.seamPairs.size(), 4U);
+    const char* name;
+    std::vector<FeatureCurve> curves;
+    std::map<Index, Index> copies; ///< of vertices
+    std::size_t seamPairs;
+    Index pieces;
+    Index euler;
+  };
+  const std::vector<Case> cases{
+    { "a dart from the boundary", { dart({ v(3, 0), v(3, 1), v(3, 2) }) },
+      { { v(3, 0), 2 }, { v(3, 1), 2 }, { v(3, 2), 1 } }, 2, 1, 1 },
+    { "one inside, which leaves a hole", { dart({ v(3, 1), v(3, 2), v(3, 3), v(3, 4) }) },
+      { { v(3, 1), 1 }, { v(3, 2), 2 }, { v(3, 4), 1 } }, 3, 1, 0 },
+    { "one inner edge, which opens nothing", { dart({ v(3, 2), v(3, 3) }) },
+      { { v(3, 2), 1 }, { v(3, 3), 1 } }, 0, 1, 1 },
+    { "a dart from side to side", { dart(columnCurve(6, 6, 2).vertices) }, { { v(2, 3), 2 } }, 6, 2,
+      2 },
+    { "a seam from side to side", { columnCurve(6, 6, 2, CurveType::Seam) }, { { v(2, 3), 2 } }, 6,
+      2, 2 },
+    { "three darts to one vertex",
+      { dart({ v(3, 0), v(3, 1), v(3, 2), v(3, 3) }), dart({ v(0, 3), v(1, 3), v(2, 3), v(3, 3) }),
+        dart({ v(3, 3), v(4, 3), v(5, 3), v(6, 3) }) },
+      { { v(3, 3), 3 } }, 9, 3, 3 },
+  };
+  const Surface surface = cushion(6, 6, 0.3);
+  for (const Case& one : cases)
+  {
+    SCOPED_TRACE(one.name);
+    const CutSurface cut = cutSurface(surface.mesh, one.curves);
+    ASSERT_TRUE(cut.status.ok());
+    for (const auto& [vertex, count] : one.copies)
+    {
+      EXPECT_EQ(copiesOf(cut, vertex), count);
+    }
+    EXPECT_EQ(cut.seamPairs.size(), one.seamPairs);
     expectSewable(surface.mesh, cut);
-    const std::vector<Piece> pieces = extractPieces(cut);
-    ASSERT_EQ(pieces.size(), 2U);
-    EXPECT_EQ(pieces[0].mesh.vertexCount() + pieces[1].mesh.vertexCount(), 25 + 5);
-    EXPECT_EQ(pieces[0].triangles.front(), 0) << "pieces are in the order of their triangles";
+    EXPECT_EQ(cut.pieceCount, one.pieces);
+    EXPECT_EQ(eulerCharacteristic(cut.mesh), one.euler);
+    EXPECT_EQ(extractPieces(cut).front().triangles.front(), 0) << "in the order of their triangles";
   }
-}
-
-TEST(SurfaceCut, SeveralDartsAtOneVertexGiveItACopyEach)
-{
-  const Surface surface = cushion(4, 4, 0.3);
-  const Index center = at(4, 2, 2);
-  const auto dart = [](Indices v) { return curveOf(CurveType::Dart, "d", std::move(v)); };
-  const std::vector<FeatureCurve> three{ dart({ 2, 7, center }), dart({ 10, 11, center }),
-    dart({ center, 13, 14 }) };
-  const CutSurface cut = cutSurface(surface.mesh, three);
-  EXPECT_EQ(copiesOf(cut, center), 3);
-  EXPECT_EQ(cut.pieceCount, 3);
-  EXPECT_EQ(cut.seamPairs.size(), 6U);
-  expectSewable(surface.mesh, cut);
 }
 
 TEST(SurfaceCut, TwoDartsThatMeetInsideCutAsOne)
@@ -156,8 +132,6 @@ TEST(SurfaceCut, ACurveThatEndsOnADartKeepsToItsSide)
   const Index right = cut.mesh.from(surface.mesh.find(7, 8));
   EXPECT_NE(left, right);
   EXPECT_NE(cut.mesh.find(cut.mesh.from(surface.mesh.find(6, 7)), left), none);
-  std::set<Index> leftTriangles;
-  std::set<Index> rightTriangles;
   for (Index t = 0; t < cut.mesh.triangleCount(); ++t)
   {
     for (const Index v : cut.mesh.triangle(t))
@@ -175,21 +149,6 @@ TEST(SurfaceCut, ACurveThatEndsOnADartKeepsToItsSide)
         EXPECT_GT(x, 0.5);
       }
     }
-  }
-}
-
-TEST(SurfaceCut, SeamsCutAClosedSurfaceIntoPieces)
-{
-  const TriangleMesh octahedron = sphere(0);
-  const CutSurface cut =
-    cutSurface(octahedron, { curveOf(CurveType::Seam, "equator", { 0, 2, 1, 3, 0 }) });
-  EXPECT_EQ(cut.pieceCount, 2);
-  EXPECT_EQ(cut.seamPairs.size(), 4U);
-  expectSewable(octahedron, cut);
-  for (const Piece& piece : extractPieces(cut))
-  {
-    EXPECT_EQ(eulerCharacteristic(piece.mesh), 1);
-    EXPECT_EQ(piece.mesh.vertexCount(), 5);
   }
 }
 

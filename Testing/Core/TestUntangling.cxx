@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/Untangling.h"
+
+#include "Quality/FlatteningQuality.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -9,16 +11,15 @@ using namespace testmeshes;
 
 namespace
 {
-Index countFlips(const TriangleMesh& mesh, const Points2& positions)
+/// Per vertex of the piece.
+Points2 unrolled(const WiredSurface& wired, const Surface& surface)
 {
-  Index count = 0;
-  for (const Triangle& c : mesh.triangles())
+  Points2 positions;
+  for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
   {
-    const Point2 u = positions[c[1]] - positions[c[0]];
-    const Point2 v = positions[c[2]] - positions[c[0]];
-    count += u.x() * v.y() - u.y() * v.x() > 0.0 ? 0 : 1;
+    positions.push_back(surface.unrolled[wired.original(v)]);
   }
-  return count;
+  return positions;
 }
 
 /// A flat patch whose interior is scattered, and whose wires are bent into a deep notch.
@@ -43,13 +44,13 @@ TEST(Untangling, ScatteredInteriorsInsideASimpleLoopEndWithoutFlips)
     const Surface surface = flatPatch(10, 10);
     const WiredSurface wired(surface);
     Points2 positions = tangledPositions(wired, surface.unrolled, notch);
-    ASSERT_GT(countFlips(wired.piece.mesh, positions), 20);
+    ASSERT_GT(countFlipped(wired.piece.mesh, positions), 20);
     const Points2 before = positions;
     const UntanglingResult result = untangleInterior(wired.piece, wired.network, {}, positions);
     EXPECT_TRUE(result.status.ok());
     EXPECT_EQ(result.patches, (Indices{ 0 }));
     EXPECT_TRUE(result.tangled.empty());
-    EXPECT_EQ(countFlips(wired.piece.mesh, positions), 0);
+    EXPECT_EQ(countFlipped(wired.piece.mesh, positions), 0);
     for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
     {
       if (wired.network.hostOfVertex[v] != none)
@@ -64,11 +65,7 @@ TEST(Untangling, LeavesPatchesWithoutFlipsAsTheyAre)
 {
   const Surface surface = flatPatch(6, 6);
   const WiredSurface wired(surface);
-  Points2 positions;
-  for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
-  {
-    positions.push_back(surface.unrolled[wired.original(v)]);
-  }
+  Points2 positions = unrolled(wired, surface);
   const Points2 before = positions;
   EXPECT_TRUE(untangleInterior(wired.piece, wired.network, {}, positions).patches.empty());
   EXPECT_EQ(positions, before);
@@ -79,11 +76,10 @@ TEST(Untangling, SaysWhichPatchCannotBeHelped)
   // The boundary runs clockwise: every triangle must be flipped.
   const Surface surface = flatPatch(4, 4);
   const WiredSurface wired(surface);
-  Points2 positions;
-  for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
+  Points2 positions = unrolled(wired, surface);
+  for (Point2& p : positions)
   {
-    const Point2 p = surface.unrolled[wired.original(v)];
-    positions.emplace_back(-p.x(), p.y());
+    p.x() = -p.x();
   }
   const UntanglingResult result = untangleInterior(wired.piece, wired.network, {}, positions);
   EXPECT_EQ(result.tangled, (Indices{ 0 }));
@@ -97,20 +93,16 @@ TEST(Untangling, MovesWhatLiesAroundFoldsAloneWhereThatIsAskedFor)
 {
   const Surface surface = flatPatch(30, 30);
   const WiredSurface wired(surface);
-  Points2 positions;
-  for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
-  {
-    positions.push_back(surface.unrolled[wired.original(v)]);
-  }
+  Points2 positions = unrolled(wired, surface);
   positions[wired.vertex(15 * 31 + 15)] += Point2(2.5, 0.3);
-  ASSERT_GT(countFlips(wired.piece.mesh, positions), 0);
+  ASSERT_GT(countFlipped(wired.piece.mesh, positions), 0);
   const Points2 before = positions;
   UntanglingOptions options;
   options.nearby = true;
   const UntanglingResult result =
     untangleInterior(wired.piece, wired.network, {}, positions, options);
   EXPECT_TRUE(result.tangled.empty());
-  EXPECT_EQ(countFlips(wired.piece.mesh, positions), 0);
+  EXPECT_EQ(countFlipped(wired.piece.mesh, positions), 0);
   for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
   {
     if ((before[v] - Point2(15.0, 15.0)).norm() > 13.0)

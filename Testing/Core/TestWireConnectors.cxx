@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Connectors against a search that starts anew for each.
+#include "Base/CompressedRows.h"
 #include "TestMeshes.h"
 #include "Wires/WireNetwork.h"
 
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <ctime>
-#include <numeric>
 #include <random>
 
 using namespace flattening;
@@ -18,20 +18,18 @@ namespace
 /// Per vertex the vertex that stands for all that hang together by wires.
 Indices components(const TriangleMesh& mesh, const std::vector<char>& isWire)
 {
-  Indices of(mesh.vertexCount());
-  std::iota(of.begin(), of.end(), 0);
-  for (bool changed = true; changed;)
+  JoinedSets joined(mesh.vertexCount());
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
   {
-    changed = false;
-    for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+    if (isWire[h])
     {
-      const Index least = std::min(of[mesh.from(h)], of[mesh.to(h)]);
-      if (isWire[h] && (of[mesh.from(h)] != least || of[mesh.to(h)] != least))
-      {
-        of[mesh.from(h)] = of[mesh.to(h)] = least;
-        changed = true;
-      }
+      joined.join(mesh.from(h), mesh.to(h));
     }
+  }
+  Indices of;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    of.push_back(joined.find(v));
   }
   return of;
 }
@@ -43,6 +41,21 @@ void markEdge(const TriangleMesh& mesh, Index h, std::vector<char>& isWire)
   {
     isWire[mesh.twin(h)] = 1;
   }
+}
+
+/// The boundary marked as wires. \param root one of its vertices
+std::vector<char> boundaryWires(const TriangleMesh& mesh, Index& root)
+{
+  std::vector<char> isWire(mesh.halfedgeCount(), 0);
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    if (mesh.twin(h) == none)
+    {
+      isWire[h] = 1;
+      root = mesh.from(h);
+    }
+  }
+  return isWire;
 }
 
 /// Distance of each vertex from the wires of a component, by going over all edges until nothing
@@ -133,16 +146,8 @@ TEST(WireConnectors, JoinTheNearestOfTheOtherWiresByAShortestPathOneAfterTheOthe
     for (const int count : { 1, 2, 7, 25 })
     {
       const TriangleMesh mesh = cushion(14, 12, height).mesh;
-      std::vector<char> isWire(mesh.halfedgeCount(), 0);
       Index root = none;
-      for (Index h = 0; h < mesh.halfedgeCount(); ++h)
-      {
-        if (mesh.twin(h) == none)
-        {
-          markEdge(mesh, h, isWire);
-          root = mesh.from(h);
-        }
-      }
+      std::vector<char> isWire = boundaryWires(mesh, root);
       for (int k = 0; k < count; ++k)
       {
         markEdge(mesh, static_cast<Index>(random() % mesh.halfedgeCount()), isWire);
@@ -159,16 +164,8 @@ TEST(WireConnectors, CostLittleMoreForMoreHoles)
   // anew for each takes 600 times as long, the mesh alone is 16 times as large.
   const auto seconds = [](Index size) {
     const TriangleMesh mesh = cushion(size, size, 0.3).mesh;
-    std::vector<char> isWire(mesh.halfedgeCount(), 0);
     Index root = none;
-    for (Index h = 0; h < mesh.halfedgeCount(); ++h)
-    {
-      if (mesh.twin(h) == none)
-      {
-        markEdge(mesh, h, isWire);
-        root = mesh.from(h);
-      }
-    }
+    std::vector<char> isWire = boundaryWires(mesh, root);
     for (Index j = 3; j < size - 3; j += 6)
     {
       for (Index i = 3; i < size - 3; i += 6)

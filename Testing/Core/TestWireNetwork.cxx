@@ -75,17 +75,6 @@ Index connectorCount(const WireNetwork& network)
 }
 }
 
-TEST(WireNetwork, TheQuarterSphereHasTheCountsOfThePaper)
-{
-  const WiredSurface wired(quarterSphere());
-  expectConsistent(wired.network);
-  // Boundary of 16 edges and an arc of 4: two patches with 8 + 4 wire-nodes each.
-  EXPECT_EQ(wired.network.patchCount, 2);
-  EXPECT_EQ(wired.network.nodeCount(), 24);
-  EXPECT_EQ(wired.network.edgeCount(), 20);
-  EXPECT_EQ(std::count(wired.network.interior.begin(), wired.network.interior.end(), 1), 3);
-}
-
 TEST(WireNetwork, AlphaSumsTheAnglesOfThePatchAtTheVertex)
 {
   Surface surface = cushion(6, 6, 0.6);
@@ -114,32 +103,6 @@ TEST(WireNetwork, ADanglingWireHasBothItsSidesInOnePatchAndAWholeTurnAtItsTip)
   ASSERT_EQ(tip.size(), 1U);
   EXPECT_NEAR(wired.network.alpha[tip.front()], 2.0 * pi, 1e-13);
   EXPECT_TRUE(wired.network.interior[wired.network.hostOfVertex[wired.vertex(at(5, 2, 2))]]);
-}
-
-TEST(WireNetwork, AFloatingWireIsJoinedByTheShortestConnector)
-{
-  Surface surface = flatPatch(8, 8);
-  surface.curves = { accessory(
-    "floating", { at(8, 2, 2), at(8, 3, 2), at(8, 4, 2), at(8, 5, 2) }) };
-  const WiredSurface wired(surface);
-  expectConsistent(wired.network);
-  EXPECT_EQ(wired.network.patchCount, 1);
-  double joined = 0.0;
-  for (const WireEdge& edge : wired.network.edges)
-  {
-    joined += edge.connector ? edge.length : 0.0;
-  }
-  // Two edges lead down from each of its vertices; diagonals may be shorter nowhere.
-  double shortest = HUGE_VAL;
-  for (Index i = 2; i <= 5; ++i)
-  {
-    const TriangleMesh& mesh = surface.mesh;
-    shortest = std::min(shortest,
-      (mesh.point(at(8, i, 0)) - mesh.point(at(8, i, 1))).norm() +
-        (mesh.point(at(8, i, 1)) - mesh.point(at(8, i, 2))).norm());
-  }
-  EXPECT_EQ(connectorCount(wired.network), 2);
-  EXPECT_LE(joined, shortest + 1e-12);
 }
 
 TEST(WireNetwork, AClosedFloatingWireEnclosesAPatchOfItsOwn)

@@ -111,21 +111,6 @@ TEST(WireReport, EachPieceHasItsOwnBankOfASeam)
   }
 }
 
-TEST(WireReport, ConnectorsAreMarked)
-{
-  Surface surface = cushion(8, 8, 0.2);
-  surface.curves = { accessory("floating", { 29, 30, 31 }) };
-  const WiredSurface wired(surface);
-  const std::vector<Wire> connectors = traceConnectors(wired.network, wired.piece, 0);
-  ASSERT_FALSE(connectors.empty());
-  for (const Wire& wire : connectors)
-  {
-    EXPECT_TRUE(wire.connector);
-    EXPECT_EQ(wire.curve, none);
-    EXPECT_EQ(wire.vertices.size(), 2U);
-  }
-}
-
 TEST(WireReport, MeasuresTheWorstEdgeNotTheMean)
 {
   Surface surface = flatPatch(2, 1);
