@@ -2,12 +2,13 @@
 #include "Quality/AreaForecast.h"
 
 #include "Quality/ScaleFactor.h"
-#include "Quality/SurfaceDevelopability.h"
 #include "Surface/EdgePaths.h"
 #include "Surface/VertexFan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <utility>
 #include <vector>
 
@@ -20,12 +21,41 @@ namespace
 constexpr double harmless = 2.0;
 
 /// Sum of the positive angle defects, 2 pi less the angles around inner vertices.
-double risingCurvature(const TriangleMesh& mesh, const Execution& execution)
+double risingCurvature(const TriangleMesh& mesh)
 {
-  double total = 0.0;
-  for (double defect : angleDefects(mesh, cornerAngles(mesh, execution)))
+  // The angles at a vertex add up as the arguments of complex numbers do in their product, which
+  // takes one arctangent a vertex in the place of one a corner.
+  std::vector<std::complex<double>> product(mesh.vertexCount(), 1.0);
+  std::vector<Index> halfTurns(mesh.vertexCount(), 0);
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
   {
-    total += std::max(0.0, defect);
+    const Triangle& c = mesh.triangle(t);
+    const std::array<Point3, 3> side{ mesh.points()[c[1]] - mesh.points()[c[0]],
+      mesh.points()[c[2]] - mesh.points()[c[1]], mesh.points()[c[0]] - mesh.points()[c[2]] };
+    const double sine = side[0].cross(side[1]).norm();
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double cosine = -side[k].dot(side[(k + 2) % 3]);
+      std::complex<double>& sum = product[c[k]];
+      // Taken up to a whole turn, the sum passes pi where the sign of the imaginary part falls, and
+      // 2 pi where it rises again.
+      const bool upper = sum.imag() >= 0.0;
+      const double re = sum.real() * cosine - sum.imag() * sine;
+      const double im = sum.real() * sine + sum.imag() * cosine;
+      const double scale = 1.0 / std::max(std::abs(re), std::abs(im));
+      sum = { re * scale, im * scale };
+      halfTurns[c[k]] += upper != (im >= 0.0) ? 1 : 0;
+    }
+  }
+  double total = 0.0;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (mesh.outgoing(v) != none && !mesh.onBoundary(v))
+    {
+      const std::complex<double>& z = product[v];
+      const double rest = std::atan2(std::abs(z.imag()), z.imag() >= 0.0 ? z.real() : -z.real());
+      total += std::max(0.0, 2.0 * pi - pi * halfTurns[v] - rest);
+    }
   }
   return total;
 }
@@ -76,7 +106,7 @@ AreaForecast forecastArea(const TriangleMesh& mesh, const Execution& execution)
 {
   AreaForecast forecast;
   forecast.openings = cutsOfTube(mesh);
-  if (risingCurvature(mesh, execution) < harmless)
+  if (risingCurvature(mesh) < harmless)
   {
     forecast.known = true;
     return forecast;

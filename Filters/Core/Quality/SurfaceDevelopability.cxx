@@ -58,7 +58,8 @@ std::vector<double> cornerAngles(const TriangleMesh& mesh, const Execution& exec
   return angles;
 }
 
-std::vector<double> angleDefects(const TriangleMesh& mesh, const std::vector<double>& angles)
+std::vector<double> surfaceDevelopability(
+  const TriangleMesh& mesh, const std::vector<double>& angles)
 {
   std::vector<double> sum(mesh.vertexCount(), 0.0);
   for (Index h = 0; h < mesh.halfedgeCount(); ++h)
@@ -68,16 +69,8 @@ std::vector<double> angleDefects(const TriangleMesh& mesh, const std::vector<dou
   for (Index v = 0; v < mesh.vertexCount(); ++v)
   {
     const bool inside = mesh.outgoing(v) != none && !mesh.onBoundary(v);
-    sum[v] = inside ? 2.0 * pi - sum[v] : 0.0;
+    sum[v] = inside ? std::abs(sum[v] - 2.0 * pi) : 0.0;
   }
   return sum;
-}
-
-std::vector<double> surfaceDevelopability(
-  const TriangleMesh& mesh, const std::vector<double>& angles)
-{
-  std::vector<double> size = angleDefects(mesh, angles);
-  std::transform(size.begin(), size.end(), size.begin(), [](double d) { return std::abs(d); });
-  return size;
 }
 }

@@ -10,11 +10,8 @@ namespace flattening
 /// same places in space as another one, those of each place once.
 double cutLength(const TriangleMesh& mesh);
 
-/// Angle defects in radians: 2 pi less the sum of the angles around each interior vertex; 0 on the
-/// boundary, where any sum can lie flat. \param angles TriangleMesh::angle() of each half-edge.
-std::vector<double> angleDefects(const TriangleMesh& mesh, const std::vector<double>& angles);
-
-/// E_dev of Eq. 25, in radians: size of the angle defects.
+/// E_dev of Eq. 25, in radians: size of the angle defect, 2 pi less the sum of the angles around
+/// each interior vertex; 0 on the boundary, where any sum can lie flat.
 /// \param angles TriangleMesh::angle() of each half-edge.
 std::vector<double> surfaceDevelopability(
   const TriangleMesh& mesh, const std::vector<double>& angles);

@@ -142,27 +142,28 @@ Index connectedParts(
 {
   partOfTriangle.assign(mesh.triangleCount(), none);
   Index count = 0;
-  Indices stack;
+  Indices reached(mesh.triangleCount());
+  Index known = 0;
+  Index done = 0;
+  const auto reach = [&](Index t) {
+    partOfTriangle[t] = count;
+    reached[known++] = t;
+  };
+  const bool whole = barred.empty();
   for (Index seed = 0; seed < mesh.triangleCount(); ++seed)
   {
     if (partOfTriangle[seed] != none)
     {
       continue;
     }
-    partOfTriangle[seed] = count;
-    stack.push_back(seed);
-    while (!stack.empty())
+    for (reach(seed); done < known; ++done)
     {
-      const Index t = stack.back();
-      stack.pop_back();
-      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      for (Index h = 3 * reached[done]; h < 3 * reached[done] + 3; ++h)
       {
         const Index twin = mesh.twin(h);
-        const bool crosses = twin != none && (barred.empty() || !barred[h]);
-        if (crosses && partOfTriangle[twin / 3] == none)
+        if (twin != none && (whole || !barred[h]) && partOfTriangle[twin / 3] == none)
         {
-          partOfTriangle[twin / 3] = count;
-          stack.push_back(twin / 3);
+          reach(twin / 3);
         }
       }
     }
