@@ -96,6 +96,13 @@ class GarmentCode(pattern.PatternTest):
         raw = sum(len(panel["edges"]) for panel in self.read()["pattern"]["panels"].values())
         self.assertLess(2 * len(edges), raw)
 
+    def test_smooth_edges_end_at_notches_of_the_usual_spacing_as_well(self):
+        counts = []
+        for options in ((), ("--notch-spacing", "0")):
+            self.make("tshirt", "-o", "out/pattern.json", *options)
+            counts.append(sum(len(panel["edges"]) for panel in self.read()["pattern"]["panels"].values()))
+        self.assertGreater(counts[0], counts[1] + 5)
+
     def test_legs_of_a_dart_are_stitched_to_each_other(self):
         self.make("shirt_front", "-o", "out/pattern.json")
         document = self.check(1e-9)
