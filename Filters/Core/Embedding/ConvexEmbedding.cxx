@@ -20,6 +20,9 @@ constexpr double largestWeight = 20.0;
 /// Of flat over true area, least over largest: along a tube it falls as an exponential, and lengths
 /// are found late, or not at all, from where little is left of triangles.
 constexpr double smallestRatio = 1e-3;
+/// Flat triangles smaller than this share of their own area count as so large: positions are known
+/// to fewer digits, and weights stay numbers after all reweightings.
+constexpr double leastShare = 1e-20;
 constexpr int mostReweightings = 8;
 
 struct WeightedEdge
@@ -90,7 +93,7 @@ bool reweigh(const TriangleMesh& mesh, const std::vector<Indices>& loops, const 
   {
     const Triangle& c = mesh.triangle(t);
     const double there = mesh.area(t);
-    const double here = std::max(std::numeric_limits<double>::min(),
+    const double here = std::max(leastShare * there,
       0.5 * cross(positions[c[1]] - positions[c[0]], positions[c[2]] - positions[c[0]]));
     least = std::min(least, here / there);
     most = std::max(most, here / there);
