@@ -306,6 +306,7 @@ void vtkFeatureCurveSuggestion::VisitOptions(flattening::bridge::OptionVisitor& 
   visit("MaximumCuts", this->MaximumCuts);
   visit("MaximumCutLength", this->MaximumCutLength);
   visit("MaximumWork", this->MaximumWork);
+  visit("PieceCount", this->PieceCount);
   visit("Symmetric", this->Symmetric);
   std::string weights = this->GetWeightArray();
   visit("WeightArray", weights);

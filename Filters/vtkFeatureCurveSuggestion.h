@@ -139,6 +139,17 @@ public:
 
   ///@{
   /**
+   * Into about how many pieces seams part the surface, with as little strain as that allows; of
+   * several connected parts each gets its share by area. They are fewer where mirrored pieces are
+   * sewn in pairs, or seams cannot be drawn apart, and more where a piece would lie over itself. 0:
+   * as few as the bound takes. Default: 0.
+   */
+  vtkSetClampMacro(PieceCount, int, 0, VTK_INT_MAX);
+  vtkGetMacro(PieceCount, int);
+  ///@}
+
+  ///@{
+  /**
    * The greatest length of all proposed cuts together, in the unit of the surface; 0: no limit.
    * Default: 0.
    */
@@ -159,13 +170,16 @@ public:
 
   ///@{
   /**
-   * Look for a plane that mirrors the surface onto itself, or, where bending has hidden it, for a
-   * mirror by lengths and angles on the surface, and propose cuts that are mirrored as well.
-   * Default: on.
+   * Whether proposed cuts are mirrored. "on": across a plane that mirrors the surface onto itself
+   * to within 3 % of sqrt(area / pi), or, where bending has hidden it, by lengths and angles on the
+   * surface. "off": without regard to a mirror. "force": across the best plane, within 25 %; cuts
+   * of the half that needs fewer are mapped to the other. The name of a curve: across the plane in
+   * which it lies, a straight one with the normal of the surface. A plane: "x", "y" or "z",
+   * "x=0.2", or normal and offset as "1,0,0,0.2". With LINES all but "off" are the same. Default:
+   * "on".
    */
-  vtkSetMacro(Symmetric, bool);
-  vtkGetMacro(Symmetric, bool);
-  vtkBooleanMacro(Symmetric, bool);
+  void SetSymmetric(const char* text) { this->SetText(this->Symmetric, text); }
+  vtkGetCharFromStdStringMacro(Symmetric);
   ///@}
 
   ///@{
@@ -210,7 +224,8 @@ protected:
   int MaximumCuts = 0;
   double MaximumCutLength = 0.0;
   double MaximumWork = 0.0;
-  bool Symmetric = false;
+  int PieceCount = 0;
+  std::string Symmetric;
   std::map<std::string, double> Preferences;
 
 private:

@@ -168,6 +168,7 @@ private:
       ->check(CLI::Validator(
         [](std::string& text) { return text.empty() ? std::string("it has no name") : ""; }, ""))
       ->type_name(option.form)
+      ->default_str(this->Values.text(option.property))
       ->allow_extra_args(false);
     return list || option.repeats ? added : added->expected(1);
   }

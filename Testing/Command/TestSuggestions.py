@@ -110,7 +110,7 @@ class Suggestions(command.CommandTest):
             for number, expected in zip(end, (0, y, 0)):
                 self.assertAlmostEqual(number, expected, 9)
         self.assertIn("mirrored, by lengths and angles, across the axis from (", table)
-        none, table = mirror("bumps.obj", "--no-symmetric")
+        none, table = mirror("bumps.obj", "--symmetric", "off")
         self.assertIsNone(none)
         self.assertNotIn("mirrored", table)
 

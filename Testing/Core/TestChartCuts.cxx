@@ -5,7 +5,12 @@
 #include "SuggestionTesting.h"
 #include "TestThreads.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
+#include <string>
+#include <utility>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -38,10 +43,10 @@ TriangleMesh turned(Index around, Index along, const std::function<Point3(double
   return { std::move(points), std::move(triangles) };
 }
 
-TriangleMesh ball(double radius)
+TriangleMesh ball(double radius, Index around = 24, double x = 0.0)
 {
-  return turned(24, 14, [radius](double turn, double down) {
-    return Point3(radius * std::sin(down) * std::cos(turn),
+  return turned(around, around / 2 + 2, [radius, x](double turn, double down) {
+    return Point3(x + radius * std::sin(down) * std::cos(turn),
       radius * std::sin(down) * std::sin(turn), radius * std::cos(down));
   });
 }
@@ -147,6 +152,85 @@ TEST(ChartCuts, ComeInPairsOfEqualLengthWhereThereIsAMirror)
   }
   EXPECT_GT(pairs, 0u);
   EXPECT_LE(largestP95(flattenedWith(mesh, cuts)), 0.05);
+}
+
+TEST(ChartCuts, PartMoreTrianglesThanTheyAreFoundOn)
+{
+  const TriangleMesh mesh = ball(1.0, 182);
+  ASSERT_GT(mesh.triangleCount(), 30000);
+  const std::vector<SuggestedCurve> cuts = chartsOf(mesh, 0.05, std::nullopt);
+  ASSERT_FALSE(cuts.empty());
+  EXPECT_LE(largestP95(flattenedWith(mesh, cuts)), 0.06); // drawn on others than they were found on
+}
+
+TEST(ChartCuts, MakeAsManyPiecesAsAreWanted)
+{
+  for (bool symmetric : { true, false })
+  {
+    const TriangleMesh mesh = symmetric ? ball(1.0) : bean();
+    double before = std::numeric_limits<double>::infinity();
+    for (Index wanted : { 3, 6, 12 })
+    {
+      SuggestionOptions options = optionsOf(0.05, 0);
+      options.search.pieces = wanted;
+      const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
+      const FlatteningResult flat = flattened(mesh, {}, suggestions);
+      EXPECT_LE(flat.pieces.size(), wanted);
+      // Seams that cannot be drawn apart, and images of each other, leave one or a few fewer.
+      EXPECT_GE(flat.pieces.size() + (symmetric ? 1 : wanted / 4), wanted);
+      EXPECT_LT(largestP95(flat), before) << wanted;
+      before = largestP95(flat);
+    }
+  }
+}
+
+TEST(ChartCuts, KeepToTheMirrorThatIsStated)
+{
+  const TriangleMesh mesh = ball(1.0, 24, 0.3);
+  Polyline middle;
+  middle.name = "middle";
+  for (int k = 0; k <= 12; ++k)
+  {
+    middle.points.emplace_back(
+      0.3 + std::sin(pi * k / 12.0), 0.0, std::cos(pi * k / 12.0)); // in y = 0
+  }
+  const std::map<std::string, std::pair<Point3, double>> planes{
+    { "x=0.3", { Point3::UnitX(), 0.3 } }, { "y", { Point3::UnitY(), 0.0 } },
+    { "middle", { Point3::UnitY(), 0.0 } }, { "0,3,4,0", { Point3(0.0, 0.6, 0.8), 0.0 } }
+  };
+  for (const auto& [text, expected] : planes)
+  {
+    SuggestionOptions options = optionsOf(0.1, 0);
+    options.search.symmetric = text;
+    const std::vector<Polyline> curves{ middle };
+    const CurveSuggestions suggestions = suggestCurves(mesh, curves, options);
+    ASSERT_TRUE(suggestions.status.ok()) << text << suggestions.status.message;
+    ASSERT_TRUE(suggestions.mirror && suggestions.mirror->plane()) << text;
+    const SymmetryPlane& plane = *suggestions.mirror->plane();
+    EXPECT_NEAR(std::abs(plane.normal.dot(expected.first)), 1.0, 1e-9) << text;
+    EXPECT_NEAR(std::abs(plane.offset), expected.second, 1e-9) << text;
+  }
+  for (const char* text : { "mirror", "q=1", "x=", "x=1,2", "0,0,0,1", "1,2,3", "1,0,0,nan", "" })
+  {
+    SuggestionOptions options = optionsOf(0.05, 0);
+    options.search.symmetric = text;
+    EXPECT_EQ(suggestCurves(mesh, { middle }, options).status.code, StatusCode::InvalidOption)
+      << text;
+  }
+}
+
+TEST(ChartCuts, AreMappedToTheOtherSideWhereAMirrorIsForced)
+{
+  SuggestionOptions options = optionsOf(0.08, 0);
+  const CurveSuggestions found = suggestCurves(bean(), {}, options);
+  EXPECT_FALSE(found.mirror.has_value());
+  options.search.symmetric = "force";
+  const CurveSuggestions forced = suggestCurves(bean(), {}, options);
+  ASSERT_TRUE(forced.mirror.has_value());
+  const FlatteningResult flat = flattened(bean(), {}, forced);
+  EXPECT_TRUE(flat.status.ok());
+  EXPECT_TRUE(std::any_of(forced.curves.begin(), forced.curves.end(),
+    [](const SuggestedCurve& cut) { return cut.mirrorOf != none; }));
 }
 
 TEST(ChartCuts, LeaveWhatLiesFlatAsItIs)

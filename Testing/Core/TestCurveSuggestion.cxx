@@ -137,7 +137,7 @@ TEST(CurveSuggestion, KeepsToItsLimits)
 {
   const TriangleMesh mesh = dome(0.6);
   SuggestionOptions options = optionsOf(0.0, 3);
-  options.search.symmetric = false;
+  options.search.symmetric = "off";
   options.search.maximumCutLength = 0.9;
   const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
   EXPECT_FALSE(suggestions.boundMet);
@@ -346,7 +346,7 @@ TEST(CurveSuggestion, ItsDartsNeverDivideAPiece)
       const double y = j / 9.0;
       return Point3(x, y, 0.3 * std::sin(lobes * x) * std::cos(2.0 * y) + 0.2 * x * x * y);
     }).mesh;
-    for (bool symmetric : { false, true })
+    for (const char* symmetric : { "off", "on" })
     {
       SuggestionOptions options = optionsOf(0.005, 8);
       options.search.cuts = SuggestedCuts::Darts;
@@ -423,9 +423,13 @@ TEST(CurveSuggestion, EndsWhenItIsCancelledWithTheBestSoFar)
   execution.cancel = [] { return true; };
   EXPECT_EQ(
     suggestCurves(dome(0.4), {}, optionsOf(0.0, 4), execution).status.code, StatusCode::Cancelled);
+  int all = 0;
+  execution.cancel = [&all] { return ++all < 0; };
+  suggestCurves(dome(0.7), {}, optionsOf(0.005, 6), execution);
   std::size_t most = 0;
-  for (int asked : { 2000, 20000, 60000 })
+  for (double share : { 0.01, 0.5, 0.9 })
   {
+    const auto asked = static_cast<int>(share * all);
     int left = asked;
     execution.cancel = [&left] { return --left < 0; };
     const CurveSuggestions suggestions =
@@ -477,7 +481,7 @@ TEST(CurveSuggestion, RefusesAGrainAlongNoCurveBeforeTheSearch)
   }
 }
 
-TEST(CurveSuggestion, CutsABallIntoPiecesThatFlatten)
+TEST(CurveSuggestion, CutsABallSoThatItFlattens)
 {
   const TriangleMesh mesh = sphere(2);
   const CurveSuggestions suggestions = suggestCurves(mesh, {}, optionsOf(0.25, 4));
@@ -485,7 +489,6 @@ TEST(CurveSuggestion, CutsABallIntoPiecesThatFlatten)
   const FlatteningResult result = flattened(mesh, {}, suggestions);
   EXPECT_TRUE(result.status.ok()) << result.status.message;
   EXPECT_LE(largestStrainOf(result), 0.25);
-  EXPECT_GT(result.pieces.size(), 1u);
 }
 
 TEST(CurveSuggestion, SpendsItsWorkOnASearchThatEndsWhereASurfaceHadToBeOpened)

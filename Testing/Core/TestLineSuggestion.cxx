@@ -156,7 +156,7 @@ TEST(LineSuggestion, DrawsNoLineWhereItsPlaneOnlyGrazesTheSurface)
     return Point3(radius * std::cos(turn), y, radius * std::sin(turn));
   }).mesh;
   SuggestionOptions options;
-  options.search.symmetric = false; // it is its own mirror image in y = 1.5 as well
+  options.search.symmetric = "off"; // it is its own mirror image in y = 1.5 as well
   const CurveSuggestions suggestions = suggestLines(mesh, {}, options);
   ASSERT_TRUE(suggestions.status.ok()) << suggestions.status.message;
   EXPECT_FALSE(suggestions.curves.empty());

@@ -104,7 +104,7 @@ class Suggestions(unittest.TestCase):
         self.assertIsInstance(axis, sf.MirrorAxis)
         np.testing.assert_allclose(
             axis.ends[np.argsort(axis.ends[:, 1])], [(0, -1, 0), (0, 1, 0)], rtol=0, atol=1e-9)
-        self.assertIsNone(mirror(sheet, symmetric=False))
+        self.assertIsNone(mirror(sheet, symmetric="off"))
 
     def test_weights_say_where_distortion_matters(self):
         points, triangles = dome(10, 10)

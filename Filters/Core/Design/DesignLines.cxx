@@ -27,6 +27,8 @@ constexpr double leastAside = 0.15;
 /// Cosine of the least angle between a line's plane and the surface; below it the plane grazes, and
 /// the section is no line to draw.
 constexpr double grazing = 0.94;
+/// A piece has a centre line where a plane mirrors it better than this, see findSymmetryPlane().
+constexpr double mirrorTolerance = 1e-2;
 /// Cosine of the angle below which the longest axis is meant to be x, y or z.
 constexpr double upright = 0.94;
 /// |u| below which a piece lies flat as it is, and has no style line.
@@ -101,7 +103,7 @@ public:
     const SurfaceMoments whole = momentsOf(cut.mesh);
     this->Center = whole.center;
     this->Axis = longestAxis(
-      whole, symmetric && this->Pieces.size() != 1 ? findSymmetryPlane(cut.mesh) : std::nullopt);
+      whole, symmetric && this->Pieces.size() != 1 ? findSymmetryPlane(cut.mesh, mirrorTolerance) : std::nullopt);
     for (const Piece& piece : this->Pieces)
     {
       this->Frames.push_back(frameOf(piece, curves, symmetric));
@@ -146,7 +148,7 @@ private:
     frame.hasKey = std::any_of(piece.curveOfHalfedge.begin(), piece.curveOfHalfedge.end(),
       [&](Index curve) { return curve != none && curves[curve].type == CurveType::Key; });
     const std::optional<SymmetryPlane> mirror =
-      symmetric ? findSymmetryPlane(piece.mesh) : std::nullopt;
+      symmetric ? findSymmetryPlane(piece.mesh, mirrorTolerance) : std::nullopt;
     frame.mirrored = mirror.has_value();
     if (mirror)
     {

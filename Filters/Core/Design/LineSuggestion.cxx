@@ -51,7 +51,7 @@ public:
     {
       const CutSurface cut = cutSurface(surface.mesh, surface.curves);
       std::vector<SuggestedCurve> lines =
-        designLines(cut, surface.curves, this->Options.search.symmetric, this->Run);
+        designLines(cut, surface.curves, this->Options.search.symmetric != "off", this->Run);
       this->name(lines);
       for (std::size_t k = 0; k < lines.size() && !this->Run.cancelled(); ++k)
       {

@@ -22,12 +22,13 @@ constexpr double unlimited = std::numeric_limits<double>::max();
 template <class Member>
 constexpr OptionType typeOf()
 {
-  return std::is_same_v<Member, bool>  ? OptionType::Flag
-    : std::is_enum_v<Member>           ? OptionType::Word
-    : std::is_integral_v<Member>       ? OptionType::Integer
-    : std::is_floating_point_v<Member> ? OptionType::Number
-    : std::is_same_v<Member, Point3>   ? OptionType::Numbers
-                                       : OptionType::Ids;
+  return std::is_same_v<Member, bool>     ? OptionType::Flag
+    : std::is_enum_v<Member>              ? OptionType::Word
+    : std::is_integral_v<Member>          ? OptionType::Integer
+    : std::is_floating_point_v<Member>    ? OptionType::Number
+    : std::is_same_v<Member, std::string> ? OptionType::Text
+    : std::is_same_v<Member, Point3>      ? OptionType::Numbers
+                                          : OptionType::Ids;
 }
 
 /// Fills in a row of the table.
@@ -422,9 +423,19 @@ void addSuggestion(Table& table)
     .where(cuts)
     .help("Maximum work of the search, in millions of steps on one triangle, each about a third of "
           "a second of one processor; the best cuts found by then are proposed; 0: no limit.");
+  table.add("PieceCount", [](All& all) { return &all.search.pieces; })
+    .spelled("pieces", "pieces")
+    .range(0.0, std::numeric_limits<int>::max())
+    .slider(0.0, 50.0)
+    .where({ "SuggestedCuts", { "seams", "all" } })
+    .help(
+      "About the number of pieces into which seams part the surface, with as little strain as that "
+      "allows; 0: as few as the bound takes.");
   table.add("Symmetric", [](All& all) { return &all.search.symmetric; })
-    .off("Propose cuts without regard to a mirror plane of the surface.")
-    .help("Where the surface is its own mirror image, propose cuts that are mirrored as well.");
+    .form("on|off|force|CURVE|PLANE")
+    .help("Mirrored cuts: on (where the surface is its own mirror image within 3 %), off, force "
+          "(across the best plane that there is), across the plane of a curve, or across a plane: "
+          "x, y or z, x=0.2, or its normal and offset as 1,0,0,0.2.");
   table.text("Preferences", OptionType::List)
     .spelled("prefer")
     .form("NAME=WEIGHT")

@@ -12,6 +12,7 @@
 #include "Suggestion/SurfaceMirror.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -28,6 +29,11 @@ constexpr double firstShare = 0.4;
 /// itself keep it with seams that are drawn smooth, or with seams along its edges.
 constexpr double coarseShare = 0.75;
 constexpr double ruggedShare = 0.95;
+/// Where a number of pieces is wanted, the search begins with the bound over this.
+constexpr double finerBound = 8.0;
+/// Of the bound of charts, those to which they are merged before their seams are drawn straight
+/// once more.
+constexpr std::array<double, 1> roundShares{ 0.6 };
 /// Where seams are laid into the version with few triangles, see ImprintOptions: slivers are worse
 /// than a seam that is not quite straight.
 constexpr double workingSnap = 0.15;
@@ -47,6 +53,8 @@ constexpr double drawingSteps = 5.0;
 constexpr double mostDrawnSteps = 100.0;
 /// Charts are parted again this often at most.
 constexpr int mostPartings = 3;
+/// Where the mirror is worse than this, in sqrt(area / pi), cuts are tried from either side.
+constexpr double unlikeSides = 0.01;
 /// In snap distances of an imprint, how near points of the mirror plane's section are to it.
 constexpr double inPlaneShare = 2.0;
 
@@ -94,15 +102,81 @@ std::vector<char> firstCuts(const TriangleMesh& mesh, double bound)
   return cut;
 }
 
+/// Sets of lines that cannot be laid into a surface together.
+std::vector<Indices> failingLines(const ImprintedSurface& imprinted, std::size_t count)
+{
+  if (imprinted.status.ok())
+  {
+    return meetingCurves(imprinted);
+  }
+  if (imprinted.status.curve != none)
+  {
+    return { { imprinted.status.curve } };
+  }
+  std::vector<Indices> bad;
+  for (Index k = 0; k < static_cast<Index>(count); ++k)
+  {
+    bad.push_back({ k });
+  }
+  return bad;
+}
+
+/// The mesh cut along imprinted curves.
+CutMesh cutAlong(ImprintedSurface imprinted)
+{
+  CutMesh result;
+  result.mesh = std::move(imprinted.mesh);
+  result.cut.assign(result.mesh.halfedgeCount(), 0);
+  for (const FeatureCurve& curve : imprinted.curves)
+  {
+    for (std::size_t k = 1; k < curve.vertices.size(); ++k)
+    {
+      const Index h = result.mesh.find(curve.vertices[k - 1], curve.vertices[k]);
+      const Index twin = h == none ? none : result.mesh.twin(h);
+      if (twin != none)
+      {
+        result.cut[h] = result.cut[twin] = 1;
+      }
+    }
+  }
+  return result;
+}
+
+/// Each curve beside a triangle that is not kept.
+std::vector<Indices> curvesBeside(const ImprintedSurface& surface, const std::vector<char>& keeping)
+{
+  std::vector<Indices> sets;
+  for (std::size_t c = 0; c < surface.curves.size(); ++c)
+  {
+    const Indices& vertices = surface.curves[c].vertices;
+    bool bad = false;
+    for (std::size_t k = 1; k < vertices.size(); ++k)
+    {
+      for (Index h : { surface.mesh.find(vertices[k - 1], vertices[k]),
+             surface.mesh.find(vertices[k], vertices[k - 1]) })
+      {
+        bad = bad || (h != none && !keeping[h / 3]);
+      }
+    }
+    if (bad)
+    {
+      sets.push_back({ static_cast<Index>(c) });
+    }
+  }
+  return sets;
+}
+
 /// The mesh cut along straight lines from end to end of its arcs, or as straight as they do not
-/// meet.
-CutMesh straightened(const TriangleMesh& mesh, const std::vector<Charts::Arc>& arcs)
+/// meet and charts keep the bound.
+CutMesh straightened(const TriangleMesh& mesh, const std::vector<Charts::Arc>& arcs,
+  const ChartOptions& options, double size, TrialBudget& budget, const Execution& execution)
 {
   const SeamDrawing drawing(mesh);
+  const Indices numbers = numbersTo(static_cast<Index>(arcs.size()));
   std::vector<int> levels(arcs.size(), 0);
   std::vector<int> drawn(arcs.size(), -1);
   std::vector<Polyline> lines(arcs.size());
-  ImprintedSurface imprinted;
+  CutMesh best;
   for (bool changed = true; changed;)
   {
     for (std::size_t k = 0; k < arcs.size(); ++k)
@@ -119,46 +193,32 @@ CutMesh straightened(const TriangleMesh& mesh, const std::vector<Charts::Arc>& a
         drawn[k] = levels[k];
       }
     }
-    ImprintOptions options;
-    options.snap = workingSnap;
-    imprinted = imprintCurves(mesh, lines, options);
-    std::vector<Indices> bad;
-    for (Index k = 0; k < static_cast<Index>(arcs.size()) && !imprinted.status.ok(); ++k)
+    ImprintOptions imprint;
+    imprint.snap = workingSnap;
+    ImprintedSurface imprinted = imprintCurves(mesh, lines, imprint);
+    std::vector<Indices> bad = failingLines(imprinted, lines.size());
+    if (bad.empty())
     {
-      bad.push_back({ k });
+      best = cutAlong(imprinted);
+      Charts charts(best.mesh, best.cut, numbersTo(best.mesh.halfedgeCount()), options, size);
+      bad = curvesBeside(imprinted, charts.keeping(budget, execution));
     }
-    changed = raiseLevels(imprinted.status.ok() ? meetingCurves(imprinted) : bad,
-      numbersTo(static_cast<Index>(arcs.size())), levels);
+    changed = !budget.spent() && !execution.cancelled() && raiseLevels(bad, numbers, levels);
   }
-  CutMesh result;
-  if (!imprinted.status.ok())
+  if (best.mesh.triangleCount() > 0)
   {
-    result.mesh = mesh;
-    result.cut.assign(mesh.halfedgeCount(), 0);
-    for (const Charts::Arc& arc : arcs)
-    {
-      for (Index h : arc.edges)
-      {
-        result.cut[h] = result.cut[mesh.twin(h)] = 1;
-      }
-    }
-    return result;
+    return best;
   }
-  result.mesh = std::move(imprinted.mesh);
-  result.cut.assign(result.mesh.halfedgeCount(), 0);
-  for (const FeatureCurve& curve : imprinted.curves)
+  best.mesh = mesh;
+  best.cut.assign(mesh.halfedgeCount(), 0);
+  for (const Charts::Arc& arc : arcs)
   {
-    for (std::size_t k = 1; k < curve.vertices.size(); ++k)
+    for (Index h : arc.edges)
     {
-      const Index h = result.mesh.find(curve.vertices[k - 1], curve.vertices[k]);
-      const Index twin = h == none ? none : result.mesh.twin(h);
-      if (twin != none)
-      {
-        result.cut[h] = result.cut[twin] = 1;
-      }
+      best.cut[h] = best.cut[mesh.twin(h)] = 1;
     }
   }
-  return result;
+  return best;
 }
 
 /// Two seams, no others of which meet where they do, are one.
@@ -236,6 +296,7 @@ public:
     , InPlane(inPlaneShare * SnapDistance(mesh, ImprintOptions().snap).greatest())
   {
     this->Options.bound *= straight ? coarseShare : ruggedShare;
+    this->Options.bound /= options.pieces > 0 ? finerBound : 1.0;
     this->Options.flattening = roughly(options.flattening);
   }
 
@@ -254,13 +315,20 @@ public:
     CutMesh parted{ half, first.cut(), {} };
     if (this->Straight)
     {
-      parted = straightened(half, first.arcs());
-      Charts second(
-        parted.mesh, parted.cut, numbersTo(parted.mesh.halfedgeCount()), this->Options, this->Size);
-      second.divide(budget, this->Run);
-      if (second.arcs().size() > first.arcs().size())
+      const auto straighten = [&](const TriangleMesh& mesh, const std::vector<Charts::Arc>& arcs) {
+        return straightened(mesh, arcs, this->Options, this->Size, budget, this->Run);
+      };
+      parted = straighten(half, first.arcs());
+      for (double share : roundShares)
       {
-        parted = straightened(parted.mesh, second.arcs());
+        ChartOptions rough = this->Options;
+        rough.bound *= share;
+        rough.pieces = this->Plane ? (rough.pieces + 1) / 2 : rough.pieces;
+        Charts merged(
+          parted.mesh, parted.cut, numbersTo(parted.mesh.halfedgeCount()), rough, this->Size);
+        merged.divide(budget, this->Run);
+        merged.merge(true, budget, this->Run);
+        parted = straighten(parted.mesh, merged.arcs());
       }
     }
     const CutMesh whole = this->withMirrored(parted);
@@ -270,7 +338,15 @@ public:
     }
     Charts charts(whole.mesh, whole.cut, whole.images, this->Options, this->Size);
     charts.divide(budget, this->Run);
-    charts.merge(budget, this->Run);
+    if (this->Options.pieces > 0)
+    {
+      const double reached = charts.mergeToFewest(budget, this->Run);
+      this->Bound = std::max(this->Bound, reached / coarseShare);
+    }
+    else
+    {
+      charts.merge(false, budget, this->Run);
+    }
     if (this->Options.darts)
     {
       charts.shorten(budget, this->Run);
@@ -457,15 +533,13 @@ private:
       this->Budget.pay(drawingSteps * static_cast<double>(this->Surface.triangleCount()));
       Indices seamOf;
       const std::vector<SuggestedCurve> cuts = cutsOf(seams, seamOf);
-      const ImprintedSurface imprinted = imprintCurves(this->Surface, linesOf(cuts), imprint);
-      std::vector<Indices> bad{ numbersTo(static_cast<Index>(cuts.size())) };
-      if (imprinted.status.ok())
+      const std::vector<Polyline> lines = linesOf(cuts);
+      const ImprintedSurface imprinted = imprintCurves(this->Surface, lines, imprint);
+      std::vector<Indices> bad = failingLines(imprinted, lines.size());
+      const bool drawn = bad.empty();
+      if (drawn)
       {
-        bad = meetingCurves(imprinted);
-      }
-      if (bad.empty())
-      {
-        const TrialOutcome outcome = trials.run(linesOf(cuts), this->Budget, this->Run);
+        const TrialOutcome outcome = trials.run(lines, this->Budget, this->Run);
         bad = this->aroundBad(imprinted, outcome);
         const auto faults = std::count(outcome.pieceFaults.begin(), outcome.pieceFaults.end(), 1);
         const double worst = static_cast<double>(faults) + outcome.strainP95;
@@ -476,7 +550,23 @@ private:
         }
       }
       changed = raiseLevels(bad, seamOf, levels);
+      if (!changed && !drawn)
+      {
+        // What cannot be drawn in any way is left out: of seams on each other the shortest.
+        changed = this->leaveOut(bad.front(), seamOf, cuts, seams, levels);
+      }
     }
+  }
+
+  /// The shortest of the cuts, and its image.
+  bool leaveOut(const Indices& set, const Indices& seamOf, const std::vector<SuggestedCurve>& cuts,
+    std::vector<Seam>& seams, std::vector<int>& levels) const
+  {
+    const Index shortest = *std::min_element(
+      set.begin(), set.end(), [&](Index a, Index b) { return cuts[a].length < cuts[b].length; });
+    seams.erase(seams.begin() + seamOf[shortest]);
+    levels.erase(levels.begin() + seamOf[shortest]);
+    return !seams.empty();
   }
 
   void draw(
@@ -652,19 +742,13 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
       continue;
     }
     more.insert(more.end(), here.begin(), here.end());
-    const std::size_t last = more.size();
-    for (std::size_t k = cuts.size(); k < last && images[p] != none; ++k)
+    if (images[p] != none)
     {
       done[images[p]] = 1;
-      more.push_back(more[k]);
-      more.back().mirrorOf = static_cast<Index>(k);
-      for (Point3& point : more.back().curve.points)
-      {
-        point = mirror->mirrored(point);
-      }
+      addImages(more, static_cast<Index>(cuts.size()), *mirror);
     }
     // Beside the others it may come too near to them.
-    if (last > cuts.size() && !trials.paths(linesOf(more)).empty())
+    if (!here.empty() && !trials.paths(linesOf(more)).empty())
     {
       cuts = std::move(more);
       added = true;
@@ -683,15 +767,27 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
     return drawnOn(mesh, plane,
       chartCuts(fewTriangles(mesh, settledTriangles / 2), plane, options, budget, execution));
   }
-  std::vector<SuggestedCurve> cuts =
-    ChartSearch(mesh, plane, true, options, budget, execution).run();
+  ChartSearch search(mesh, plane, true, options, budget, execution);
+  std::vector<SuggestedCurve> cuts = search.run();
+  if (plane && plane->error > unlikeSides)
+  {
+    const SymmetryPlane turned{ -plane->normal, -plane->offset, plane->error };
+    ChartSearch other(mesh, turned, true, options, budget, execution);
+    std::vector<SuggestedCurve> others = other.run();
+    if (std::max(other.worst(), options.bound) < std::max(search.worst(), options.bound) ||
+      (other.worst() <= options.bound && others.size() < cuts.size()))
+    {
+      cuts = std::move(others);
+    }
+  }
   if (cuts.empty() && plane)
   {
     return chartCuts(mesh, std::nullopt, options, budget, execution);
   }
   const std::optional<SurfaceMirror> mirror =
     plane ? std::optional<SurfaceMirror>(*plane) : std::nullopt;
-  for (int k = 0; k < mostPartings && !cuts.empty() && !budget.spent(); ++k)
+  const int partings = options.pieces > 0 ? 0 : mostPartings;
+  for (int k = 0; k < partings && !cuts.empty() && !budget.spent(); ++k)
   {
     if (!addCuts(mesh, mirror, k == 0, options, cuts, budget, execution) && k > 0)
     {

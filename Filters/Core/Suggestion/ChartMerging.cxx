@@ -3,6 +3,7 @@
 
 #include "Base/CompressedRows.h"
 #include "Suggestion/OpeningCuts.h"
+#include "Suggestion/SymmetryPlane.h"
 #include "Surface/VertexFan.h"
 
 #include <algorithm>
@@ -11,6 +12,8 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <queue>
+#include <tuple>
 
 namespace flattening
 {
@@ -18,8 +21,8 @@ namespace
 {
 /// Of the bound, that of the forecast for the parts of charts that do not keep it, and by what it
 /// is multiplied each time; the last parts are triangles.
-constexpr double dividedBound = 0.1;
-constexpr double dividedShare = 0.25;
+constexpr double dividedBound = 0.5;
+constexpr double dividedShare = 0.3;
 constexpr int mostDivisions = 4;
 /// A chart whose forecast is more than this many times the bound is not flattened: of 8,000 merged
 /// charts of animals and parts of machines 0.3 % kept the bound from there on.
@@ -33,8 +36,29 @@ constexpr std::size_t triedAtOnce = 4;
 constexpr Index numberedAtOnce = 16;
 /// Of bound^2, the rise of the mean square of the strain below which merging is free.
 constexpr double freeRise = 1e-2;
+/// Where a number of charts is wanted: by what the bound is multiplied, and up to where.
+constexpr double raisedBound = 1.3;
+constexpr double greatestBound = 1.0;
 /// Of a seam, what is sewn at once.
 constexpr std::array<double, 2> sewnShares{ 2.0 / 3.0, 1.0 / 3.0 };
+
+Point3 centroid(const TriangleMesh& mesh, Index triangle)
+{
+  const auto& [a, b, c] = mesh.triangle(triangle);
+  return (mesh.point(a) + mesh.point(b) + mesh.point(c)) / 3.0;
+}
+
+/// The two sides of a mesh across its longest axis.
+Indices halvesOf(const TriangleMesh& mesh)
+{
+  const SurfaceMoments moments = momentsOf(mesh);
+  Indices side;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    side.push_back(moments.axes.col(2).dot(centroid(mesh, t) - moments.center) > 0.0 ? 1 : 0);
+  }
+  return side;
+}
 }
 
 Charts::Charts(const TriangleMesh& mesh, std::vector<char> cut, Indices images,
@@ -43,6 +67,8 @@ Charts::Charts(const TriangleMesh& mesh, std::vector<char> cut, Indices images,
   , Cut(std::move(cut))
   , Images(std::move(images))
   , Options(options)
+  , Bound(options.bound)
+  , Fewest(std::max<Index>(1, options.pieces))
   , Size(size)
   , HoleOf(mesh.vertexCount(), none)
 {
@@ -59,23 +85,25 @@ Charts::Charts(const TriangleMesh& mesh, std::vector<char> cut, Indices images,
 
 void Charts::divide(TrialBudget& budget, const Execution& execution)
 {
-  double bound = dividedBound * this->Options.bound;
+  double bound = dividedBound * this->Bound;
   this->number(budget, execution);
   for (int round = 1; round <= mostDivisions && !execution.cancelled() && !budget.spent(); ++round)
   {
-    if (!this->divideOnce(round < mostDivisions ? bound : -1.0))
+    if (std::all_of(this->All.begin(), this->All.end(),
+          [](const Chart& chart) { return chart.keeps || chart.triangles.size() < 2; }))
     {
       return;
     }
+    this->divideOnce(round < mostDivisions ? bound : -1.0);
     bound *= dividedShare;
     this->number(budget, execution);
   }
 }
 
-/// False where all charts keep the bound.
-bool Charts::divideOnce(double bound)
+/// Charts that do not keep the bound become clusters, or, where it is an overlap that these do not
+/// know of, halves.
+void Charts::divideOnce(double bound)
 {
-  bool divided = false;
   for (const Chart& chart : this->All)
   {
     if (chart.keeps || chart.triangles.size() < 2)
@@ -83,7 +111,11 @@ bool Charts::divideOnce(double bound)
       continue;
     }
     const TriangleMesh part = openedPart(this->Mesh, chart.triangles, this->Cut).mesh;
-    const Indices parts = clusterTriangles(part, {}, {}, bound);
+    Indices parts = clusterTriangles(part, {}, {}, bound);
+    if (std::all_of(parts.begin(), parts.end(), [&](Index one) { return one == parts.front(); }))
+    {
+      parts = halvesOf(part);
+    }
     for (Index h = 0; h < part.halfedgeCount(); ++h)
     {
       const Index twin = part.twin(h);
@@ -94,23 +126,51 @@ bool Charts::divideOnce(double bound)
         {
           this->Cut[edge] = this->Cut[this->Mesh.twin(edge)] = 1;
         }
-        divided = true;
       }
     }
   }
-  return divided;
 }
 
-void Charts::merge(TrialBudget& budget, const Execution& execution)
+std::vector<char> Charts::keeping(TrialBudget& budget, const Execution& execution)
+{
+  this->number(budget, execution);
+  std::vector<char> keeping;
+  for (Index chart : this->ChartOf)
+  {
+    keeping.push_back(this->All[chart].keeps ? 1 : 0);
+  }
+  return keeping;
+}
+
+void Charts::merge(bool sharing, TrialBudget& budget, const Execution& execution)
 {
   this->eliminate(
-    [this](const std::vector<Arc>& arcs, std::vector<Removal>& removals) {
+    [this, sharing](const std::vector<Arc>& arcs, std::vector<Removal>& removals) {
       for (const Arc& arc : arcs)
       {
         removals.push_back(this->removalOf(arc.edges, this->Options.fixedPrice));
       }
+      for (std::size_t c = 0; sharing && c < this->All.size(); ++c)
+      {
+        Removal removal = this->sharedOut(static_cast<Index>(c));
+        if (removal.saved > 0.0)
+        {
+          removals.push_back(std::move(removal));
+        }
+      }
     },
     budget, execution);
+}
+
+double Charts::mergeToFewest(TrialBudget& budget, const Execution& execution)
+{
+  const auto more = [&] { return static_cast<Index>(this->All.size()) > this->Fewest; };
+  while (more() && this->Bound < greatestBound && !budget.spent() && !execution.cancelled())
+  {
+    this->merge(false, budget, execution);
+    this->Bound *= more() ? raisedBound : 1.0;
+  }
+  return this->Bound;
 }
 
 void Charts::shorten(TrialBudget& budget, const Execution& execution)
@@ -207,8 +267,8 @@ std::vector<Charts::Arc> Charts::arcs(bool opened) const
   return arcs;
 }
 
-/// Finds the charts and flattens each.
-void Charts::number(TrialBudget& budget, const Execution& execution)
+/// Finds the charts. Those without a triangle that changed are as before.
+void Charts::group(const std::vector<char>& changed)
 {
   JoinedSets sets(this->Mesh.triangleCount());
   for (Index h = 0; h < this->Mesh.halfedgeCount(); ++h)
@@ -218,20 +278,29 @@ void Charts::number(TrialBudget& budget, const Execution& execution)
       sets.join(h / 3, this->Mesh.twin(h) / 3);
     }
   }
+  const std::vector<Chart> before = std::move(this->All);
+  const Indices chartBefore = std::move(this->ChartOf);
   Indices number(this->Mesh.triangleCount(), none);
   this->ChartOf.clear();
   this->All.clear();
   for (Index t = 0; t < this->Mesh.triangleCount(); ++t)
   {
     const Index first = sets.find(t);
-    if (first == t)
+    if (number[first] == none)
     {
-      number[t] = static_cast<Index>(this->All.size());
+      number[first] = static_cast<Index>(this->All.size());
       this->All.emplace_back();
+      this->All.back().version = changed[t] ? this->Versions++ : before[chartBefore[t]].version;
     }
     this->ChartOf.push_back(number[first]);
     this->All[number[first]].triangles.push_back(t);
   }
+}
+
+/// Finds the charts and flattens each.
+void Charts::number(TrialBudget& budget, const Execution& execution)
+{
+  this->group(std::vector<char>(this->Mesh.triangleCount(), 1));
   const Execution inner = execution.nestedExecution();
   const auto count = static_cast<Index>(this->All.size());
   for (Index first = 0; first < count && !budget.spent(); first += numberedAtOnce)
@@ -251,10 +320,6 @@ void Charts::number(TrialBudget& budget, const Execution& execution)
       budget.pay(trials[k - first].work);
     }
   }
-  for (Chart& chart : this->All)
-  {
-    chart.version = this->Versions++;
-  }
 }
 
 /// Takes one of the removals after which charts keep the bound, that first which saves most for
@@ -269,15 +334,21 @@ void Charts::eliminate(
   {
     std::vector<Removal> removals;
     list(this->arcs(), removals);
+    if (static_cast<Index>(this->All.size()) <= this->Fewest)
+    {
+      removals.erase(std::remove_if(removals.begin(), removals.end(),
+                       [](const Removal& one) { return one.charts.size() > one.left; }),
+        removals.end());
+    }
     std::vector<Candidate*> order;
     std::vector<Candidate*> fresh;
     for (Removal& removal : removals)
     {
       const auto entry = known.emplace(this->keyOf(removal), Candidate());
       order.push_back(&entry.first->second);
+      order.back()->removal = std::move(removal); // charts have other numbers now
       if (entry.second)
       {
-        order.back()->removal = std::move(removal);
         fresh.push_back(order.back());
       }
     }
@@ -320,7 +391,7 @@ bool Charts::removeFirst(
         Candidate& one = *order[first + k];
         if (!one.tried)
         {
-          one.trial = this->tried(this->without(one.removal).mesh, inner);
+          one.trial = this->tried(one.removal, inner);
         }
       }
     });
@@ -344,28 +415,24 @@ bool Charts::removeFirst(
   return false;
 }
 
-/// The charts beside the edges become one, and their images.
 void Charts::remove(const Removal& removal)
 {
-  for (Index h : removal.edges)
+  std::vector<char> changed(this->Mesh.triangleCount(), 0);
+  for (const Indices* edges : { &removal.edges, &removal.opened })
   {
-    this->Cut[h] = this->Cut[this->Mesh.twin(h)] = 0;
-    const std::array<Index, 2> sides{ this->ChartOf[h / 3], this->ChartOf[this->Mesh.twin(h) / 3] };
-    const auto [kept, lost] = std::minmax(sides[0], sides[1]);
-    Chart& chart = this->All[kept];
-    chart.keeps = true;
-    chart.version = this->Versions++;
-    if (lost != kept)
+    for (Index h : *edges)
     {
-      Indices& gone = this->All[lost].triangles;
-      for (Index t : gone)
+      this->Cut[h] = this->Cut[this->Mesh.twin(h)] = edges == &removal.opened ? 1 : 0;
+      for (Index side : { h, this->Mesh.twin(h) })
       {
-        this->ChartOf[t] = kept;
+        for (Index t : this->All[this->ChartOf[side / 3]].triangles)
+        {
+          changed[t] = 1;
+        }
       }
-      chart.triangles.insert(chart.triangles.end(), gone.begin(), gone.end());
-      gone.clear();
     }
   }
+  this->group(changed);
 }
 
 Charts::Trial Charts::tried(const TriangleMesh& part, const Execution& execution) const
@@ -374,36 +441,93 @@ Charts::Trial Charts::tried(const TriangleMesh& part, const Execution& execution
   const TrialOutcome outcome =
     CutTrials(part, {}, {}, this->Options.flattening).run({}, budget, execution);
   return { outcome.valid && outcome.flipped == 0 && outcome.overlaps == 0 &&
-      outcome.strainP95 <= this->Options.bound,
+      outcome.strainP95 <= this->Bound,
     budget.work() };
 }
 
-/// The charts beside the edges with them sewn.
-OpenedPart Charts::without(const Removal& removal) const
+Charts::Trial Charts::tried(const Removal& removal, const Execution& execution) const
+{
+  Trial all;
+  all.keeps = true;
+  for (const OpenedPart& part : this->without(removal))
+  {
+    if (all.keeps)
+    {
+      const Trial one = this->tried(part.mesh, execution);
+      all.keeps = one.keeps;
+      all.work += one.work;
+    }
+  }
+  return all;
+}
+
+/// What becomes of the charts.
+std::vector<OpenedPart> Charts::without(const Removal& removal) const
 {
   std::vector<char> cut = this->Cut;
-  for (Index h : removal.edges)
+  for (const Indices* edges : { &removal.edges, &removal.opened })
   {
-    cut[h] = cut[this->Mesh.twin(h)] = 0;
+    for (Index h : *edges)
+    {
+      cut[h] = cut[this->Mesh.twin(h)] = edges == &removal.opened ? 1 : 0;
+    }
   }
-  Indices triangles;
+  std::vector<char> wanted(this->Mesh.triangleCount(), 0);
   for (Index chart : removal.charts)
   {
-    const Indices& more = this->All[chart].triangles;
-    triangles.insert(triangles.end(), more.begin(), more.end());
+    for (Index t : this->All[chart].triangles)
+    {
+      wanted[t] = 1;
+    }
   }
-  return openedPart(this->Mesh, triangles, cut);
+  std::vector<OpenedPart> parts;
+  for (Index chart : removal.charts)
+  {
+    for (Index first : this->All[chart].triangles)
+    {
+      Indices triangles;
+      if (wanted[first])
+      {
+        wanted[first] = 0;
+        triangles.push_back(first);
+      }
+      for (std::size_t k = 0; k < triangles.size(); ++k)
+      {
+        for (Index h = 3 * triangles[k]; h < 3 * triangles[k] + 3; ++h)
+        {
+          const Index other = cut[h] || this->Mesh.twin(h) == none ? none : this->Mesh.twin(h) / 3;
+          if (other != none && wanted[other])
+          {
+            wanted[other] = 0;
+            triangles.push_back(other);
+          }
+        }
+      }
+      if (!triangles.empty())
+      {
+        std::sort(triangles.begin(), triangles.end());
+        parts.push_back(openedPart(this->Mesh, triangles, cut));
+      }
+    }
+  }
+  return parts;
 }
 
 double Charts::forecastCost(const Removal& removal) const
 {
-  const OpenedPart part = this->without(removal);
-  const double strain =
-    this->isDisk(part) ? forecastStrain(part.mesh) : std::numeric_limits<double>::infinity();
-  const double bound = this->Options.bound;
-  return strain > hopelessShare * bound
-    ? std::numeric_limits<double>::infinity()
-    : (strain * strain + freeRise * bound * bound) * part.mesh.area();
+  const double bound = this->Bound;
+  const std::vector<OpenedPart> parts = this->without(removal);
+  double cost = 0.0;
+  for (const OpenedPart& part : parts)
+  {
+    const double strain = parts.size() == removal.left && this->isDisk(part)
+      ? forecastStrain(part.mesh)
+      : std::numeric_limits<double>::infinity();
+    cost += strain > hopelessShare * bound
+      ? std::numeric_limits<double>::infinity()
+      : (strain * strain + freeRise * bound * bound) * part.mesh.area();
+  }
+  return cost;
 }
 
 /// Holes filled.
@@ -466,6 +590,133 @@ Charts::Removal Charts::removalOf(Indices edges, double fixedPrice) const
   // As much as both of a pair, where both are of the one chart.
   removal.saved = fixedPrice * length / own + length / this->Size;
   removal.edges = std::move(edges);
+  return removal;
+}
+
+/// The charts beside a chart that get its triangles, each the nearest.
+/// \param owner per triangle, where it is in the chart, who gets it
+Indices Charts::receivers(Index chart, std::vector<Index>& owner) const
+{
+  const Index image = this->ChartOf[this->imageOf(this->All[chart].triangles.front())];
+  using Step = std::tuple<double, Index, Index>;
+  std::priority_queue<Step, std::vector<Step>, std::greater<>> queue;
+  for (Index t : this->All[chart].triangles)
+  {
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+    {
+      const Index twin = this->Mesh.twin(h);
+      const Index other = twin == none ? none : this->ChartOf[twin / 3];
+      if (other != none && other != chart && other != image)
+      {
+        const Point3 middle =
+          0.5 * (this->Mesh.point(this->Mesh.from(h)) + this->Mesh.point(this->Mesh.to(h)));
+        queue.emplace((centroid(this->Mesh, t) - middle).norm(), t, other);
+      }
+    }
+  }
+  while (!queue.empty())
+  {
+    const auto [distance, t, to] = queue.top();
+    queue.pop();
+    if (owner[t] != none)
+    {
+      continue;
+    }
+    owner[t] = to;
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+    {
+      const Index next = this->Mesh.twin(h) == none ? none : this->Mesh.twin(h) / 3;
+      if (next != none && this->ChartOf[next] == chart && owner[next] == none)
+      {
+        queue.emplace(
+          distance + (centroid(this->Mesh, next) - centroid(this->Mesh, t)).norm(), next, to);
+      }
+    }
+  }
+  Indices all;
+  for (Index t : this->All[chart].triangles)
+  {
+    const Index mirrored = this->imageOf(t);
+    const auto chartImage = [this](Index c) {
+      return this->ChartOf[this->imageOf(this->All[c].triangles.front())];
+    };
+    if (owner[t] == none)
+    {
+      return {};
+    }
+    if (mirrored < t && chart == image)
+    {
+      owner[t] = chartImage(owner[mirrored]);
+    }
+    owner[mirrored] = chart == image ? owner[mirrored] : chartImage(owner[t]);
+    all.push_back(owner[t]);
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+/// A chart, and its image, whose triangles go to those beside it.
+Charts::Removal Charts::sharedOut(Index chart) const
+{
+  Removal removal;
+  const Indices& triangles = this->All[chart].triangles;
+  const Index image = this->ChartOf[this->imageOf(triangles.front())];
+  if (image < chart)
+  {
+    return removal;
+  }
+  std::vector<Index> owner(this->Mesh.triangleCount(), none);
+  removal.charts = this->receivers(chart, owner);
+  if (removal.charts.size() < 2)
+  {
+    return removal; // one is a seam's matter
+  }
+  Indices images;
+  for (Index c : removal.charts)
+  {
+    images.push_back(this->ChartOf[this->imageOf(this->All[c].triangles.front())]);
+  }
+  const bool both = image != chart && std::any_of(images.begin(), images.end(), [&](Index c) {
+    return std::find(removal.charts.begin(), removal.charts.end(), c) != removal.charts.end();
+  });
+  removal.left = removal.charts.size();
+  if (both)
+  {
+    removal.charts.insert(removal.charts.end(), images.begin(), images.end());
+    std::sort(removal.charts.begin(), removal.charts.end());
+    removal.charts.erase(
+      std::unique(removal.charts.begin(), removal.charts.end()), removal.charts.end());
+    removal.left = removal.charts.size();
+    removal.charts.push_back(image);
+  }
+  removal.charts.push_back(chart);
+  const auto ownerOf = [&](Index t) { return owner[t] == none ? this->ChartOf[t] : owner[t]; };
+  double saved = 0.0;
+  for (Index c : { chart, image })
+  {
+    for (Index t : c == image && image == chart && c != chart ? Indices{} : this->All[c].triangles)
+    {
+      for (Index h = 3 * t; h < 3 * t + 3; ++h)
+      {
+        const Index twin = this->Mesh.twin(h);
+        const bool cut = twin != none && ownerOf(t) != ownerOf(twin / 3);
+        if (twin == none || cut == (this->Cut[h] != 0))
+        {
+          continue;
+        }
+        (cut ? removal.opened : removal.edges).push_back(std::min(h, twin));
+      }
+    }
+  }
+  for (Indices* edges : { &removal.edges, &removal.opened })
+  {
+    std::sort(edges->begin(), edges->end());
+    edges->erase(std::unique(edges->begin(), edges->end()), edges->end());
+    saved += (edges == &removal.opened ? -1.0 : 1.0) * this->length(*edges);
+  }
+  const double pair = image == chart ? 1.0 : 2.0;
+  removal.saved = (both ? 2.0 : 1.0) * (this->Options.fixedPrice + saved / pair / this->Size);
   return removal;
 }
 

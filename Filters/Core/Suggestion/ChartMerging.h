@@ -17,6 +17,7 @@ struct ChartOptions
   /// In that unit, no dart is shorter.
   double leastDart = 0.12;
   bool darts = true; ///< whether seams may end inside
+  Index pieces = 0;  ///< no fewer charts; 0: as few as the bound takes
   FlatteningOptions flattening;
 };
 
@@ -37,11 +38,18 @@ public:
   Charts(const TriangleMesh& mesh, std::vector<char> cut, Indices images,
     const ChartOptions& options, double size);
 
+  /// By triangle, whether its chart keeps the bound.
+  std::vector<char> keeping(TrialBudget& budget, const Execution& execution);
   /// Divides charts that do not keep the bound until all do: the forecast by which they were chosen
   /// does not know of overlaps.
   void divide(TrialBudget& budget, const Execution& execution);
   /// Sews whole seams as long as charts keep the bound. \pre divide()
-  void merge(TrialBudget& budget, const Execution& execution);
+  /// \param sharing whether charts may be shared out among those beside them as well, with seams
+  /// along edges
+  void merge(bool sharing, TrialBudget& budget, const Execution& execution);
+  /// As merge(), with larger bounds as long as there are more charts than wanted. \pre divide()
+  /// \return the bound of all charts
+  double mergeToFewest(TrialBudget& budget, const Execution& execution);
   /// Sews seams from an end on, and darts from their tips. \pre divide()
   void shorten(TrialBudget& budget, const Execution& execution);
 
@@ -63,11 +71,13 @@ private:
     bool keeps = false;
     Index version = 0; ///< another after each change
   };
-  /// Of cut edges and their images.
+  /// Cut edges that are sewn, and others that are cut in their place, with their images.
   struct Removal
   {
     Indices edges;
-    Indices charts; ///< on their sides, but for those that are images of others
+    Indices opened;
+    Indices charts;       ///< that change, but for those that are images of others
+    std::size_t left = 1; ///< charts that come of these
     double saved = 0.0;
   };
   struct Candidate
@@ -78,18 +88,23 @@ private:
     Trial trial;
   };
 
+  void group(const std::vector<char>& changed);
   void number(TrialBudget& budget, const Execution& execution);
-  bool divideOnce(double bound);
+  void divideOnce(double bound);
   void eliminate(const std::function<void(const std::vector<Arc>&, std::vector<Removal>&)>& list,
     TrialBudget& budget, const Execution& execution);
   bool removeFirst(
     const std::vector<Candidate*>& order, TrialBudget& budget, const Execution& execution);
   void remove(const Removal& removal);
   Trial tried(const TriangleMesh& part, const Execution& execution) const;
-  OpenedPart without(const Removal& removal) const;
+  Trial tried(const Removal& removal, const Execution& execution) const;
+  std::vector<OpenedPart> without(const Removal& removal) const;
   double forecastCost(const Removal& removal) const;
   bool isDisk(const OpenedPart& part) const;
   Removal removalOf(Indices edges, double fixedPrice) const;
+  Removal sharedOut(Index chart) const;
+  Indices receivers(Index chart, std::vector<Index>& owner) const;
+  Index imageOf(Index triangle) const { return this->Images[3 * triangle] / 3; }
   Indices keyOf(const Removal& removal) const;
   Indices cutEdges(Index v) const;
   std::size_t degree(Index v) const;
@@ -103,6 +118,8 @@ private:
   std::vector<char> Cut;
   Indices Images;
   const ChartOptions& Options;
+  double Bound;
+  Index Fewest; ///< charts
   double Size;
   Indices HoleOf;  ///< by vertex
   Indices ChartOf; ///< by triangle

@@ -44,6 +44,10 @@ constexpr double chartBound = 0.05;
 /// so often.
 constexpr double looserBound = 1.5;
 constexpr int mostLooser = 6;
+/// Mirrors that map surfaces onto themselves worse than this, in sqrt(area / pi), are refused.
+constexpr double forcedError = 0.25;
+/// Planes that mirror a surface better than this are taken before mirrors by lengths on it.
+constexpr double nearlyExact = 3e-3;
 /// Up to this many cuts are searched for once.
 constexpr Index singleSearch = 2;
 
@@ -102,9 +106,10 @@ public:
     {
       return refusal(surface.status);
     }
-    if (this->Options.search.symmetric)
+    const Status mirror = this->findMirror();
+    if (!mirror.ok())
     {
-      this->findMirror();
+      return refusal(mirror);
     }
     CutSet uncut;
     uncut.outcome = this->Whole.run({}, this->Budget, this->Run);
@@ -179,15 +184,39 @@ private:
     return merit(a) < merit(b);
   }
 
-  void findMirror()
+  Status findMirror()
   {
-    if (const std::optional<SymmetryPlane> plane = findSymmetryPlane(this->Mesh))
+    SymmetryChoice choice;
+    Status status = readSymmetry(this->Options.search.symmetric, this->Mesh, this->Curves, choice);
+    if (!status.ok() || choice.kind == SymmetryChoice::Off)
     {
-      this->Result.mirror = SurfaceMirror(*plane);
+      return status;
     }
-    else if (auto intrinsic = IntrinsicMirror::find(this->Mesh, this->Run))
+    if (choice.kind != SymmetryChoice::Found)
+    {
+      const std::optional<SymmetryPlane> plane = choice.kind == SymmetryChoice::Stated
+        ? measuredPlane(this->Mesh, choice.plane)
+        : findSymmetryPlane(this->Mesh, forcedError);
+      if (!plane || plane->spread > forcedError)
+      {
+        return { StatusCode::InvalidOption,
+          "no such plane mirrors 95 % of the surface to within " +
+            shortNumber(100.0 * forcedError) + " % of its size",
+          {}, { { Remedy::Give, "another plane, or symmetric off" } } };
+      }
+      this->Result.mirror = SurfaceMirror(*plane);
+      return {};
+    }
+    const std::optional<SymmetryPlane> plane = findSymmetryPlane(this->Mesh);
+    auto intrinsic =
+      plane && plane->error < nearlyExact ? nullptr : IntrinsicMirror::find(this->Mesh, this->Run);
+    if (intrinsic)
     {
       this->Result.mirror = SurfaceMirror(std::move(intrinsic));
+    }
+    else if (plane)
+    {
+      this->Result.mirror = SurfaceMirror(*plane);
     }
     // One that holds only nearly is no reason to keep a single cut to its axis.
     const bool alone = this->Options.search.maximumCuts == 1 && this->Result.mirror &&
@@ -197,6 +226,7 @@ private:
     {
       this->Result.mirror.reset();
     }
+    return {};
   }
 
   bool isFlat(const CutSet& set) const
@@ -207,7 +237,8 @@ private:
   /// The best set that is found, which is never worse than no cuts.
   CutSet bestSet(const ImprintedSurface& surface, const CutSet& uncut)
   {
-    if (this->isFlat(uncut))
+    const Index pieces = this->Options.search.pieces;
+    if (this->isFlat(uncut) && pieces <= static_cast<Index>(uncut.outcome.pieceStrains.size()))
     {
       this->Result.end = SearchEnd::BoundMet;
       return uncut;
@@ -217,7 +248,8 @@ private:
       [](const Polyline& curve) { return curve.type == CurveType::Key; });
     const bool charts = !keyed &&
       (!uncut.outcome.valid || (wanted.bound > 0.0 && wanted.cuts != SuggestedCuts::Darts));
-    bool chartsFirst = !uncut.outcome.valid || uncut.outcome.strainP95 > chartStrain * wanted.bound;
+    bool chartsFirst =
+      pieces > 0 || !uncut.outcome.valid || uncut.outcome.strainP95 > chartStrain * wanted.bound;
     for (Index h = 0; h < surface.mesh.halfedgeCount() && charts; ++h)
     {
       chartsFirst = chartsFirst || isCrease(surface.mesh, h);
@@ -227,7 +259,7 @@ private:
     {
       found.push_back(this->chartSet(surface, uncut));
     }
-    if (found.empty() || !this->isFlat(found.front()))
+    if (found.empty() || (pieces == 0 && !this->isFlat(found.front())))
     {
       this->addSets(found, this->neededCuts(surface));
     }
@@ -299,7 +331,7 @@ private:
       return rejected(spent ? SearchEnd::WorkUsedUp : SearchEnd::CutsUsedUp, set.cutsNeeded);
     }
     set.end = this->isFlat(set) ? SearchEnd::BoundMet : SearchEnd::NothingHelps;
-    if (set.end == SearchEnd::BoundMet || wanted.bound == 0.0)
+    if (set.end == SearchEnd::BoundMet || wanted.bound == 0.0 || wanted.pieces > 0)
     {
       return set;
     }
@@ -338,24 +370,48 @@ private:
     options.bound = bound;
     options.fixedPrice = this->Options.search.fixedPrice;
     options.leastDart = this->Options.search.leastLength;
+    options.pieces = this->Options.search.pieces;
     options.darts = this->Options.search.cuts == SuggestedCuts::All;
     options.flattening = this->Options.flattening;
-    const std::vector<Piece> pieces = extractPieces(cutSurface(surface.mesh, surface.curves));
+    const CutSurface cut = cutSurface(surface.mesh, surface.curves);
+    const std::vector<Piece> pieces = extractPieces(cut);
     const bool known = uncut.outcome.pieceStrains.size() == pieces.size();
-    const bool plane = this->Result.mirror && this->Result.mirror->plane() && pieces.size() == 1;
+    const std::optional<SurfaceMirror>& mirror = this->Result.mirror;
+    const bool plane = mirror && mirror->plane() && pieces.size() == 1;
+    const Indices images =
+      pieceImages(pieceSurfaces(surface, cut), mirror, std::sqrt(this->Area / pi));
+    std::vector<char> done(pieces.size(), 0);
+    double area = 0.0;
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+    {
+      done[p] =
+        options.pieces == 0 && known && this->withinBound(uncut.outcome.pieceStrains[p]) ? 1 : 0;
+      area += done[p] ? 0.0 : pieces[p].mesh.area();
+    }
+    const Index wanted =
+      std::max<Index>(0, options.pieces - std::count(done.begin(), done.end(), 1));
     std::vector<SuggestedCurve> cuts;
     for (std::size_t p = 0; p < pieces.size(); ++p)
     {
-      const auto before = static_cast<Index>(cuts.size());
-      if (known && this->withinBound(uncut.outcome.pieceStrains[p]))
+      if (done[p])
       {
         continue;
       }
-      for (SuggestedCurve& cut : chartCuts(pieces[p].mesh,
-             plane ? this->Result.mirror->plane() : std::nullopt, options, budget, this->Run))
+      if (options.pieces > 0)
       {
-        cut.mirrorOf += cut.mirrorOf == none ? 0 : before;
-        cuts.push_back(std::move(cut));
+        options.pieces = std::max<Index>(1, std::lround(wanted * pieces[p].mesh.area() / area));
+      }
+      const auto before = static_cast<Index>(cuts.size());
+      for (SuggestedCurve& one : chartCuts(
+             pieces[p].mesh, plane ? mirror->plane() : std::nullopt, options, budget, this->Run))
+      {
+        one.mirrorOf += one.mirrorOf == none ? 0 : before;
+        cuts.push_back(std::move(one));
+      }
+      if (images[p] != none)
+      {
+        done[images[p]] = 1;
+        addImages(cuts, before, *mirror);
       }
     }
     return cuts;

@@ -55,6 +55,20 @@ Status checkGrain(const FlatteningOptions& flattening, const std::vector<Polylin
 }
 }
 
+void addImages(std::vector<SuggestedCurve>& cuts, Index first, const SurfaceMirror& mirror)
+{
+  const auto last = static_cast<Index>(cuts.size());
+  for (Index k = first; k < last; ++k)
+  {
+    cuts.push_back(cuts[k]);
+    cuts.back().mirrorOf = k;
+    for (Point3& point : cuts.back().curve.points)
+    {
+      point = mirror.mirrored(point);
+    }
+  }
+}
+
 bool isProposedName(const std::string& name)
 {
   const char* const kinds[] = { "dart ", "seam ", "centre line ", "grain line ", "girth ",
@@ -85,6 +99,10 @@ Status checkSuggestion(
   if (options.maximumCuts < 0)
   {
     return refusal("the greatest number of cuts is below 0", "a number from 0, 0 for no limit");
+  }
+  if (options.pieces < 0)
+  {
+    return refusal("the number of pieces is below 0", "a number from 0, 0 for as few as possible");
   }
   if (!std::isfinite(options.maximumWork) || options.maximumWork < 0.0)
   {

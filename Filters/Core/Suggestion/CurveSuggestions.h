@@ -32,6 +32,9 @@ struct SearchOptions
   double bound = 0.05; // cloth gives as much
   /// Of all proposed cuts; 0: as many as the bound takes.
   Index maximumCuts = 0;
+  /// Into how many pieces seams are to part the surface, with as little strain as that allows; 0:
+  /// as few as the bound takes.
+  Index pieces = 0;
   /// Of all proposed cuts together, in the surface's unit; 0: no limit.
   double maximumCutLength = 0.0;
   double cutLengthLimit() const
@@ -39,8 +42,8 @@ struct SearchOptions
     return this->maximumCutLength > 0.0 ? this->maximumCutLength
                                         : std::numeric_limits<double>::infinity();
   }
-  /// Find a mirror plane and keep to it.
-  bool symmetric = true;
+  /// Which mirror plane is kept to, see readSymmetry().
+  std::string symmetric = "on";
   /// Curves along which a cut may begin or end at another price: it is divided by the weight; 0
   /// forbids it.
   struct Preference
@@ -120,6 +123,9 @@ struct CurveSuggestions
   Point3 worstPlace = Point3::Zero(); ///< where the strain is largest that is left
   Status status;
 };
+
+/// Adds the images of the cuts from one on.
+void addImages(std::vector<SuggestedCurve>& cuts, Index first, const SurfaceMirror& mirror);
 
 /// Whether a proposed cut or line may have this name, such as "dart 3".
 bool isProposedName(const std::string& name);

@@ -16,7 +16,7 @@ namespace
 {
 constexpr double creaseCosine = 0.866;
 /// Places this near to vertices, in mean edges, are moved onto them.
-constexpr double placeSnap = 0.1;
+constexpr double placeSnap = 0.03;
 /// In mean edges, points of a line are farther apart.
 constexpr double leastStep = 0.02;
 /// By level, how far lines go from their chains, in the longest steps of these.
@@ -56,12 +56,9 @@ bool SeamDrawing::exact(const SurfacePoint& from, const SurfacePoint& to) const
 
 Points3 SeamDrawing::draw(const std::vector<SurfacePoint>& chain, int level) const
 {
-  Points3 points{ chain.front().position };
+  std::vector<SurfacePoint> points{ chain.front() };
   const auto add = [&points](const SurfacePath& path) {
-    for (std::size_t k = 1; k < path.points.size(); ++k)
-    {
-      points.push_back(path.points[k].position);
-    }
+    points.insert(points.end(), path.points.begin() + 1, path.points.end());
   };
   for (std::size_t begin = 0; begin + 1 < chain.size();)
   {
@@ -87,7 +84,7 @@ Points3 SeamDrawing::draw(const std::vector<SurfacePoint>& chain, int level) con
     }
     if (end == begin)
     {
-      points.push_back(chain[++begin].position);
+      points.push_back(chain[++begin]);
       continue;
     }
     begin = end;
@@ -112,20 +109,28 @@ Points3 SeamDrawing::draw(const std::vector<SurfacePoint>& chain, int level) con
     }
   }
   // What is shorter than the snap distance of an imprint may turn back on itself there.
-  Points3 thinned{ points.front() };
-  for (const Point3& point : points)
+  const double least = leastStep * this->Snap.greatest() / placeSnap;
+  std::vector<SurfacePoint> thinned{ points.front() };
+  for (std::size_t k = 1; k < points.size(); ++k)
   {
-    if ((point - thinned.back()).norm() > leastStep * this->Snap.greatest() / placeSnap)
+    const bool last = k + 1 == points.size();
+    const SurfacePoint& before = thinned.back();
+    const double step = (points[k].position - before.position).norm();
+    if (last && step <= least && thinned.size() > 1)
     {
-      thinned.push_back(point);
+      thinned.pop_back();
+    }
+    if (last || step > least || commonTriangle(this->Mesh, before, points[k + 1]) == none)
+    {
+      thinned.push_back(points[k]);
     }
   }
-  if (thinned.size() > 1)
+  Points3 positions;
+  for (const SurfacePoint& point : thinned)
   {
-    thinned.pop_back();
+    positions.push_back(point.position);
   }
-  thinned.push_back(points.back());
-  return thinned;
+  return positions;
 }
 
 std::vector<Indices> meetingCurves(const ImprintedSurface& surface)

@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
+#include <map>
+#include <sstream>
 
 namespace flattening
 {
@@ -20,6 +23,70 @@ constexpr int mostPlaneRefinements = 10;
 constexpr Index vertexSamples = 500;
 /// Mirrored vertices that are this near, in sqrt(area / pi), are exact but for rounding.
 constexpr double exactly = 1e-12;
+
+/// Of the squared length of a curve, that of its width below which it tells no plane.
+constexpr double straight = 1e-4;
+
+/// The normal and the offset of a plane; empty where the text is none.
+std::vector<double> numbersOfPlane(const std::string& text)
+{
+  std::string rest = text;
+  std::vector<double> numbers;
+  const std::size_t axis = text.empty() ? std::string::npos : std::string("xyz").find(text[0]);
+  if (axis != std::string::npos)
+  {
+    numbers.assign(3, 0.0);
+    numbers[axis] = 1.0;
+    rest = text.size() == 1 ? "=0" : text.substr(1);
+    if (rest[0] != '=')
+    {
+      return {};
+    }
+    rest.erase(0, 1);
+  }
+  for (std::istringstream stream(rest); numbers.size() < 5 && stream.good();)
+  {
+    stream.imbue(std::locale::classic());
+    double number = 0.0;
+    char comma = ',';
+    stream >> number;
+    if (stream.fail() || (!(stream >> comma).eof() && comma != ','))
+    {
+      return {};
+    }
+    numbers.push_back(number);
+  }
+  return numbers.size() == 4 ? numbers : std::vector<double>();
+}
+
+SymmetryPlane planeOf(const Polyline& curve, const TriangleMesh& mesh)
+{
+  Point3 center = Point3::Zero();
+  for (const Point3& point : curve.points)
+  {
+    center += point / static_cast<double>(curve.points.size());
+  }
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Point3& point : curve.points)
+  {
+    spread += (point - center) * (point - center).transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+  SymmetryPlane plane;
+  plane.normal = axes.eigenvectors().col(0);
+  if (axes.eigenvalues()[1] < straight * axes.eigenvalues()[2])
+  {
+    const SurfaceLocator locator(mesh);
+    Point3 normal = Point3::Zero();
+    for (const Point3& point : curve.points)
+    {
+      normal += triangleNormal(mesh, locator.closest(point).triangle);
+    }
+    plane.normal = normal.cross(axes.eigenvectors().col(2)).normalized();
+  }
+  plane.offset = plane.normal.dot(center);
+  return plane;
+}
 
 class Fitting
 {
@@ -40,7 +107,13 @@ public:
     }
   }
 
-  std::optional<SymmetryPlane> run(double tolerance)
+  SymmetryPlane measured(const SymmetryPlane& plane) const
+  {
+    std::vector<ClosestPoint> closest;
+    return this->measured(plane, closest);
+  }
+
+  std::optional<SymmetryPlane> run(double tolerance) const
   {
     std::vector<Point3> normals{ Point3::UnitX(), Point3::UnitY(), Point3::UnitZ() };
     for (int k = 0; k < 3; ++k)
@@ -51,7 +124,7 @@ public:
     for (const Point3& normal : normals)
     {
       const SymmetryPlane plane = this->refined(normal);
-      if (plane.error < tolerance && (!best || plane.error < best->error) &&
+      if (plane.spread < tolerance && (!best || plane.error < best->error) &&
         !this->liesIn(plane, tolerance))
       {
         best = plane;
@@ -91,13 +164,18 @@ private:
   /// \param closest becomes by sample what is nearest to its image
   SymmetryPlane measured(SymmetryPlane plane, std::vector<ClosestPoint>& closest) const
   {
+    std::vector<double> distances;
     plane.error = 0.0;
     closest.clear();
     for (Index v : this->Samples)
     {
       closest.push_back(this->Locator.closest(plane.mirrored(this->Mesh.point(v))));
       plane.error += closest.back().distance;
+      distances.push_back(closest.back().distance / this->Size);
     }
+    const auto most = distances.begin() + static_cast<std::ptrdiff_t>(0.95 * distances.size());
+    std::nth_element(distances.begin(), most, distances.end());
+    plane.spread = *most;
     plane.error /= static_cast<double>(this->Samples.size()) * this->Size;
     return plane;
   }
@@ -175,5 +253,44 @@ SymmetryPlane flattestPlane(const TriangleMesh& mesh)
 std::optional<SymmetryPlane> findSymmetryPlane(const TriangleMesh& mesh, double tolerance)
 {
   return Fitting(mesh).run(tolerance);
+}
+
+SymmetryPlane measuredPlane(const TriangleMesh& mesh, const SymmetryPlane& plane)
+{
+  return Fitting(mesh).measured(plane);
+}
+
+Status readSymmetry(const std::string& text, const TriangleMesh& mesh,
+  const std::vector<Polyline>& curves, SymmetryChoice& choice)
+{
+  const std::map<std::string, SymmetryChoice::Kind> words{ { "off", SymmetryChoice::Off },
+    { "on", SymmetryChoice::Found }, { "force", SymmetryChoice::Forced } };
+  if (words.count(text) > 0)
+  {
+    choice.kind = words.at(text);
+    return {};
+  }
+  choice.kind = SymmetryChoice::Stated;
+  const auto curve = std::find_if(
+    curves.begin(), curves.end(), [&](const Polyline& one) { return one.name == text; });
+  if (curve != curves.end())
+  {
+    choice.plane = planeOf(*curve, mesh);
+    return {};
+  }
+  const std::vector<double> numbers = numbersOfPlane(text);
+  const Point3 normal =
+    numbers.empty() ? Point3::Zero() : Point3(numbers[0], numbers[1], numbers[2]);
+  const double length = normal.norm();
+  if (numbers.empty() || !std::isfinite(length) || length == 0.0 || !std::isfinite(numbers[3]))
+  {
+    return { StatusCode::InvalidOption,
+      "the symmetry is \"" + text + "\", which is neither a curve's name nor a plane", {},
+      { { Remedy::Give,
+        "on, off, force, the name of a curve, or a plane as x, y=0.5 or 1,0,0,0.2" } } };
+  }
+  choice.plane.normal = normal / length;
+  choice.plane.offset = numbers[3] / length;
+  return {};
 }
 }

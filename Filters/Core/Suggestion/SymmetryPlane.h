@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/Status.h"
+#include "Surface/FeatureCurve.h"
 #include "Surface/TriangleMesh.h"
 
 #include <Eigen/Core>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace flattening
 {
@@ -27,6 +31,7 @@ struct SymmetryPlane
   double offset = 0.0;             ///< points p of the plane: normal . p = offset
   /// Mean distance of mirrored vertices from the surface, as a fraction of sqrt(area / pi).
   double error = 0.0;
+  double spread = 0.0; ///< the distance within which 95 % of them are
 
   double side(const Point3& point) const { return this->normal.dot(point) - this->offset; }
   Point3 mirrored(const Point3& point) const
@@ -43,7 +48,32 @@ SymmetryPlane flattestPlane(const TriangleMesh& mesh);
 /// z, that mirrors the surface onto itself best, brings mirrored vertices and surface as near to
 /// each other as it can (closest points, point to plane: Y. Chen, G. Medioni, "Object modelling by
 /// registration of multiple range images", Image and Vision Computing 10(3), 1992), and takes it
-/// where the mean distance is below `tolerance` times sqrt(area / pi), and that of the surface from
-/// the plane is not.
-std::optional<SymmetryPlane> findSymmetryPlane(const TriangleMesh& mesh, double tolerance = 3e-3);
+/// where 95 % of them are within `tolerance` times sqrt(area / pi), and the mean distance of the
+/// surface from the plane is not.
+std::optional<SymmetryPlane> findSymmetryPlane(const TriangleMesh& mesh, double tolerance = 0.03);
+
+/// What a user says of the mirror plane.
+struct SymmetryChoice
+{
+  enum Kind
+  {
+    Off,
+    Found,  ///< where there is one
+    Forced, ///< the best that there is
+    Stated
+  };
+  Kind kind = Found;
+  SymmetryPlane plane; ///< the one stated, without its error
+};
+
+/// "on", "off", "force", the name of a curve, or a plane as "x", "y=0.5" or "NX,NY,NZ,OFFSET".
+///
+/// The plane of a curve is that in which its points lie best, and of a straight one that through the
+/// mean normal of the surface there.
+/// Errors: InvalidOption (another text; a normal of no length).
+Status readSymmetry(const std::string& text, const TriangleMesh& mesh,
+  const std::vector<Polyline>& curves, SymmetryChoice& choice);
+
+/// The plane with its error.
+SymmetryPlane measuredPlane(const TriangleMesh& mesh, const SymmetryPlane& plane);
 }
