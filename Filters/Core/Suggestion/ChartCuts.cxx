@@ -769,6 +769,7 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   }
   ChartSearch search(mesh, plane, true, options, budget, execution);
   std::vector<SuggestedCurve> cuts = search.run();
+  double worst = search.worst();
   if (plane && plane->error > unlikeSides)
   {
     const SymmetryPlane turned{ -plane->normal, -plane->offset, plane->error };
@@ -778,9 +779,13 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
       (other.worst() <= options.bound && others.size() < cuts.size()))
     {
       cuts = std::move(others);
+      worst = other.worst();
     }
   }
-  if (cuts.empty() && plane)
+  // Halves may differ too much for the cuts of one to do for the other.
+  const bool unlike = plane && plane->error > SurfaceMirror::exact && !options.mirrorKept &&
+    options.pieces == 0 && worst > partedShare * options.bound;
+  if (plane && (cuts.empty() || unlike))
   {
     return chartCuts(mesh, std::nullopt, options, budget, execution);
   }

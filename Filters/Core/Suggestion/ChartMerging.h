@@ -18,6 +18,8 @@ struct ChartOptions
   double leastDart = 0.12;
   bool darts = true; ///< whether seams may end inside
   Index pieces = 0;  ///< no fewer charts; 0: as few as the bound takes
+  /// Whether a mirror plane is kept to where its two sides differ too much to be cut alike.
+  bool mirrorKept = false;
   FlatteningOptions flattening;
 };
 

@@ -370,6 +370,7 @@ private:
     options.bound = bound;
     options.fixedPrice = this->Options.search.fixedPrice;
     options.leastDart = this->Options.search.leastLength;
+    options.mirrorKept = this->Options.search.symmetric != "on";
     options.pieces = this->Options.search.pieces;
     options.darts = this->Options.search.cuts == SuggestedCuts::All;
     options.flattening = this->Options.flattening;

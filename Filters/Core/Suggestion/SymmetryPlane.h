@@ -68,8 +68,8 @@ struct SymmetryChoice
 
 /// "on", "off", "force", the name of a curve, or a plane as "x", "y=0.5" or "NX,NY,NZ,OFFSET".
 ///
-/// The plane of a curve is that in which its points lie best, and of a straight one that through the
-/// mean normal of the surface there.
+/// The plane of a curve is that in which its points lie best, and of a straight one that through
+/// the mean normal of the surface there.
 /// Errors: InvalidOption (another text; a normal of no length).
 Status readSymmetry(const std::string& text, const TriangleMesh& mesh,
   const std::vector<Polyline>& curves, SymmetryChoice& choice);
