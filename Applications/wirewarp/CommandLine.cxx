@@ -256,8 +256,8 @@ const std::vector<Command>& commands()
       "File for the curves, .vtp (default: <name of SURFACE>_cuts.vtp); or a folder, which keeps "
       "the flat pieces as well",
       addCutting,
-      { "--kind", "--max-strain", "--max-cuts", "--max-length", "--effort", "--pieces", "--symmetric",
-        "--prefer", "--weights", "--material", "--grain", "--seams-from" } },
+      { "--kind", "--max-strain", "--max-cuts", "--max-length", "--effort", "--pieces",
+        "--symmetric", "--prefer", "--weights", "--material", "--grain", "--seams-from" } },
     { "flatten", "Flatten a surface so that boundary and curves keep their length", "SURFACE",
       "DIR", "The folder of the result (default: <name of SURFACE>_flat)", nothing,
       { "--material", "--grain", "--tolerance", "--ease", "--dart-legs", "--close-cuts",

@@ -102,8 +102,9 @@ public:
   {
     const SurfaceMoments whole = momentsOf(cut.mesh);
     this->Center = whole.center;
-    this->Axis = longestAxis(
-      whole, symmetric && this->Pieces.size() != 1 ? findSymmetryPlane(cut.mesh, mirrorTolerance) : std::nullopt);
+    this->Axis = longestAxis(whole,
+      symmetric && this->Pieces.size() != 1 ? findSymmetryPlane(cut.mesh, mirrorTolerance)
+                                            : std::nullopt);
     for (const Piece& piece : this->Pieces)
     {
       this->Frames.push_back(frameOf(piece, curves, symmetric));
