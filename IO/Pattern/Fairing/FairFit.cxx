@@ -434,6 +434,13 @@ private:
   {
     --this->Left;
     this->Last = solveFairNetwork(this->Network, this->Wave);
+    // Its length is neither seen nor measured right.
+    for (const std::vector<FairSpan>& curve : this->Last.spans)
+    {
+      this->Last.converged = this->Last.converged &&
+        std::none_of(
+          curve.begin(), curve.end(), [](const FairSpan& one) { return one.turnsBack(); });
+    }
   }
 
   static std::vector<double> sharesOf(const FairStretch& stretch, const std::vector<double>& off)

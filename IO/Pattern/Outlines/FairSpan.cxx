@@ -9,6 +9,9 @@ namespace flattening::pattern
 namespace
 {
 constexpr int mostParts = 10000; ///< chords of a span
+/// Of a curve by its arc length: 1 where it runs evenly, 0 at a cusp.
+constexpr double leastSpeed = 0.25;
+constexpr int placesOfTurns = 32; ///< between them no drawn curve turns by a right angle
 }
 
 Point2 FairSpan::at(double arc) const
@@ -36,6 +39,21 @@ bool FairSpan::straight() const
   const double off = std::max((this->control[1] - this->control[0] - third).norm(),
     (this->control[3] - this->control[2] - third).norm());
   return off < 1e-6 * third.norm();
+}
+
+bool FairSpan::turnsBack() const
+{
+  Point2 before = Point2::Zero();
+  for (int k = 0; k <= placesOfTurns; ++k)
+  {
+    const Point2 slope = this->slope(this->from + (this->to - this->from) * k / placesOfTurns);
+    if (slope.norm() < leastSpeed || slope.dot(before) < 0.0)
+    {
+      return true;
+    }
+    before = slope;
+  }
+  return false;
 }
 
 double FairSpan::length() const

@@ -18,7 +18,10 @@ struct FairSpan
   Point2 at(double arc) const;
   Point2 slope(double arc) const; ///< derivative by arc length
   bool straight() const;          ///< and run evenly, to a millionth of its length
-  double length() const;          ///< to rounding for what nearly runs by arc length
+  /// Whether it runs back on itself, or nearly so, as a curve may that has more length than its
+  /// points need.
+  bool turnsBack() const;
+  double length() const; ///< to rounding for what nearly runs by arc length
 };
 
 double curveLength(const std::vector<FairSpan>& curve);
