@@ -12,7 +12,6 @@
 #include "Suggestion/SurfaceMirror.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -31,9 +30,9 @@ constexpr double coarseShare = 0.75;
 constexpr double ruggedShare = 0.95;
 /// Where a number of pieces is wanted, the search begins with the bound over this.
 constexpr double finerBound = 8.0;
-/// Of the bound of charts, those to which they are merged before their seams are drawn straight
-/// once more.
-constexpr std::array<double, 1> roundShares{ 0.6 };
+/// Of the bound of charts, that to which they are merged before their seams are drawn straight once
+/// more.
+constexpr double roughShare = 0.6;
 /// Where seams are laid into the version with few triangles, see ImprintOptions: slivers are worse
 /// than a seam that is not quite straight.
 constexpr double workingSnap = 0.15;
@@ -122,10 +121,10 @@ std::vector<Indices> failingLines(const ImprintedSurface& imprinted, std::size_t
 }
 
 /// The mesh cut along imprinted curves.
-CutMesh cutAlong(ImprintedSurface imprinted)
+CutMesh cutAlong(const ImprintedSurface& imprinted)
 {
   CutMesh result;
-  result.mesh = std::move(imprinted.mesh);
+  result.mesh = imprinted.mesh;
   result.cut.assign(result.mesh.halfedgeCount(), 0);
   for (const FeatureCurve& curve : imprinted.curves)
   {
@@ -142,7 +141,7 @@ CutMesh cutAlong(ImprintedSurface imprinted)
   return result;
 }
 
-/// Each curve beside a triangle that is not kept.
+/// Each curve beside a triangle whose chart does not keep the bound.
 std::vector<Indices> curvesBeside(const ImprintedSurface& surface, const std::vector<char>& keeping)
 {
   std::vector<Indices> sets;
@@ -195,7 +194,8 @@ CutMesh straightened(const TriangleMesh& mesh, const std::vector<Charts::Arc>& a
     }
     ImprintOptions imprint;
     imprint.snap = workingSnap;
-    ImprintedSurface imprinted = imprintCurves(mesh, lines, imprint);
+    const ImprintedSurface imprinted = imprintCurves(mesh, lines, imprint);
+    budget.pay(drawingSteps * static_cast<double>(mesh.triangleCount()));
     std::vector<Indices> bad = failingLines(imprinted, lines.size());
     if (bad.empty())
     {
@@ -319,17 +319,14 @@ public:
         return straightened(mesh, arcs, this->Options, this->Size, budget, this->Run);
       };
       parted = straighten(half, first.arcs());
-      for (double share : roundShares)
-      {
-        ChartOptions rough = this->Options;
-        rough.bound *= share;
-        rough.pieces = this->Plane ? (rough.pieces + 1) / 2 : rough.pieces;
-        Charts merged(
-          parted.mesh, parted.cut, numbersTo(parted.mesh.halfedgeCount()), rough, this->Size);
-        merged.divide(budget, this->Run);
-        merged.merge(true, budget, this->Run);
-        parted = straighten(parted.mesh, merged.arcs());
-      }
+      ChartOptions rough = this->Options;
+      rough.bound *= roughShare;
+      rough.pieces = this->Plane ? (rough.pieces + 1) / 2 : rough.pieces;
+      Charts merged(
+        parted.mesh, parted.cut, numbersTo(parted.mesh.halfedgeCount()), rough, this->Size);
+      merged.divide(budget, this->Run);
+      merged.merge(true, budget, this->Run);
+      parted = straighten(parted.mesh, merged.arcs());
     }
     const CutMesh whole = this->withMirrored(parted);
     if (whole.mesh.triangleCount() == 0)
