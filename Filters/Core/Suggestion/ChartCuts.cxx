@@ -33,6 +33,8 @@ constexpr double finerBound = 8.0;
 /// Of the bound of charts, that to which they are merged before their seams are drawn straight once
 /// more.
 constexpr double roughShare = 0.6;
+/// Of the work for charts, what that may take.
+constexpr double roughWork = 0.4;
 /// Where seams are laid into the version with few triangles, see ImprintOptions: slivers are worse
 /// than a seam that is not quite straight.
 constexpr double workingSnap = 0.15;
@@ -324,8 +326,10 @@ public:
       rough.pieces = this->Plane ? (rough.pieces + 1) / 2 : rough.pieces;
       Charts merged(
         parted.mesh, parted.cut, numbersTo(parted.mesh.halfedgeCount()), rough, this->Size);
-      merged.divide(budget, this->Run);
-      merged.merge(true, budget, this->Run);
+      TrialBudget some(roughWork * budget.left());
+      merged.divide(some, this->Run);
+      merged.merge(true, some, this->Run);
+      budget.add(some);
       parted = straighten(parted.mesh, merged.arcs());
     }
     const CutMesh whole = this->withMirrored(parted);

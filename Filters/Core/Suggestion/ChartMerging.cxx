@@ -150,8 +150,14 @@ void Charts::merge(bool sharing, TrialBudget& budget, const Execution& execution
       {
         removals.push_back(this->removalOf(arc.edges, this->Options.fixedPrice));
       }
+      // Large charts rarely fit beside others, and take long to try.
+      const auto mean = static_cast<std::size_t>(this->Mesh.triangleCount()) / this->All.size();
       for (std::size_t c = 0; sharing && c < this->All.size(); ++c)
       {
+        if (this->All[c].triangles.size() > mean)
+        {
+          continue;
+        }
         Removal removal = this->sharedOut(static_cast<Index>(c));
         if (removal.saved > 0.0)
         {
