@@ -170,7 +170,7 @@ QString CurveOptionsTable::defectOfEase(int row) const
   bool isNumber = true;
   if (!piece.isEmpty() && (piece.toInt(&isNumber) < 1 || !isNumber))
   {
-    return "Piece" + of + piece + " is no number of a piece, from 1";
+    return "Piece" + of + piece + " is not the number of a piece, from 1";
   }
   return ease.isEmpty() && !piece.isEmpty() ? "Piece" + of + "there is no ease for it" : QString();
 }

@@ -268,7 +268,7 @@ private:
       if (!(piece >= -1.0 && piece < std::numeric_limits<Index>::max() &&
             piece == std::floor(piece)))
       {
-        return this->refuseCell(cell, "has an EasedPiece that is no number of a piece",
+        return this->refuseCell(cell, "has an EasedPiece that is not the number of a piece",
           "the number of a piece from 0, or -1 for the only one");
       }
       ease.piece = static_cast<Index>(piece);

@@ -66,6 +66,19 @@ PatternOptions wherePiecesAreSymmetric()
   options.cutOnFold = true;
   return options;
 }
+
+/// A half of the trapezium, of height 320, with its fold at x = 0.
+void expectFold(const PatternPiece& piece, double tolerance)
+{
+  EXPECT_NEAR(piece.extent.y(), 320.0, 1e-3);
+  const PatternLine fold = lineOf(piece, LineKind::Fold);
+  for (const Point2& p : fold.points)
+  {
+    EXPECT_NEAR(p.x(), 0.0, tolerance);
+  }
+  EXPECT_NEAR((fold.points[1] - fold.points[0]).norm(), 320.0, 1e-3);
+  EXPECT_TRUE(says(piece, "cut 1 on fold"));
+}
 }
 
 TEST(SymmetricFolds, LinesThatRunAcrossTheFoldAreHalved)
@@ -98,14 +111,7 @@ TEST(SymmetricFolds, APieceThatIsNotSymmetricIsDrawnWholeAndSaysSo)
 TEST(NamedFolds, OfAPieceThatHasItInsideAHalfIsDrawn)
 {
   const PatternPiece piece = drawn(trapezium(0.0), onFold("centre"));
-  EXPECT_NEAR(piece.extent.y(), 320.0, 1e-3);
-  const PatternLine fold = lineOf(piece, LineKind::Fold);
-  for (const Point2& p : fold.points)
-  {
-    EXPECT_NEAR(p.x(), 0.0, 1e-9);
-  }
-  EXPECT_NEAR((fold.points[1] - fold.points[0]).norm(), 320.0, 1e-3);
-  EXPECT_TRUE(says(piece, "cut 1 on fold"));
+  expectFold(piece, 1e-9);
 }
 
 TEST(NamedFolds, APieceThatIsNotSymmetricIsRefusedWithTheCurveAndByHowMuch)
@@ -131,14 +137,7 @@ TEST(NamedFolds, AHalfLiesWithItsEdgeOnTheFoldWithoutAllowance)
   const PatternPiece piece = drawn(halfOfIt(), onFold("centre"));
   const PatternPiece other = drawn(trapezium(0.0), onFold("centre"));
   EXPECT_NEAR(piece.extent.x(), other.extent.x(), 1e-3);
-  EXPECT_NEAR(piece.extent.y(), 320.0, 1e-3);
-  const PatternLine fold = lineOf(piece, LineKind::Fold);
-  for (const Point2& p : fold.points)
-  {
-    EXPECT_NEAR(p.x(), 0.0, 1e-3);
-  }
-  EXPECT_NEAR((fold.points[1] - fold.points[0]).norm(), 320.0, 1e-3);
-  EXPECT_TRUE(says(piece, "cut 1 on fold"));
+  expectFold(piece, 1e-3);
   // What lies on the fold is not sewn.
   EXPECT_EQ(lineOf(piece, LineKind::Internal).name, "centre");
 }

@@ -106,6 +106,12 @@ public:
     {
       return refusal(surface.status);
     }
+    if (this->Options.search.pieces > 0 && this->hasKeys())
+    {
+      return refusal({ StatusCode::InvalidOption,
+        "a number of pieces is asked for, and key curves, across which no seam may run, are there",
+        {}, { { Remedy::Give, "no number of pieces, or no key curve" } } });
+    }
     const Status mirror = this->findMirror();
     if (!mirror.ok())
     {
@@ -229,6 +235,12 @@ private:
     return {};
   }
 
+  bool hasKeys() const
+  {
+    return std::any_of(this->Curves.begin(), this->Curves.end(),
+      [](const Polyline& curve) { return curve.type == CurveType::Key; });
+  }
+
   bool isFlat(const CutSet& set) const
   {
     return set.outcome.valid && this->withinBound(set.outcome.strainP95);
@@ -244,10 +256,9 @@ private:
       return uncut;
     }
     const SearchOptions& wanted = this->Options.search;
-    const bool keyed = std::any_of(this->Curves.begin(), this->Curves.end(),
-      [](const Polyline& curve) { return curve.type == CurveType::Key; });
-    const bool charts = !keyed &&
-      (!uncut.outcome.valid || (wanted.bound > 0.0 && wanted.cuts != SuggestedCuts::Darts));
+    const bool charts = !this->hasKeys() &&
+      (pieces > 0 || !uncut.outcome.valid ||
+        (wanted.bound > 0.0 && wanted.cuts != SuggestedCuts::Darts));
     bool chartsFirst =
       pieces > 0 || !uncut.outcome.valid || uncut.outcome.strainP95 > chartStrain * wanted.bound;
     for (Index h = 0; h < surface.mesh.halfedgeCount() && charts; ++h)

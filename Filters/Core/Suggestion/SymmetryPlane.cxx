@@ -82,7 +82,8 @@ SymmetryPlane planeOf(const Polyline& curve, const TriangleMesh& mesh)
     {
       normal += triangleNormal(mesh, locator.closest(point).triangle);
     }
-    plane.normal = normal.cross(axes.eigenvectors().col(2)).normalized();
+    const Point3 across = normal.cross(axes.eigenvectors().col(2));
+    plane.normal = across.norm() > 0.0 ? across.normalized() : plane.normal;
   }
   plane.offset = plane.normal.dot(center);
   return plane;

@@ -133,7 +133,7 @@ def _set_eases(filter_: Any, eases: Optional[Mapping[Any, float]]) -> None:
     for key, value in eases.items():
         name, piece = key if isinstance(key, tuple) and len(key) == 2 else (key, -1)
         if isinstance(piece, bool) or not isinstance(piece, (int, np.integer)) or piece < -1:
-            raise ArgumentError(f"ease of {key!r}: {piece!r} is no number of a piece, from 0")
+            raise ArgumentError(f"ease of {key!r}: {piece!r} is not the number of a piece, from 0")
         try:
             filter_.AddCurveEase(name, int(piece), value)
         except TypeError as error:
