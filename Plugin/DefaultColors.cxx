@@ -3,13 +3,69 @@
 
 #include "ColorPresets.h"
 
+#include "vtkClientServerInterpreter.h"
+#include "vtkClientServerInterpreterInitializer.h"
+#include "vtkObjectBase.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMProxy.h"
 #include "vtkSMSettings.h"
 #include "vtkSMTransferFunctionPresets.h"
+#include "vtkSetGet.h"
 
 #include <string>
+#include <utility>
 
 namespace
 {
+/// What shows the outputs of the filters. ColorBy() of ParaView's Python rescales by force the
+/// table of the array that it has chosen; here this first rescaling leaves tables alone whose range
+/// is fixed, as ParaView's window does.
+class FlatteningRepresentation : public vtkSMPVRepresentationProxy
+{
+public:
+  static FlatteningRepresentation* New();
+  vtkTypeMacro(FlatteningRepresentation, vtkSMPVRepresentationProxy);
+
+  using vtkSMPVRepresentationProxy::RescaleTransferFunctionToDataRange;
+  using vtkSMPVRepresentationProxy::SetScalarColoring;
+
+  bool SetScalarColoring(const char* array, int association) override
+  {
+    this->IsNewlyColored = array != nullptr;
+    return this->Superclass::SetScalarColoring(array, association);
+  }
+
+  bool SetScalarColoring(const char* array, int association, int component) override
+  {
+    this->IsNewlyColored = array != nullptr;
+    return this->Superclass::SetScalarColoring(array, association, component);
+  }
+
+  bool RescaleTransferFunctionToDataRange(bool extend, bool force) override
+  {
+    const bool isNewlyColored = std::exchange(this->IsNewlyColored, false);
+    return this->Superclass::RescaleTransferFunctionToDataRange(extend, force && !isNewlyColored);
+  }
+
+  void ViewUpdated(vtkSMProxy* view) override
+  {
+    this->IsNewlyColored = false;
+    this->Superclass::ViewUpdated(view);
+  }
+
+private:
+  bool IsNewlyColored = false; // since then neither rescaled nor drawn
+};
+vtkStandardNewMacro(FlatteningRepresentation);
+
+/// Makes the class known by the name of its element in SurfaceFlattening.xml.in.
+void addRepresentation(vtkClientServerInterpreter* interpreter)
+{
+  interpreter->AddNewInstanceFunction("vtkSMFlatteningRepresentationProxy",
+    [](void*) -> vtkObjectBase* { return FlatteningRepresentation::New(); });
+}
+
 /// Those that the user does not have yet, so that what was changed under a name stays.
 void addPresets()
 {
@@ -27,6 +83,7 @@ void addPresets()
 void setDefaultColors()
 {
   addPresets();
+  vtkClientServerInterpreterInitializer::GetInitializer()->RegisterCallback(&addRepresentation);
   // Wires in colors that no map of a measure has; what is measured by the presets, whatever range
   // the data has.
   const std::string tables = R"({

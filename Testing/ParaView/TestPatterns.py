@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Save Data writes flat pieces as patterns, and what is shown first needs no choice of the user's."""
 
+import json
 import os
 import re
 import subprocess
@@ -9,7 +10,7 @@ import unittest
 
 import paraview.simple as pv
 
-from plugin import COMMAND, DATA, fetch, read
+from plugin import COMMAND, DATA, SOURCE, fetch, main, read
 
 
 def lengths(svg):
@@ -54,6 +55,19 @@ class Patterns(unittest.TestCase):
         with open(self.save("pattern.dxf"), encoding="ascii") as file:
             self.assertIn("INSERT", file.read())
 
+    def test_a_pattern_in_a_folder_that_is_missing_is_an_error_message(self):
+        said, before = tempfile.TemporaryFile(), os.dup(2)
+        with said:
+            os.dup2(said.fileno(), 2)
+            try:
+                path = self.save(os.path.join("missing", "pattern.svg"))
+            finally:
+                os.dup2(before, 2)
+                os.close(before)
+            said.seek(0)
+            self.assertRegex(said.read().decode(), r"ERR.*missing.pattern\.svg")
+        self.assertFalse(os.path.exists(os.path.dirname(path)))
+
     def test_what_is_shown_first_is_coloured(self):
         view = pv.CreateView("RenderView")
         shown = [pv.Show(pv.OutputPort(self.flattening, port), view) for port in range(3)]
@@ -76,6 +90,55 @@ class Patterns(unittest.TestCase):
                         for port in range(3))
         self.assertGreater(flat[0], cut[1])
 
+    def test_ranges_of_colors_that_are_fixed_hold_in_scripts(self):
+        with open(os.path.join(SOURCE, "Plugin", "color_presets.json"), encoding="utf-8") as file:
+            points = {array: preset["RGBPoints"] for preset in json.load(file) if "RGBPoints" in preset
+                      for array in preset.get("Arrays", ())}
+        fixed = {array: (numbers[0], numbers[-4]) for array, numbers in points.items()}
+        self.assertGreater(len(fixed), 5)
+
+        def colors_of(array):
+            colors = pv.GetColorTransferFunction(array)
+            return colors.RGBPoints[0], colors.RGBPoints[-4]
+
+        def color(display, array):
+            pv.ColorBy(display, ("CELLS", array))
+            return colors_of(array)
+
+        inputs = {"Input": read("shirt_front"), "Curves": read("shirt_front_curves")}
+        cloth = pv.FlattenSurfaceWireWarping(**inputs, Material="twill")
+        view = pv.CreateView("RenderView")
+        for filter_, port in ((cloth, 0), (cloth, 2), (self.flattening, 0), (pv.LeastSquaresConformalMap(**inputs), 0),
+                              (pv.KeyCurvePrices(**inputs), 2)):
+            display = pv.Show(pv.OutputPort(filter_, port), view)
+            for array, ends in fixed.items():
+                if array not in display.Input.GetCellDataInformation().keys():
+                    continue
+                for _ in range(2):
+                    self.assertEqual(color(display, array), ends)
+                pv.Render(view)
+                self.assertEqual(color(display, array), ends)
+                pv.Show(pv.OutputPort(filter_, port), view)
+                self.assertEqual(colors_of(array), ends)
+        cloth.Scheme = "Global"
+        cloth.UpdatePipeline()
+        pv.Render(view)
+        self.assertEqual({array: colors_of(array) for array in fixed}, fixed)
+        # What a script asks for itself is done, and other arrays have the range of their data.
+        display = pv.Show(pv.OutputPort(cloth, 0), view)
+        for array, after in (("ShearAngle", None), ("StrainWarp", pv.Render), ("AngleError", None)):
+            color(display, array)
+            if after:
+                after(view)
+            if array in fixed:
+                display.RescaleTransferFunctionToDataRange()
+            for one, other in zip(colors_of(array), cloth.CellData.GetArray(array).GetRange()):
+                self.assertAlmostEqual(one, other)
+        color(display, "AreaRatio")
+        pv.GetColorTransferFunction("AreaRatio").RescaleTransferFunction(0.9, 1.1)
+        self.assertEqual(colors_of("AreaRatio"), (0.9, 1.1))
+        self.assertEqual(color(display, "AreaRatio"), (0.9, 1.1))  # the script's range is as fixed
+
     def test_measures_are_tables(self):
         given = read("pants_front_curves")
         given.UpdatePipeline()
@@ -87,4 +150,4 @@ class Patterns(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -13,7 +13,7 @@ import paraview.simple as pv
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
-from plugin import OUTPUT, PLUGIN, SOURCE, fetch, read
+from plugin import OUTPUT, PLUGIN, SOURCE, fetch, main, read
 
 BASELINES = os.path.join(SOURCE, "Testing", "Data", "Baseline")
 # Edges of lines may fall on other pixels with another OpenGL; areas may not.
@@ -166,8 +166,4 @@ class Pictures(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    outcome = unittest.main(exit=False).result
-    # ParaView's way out closes windows whose OpenGL context is gone already, which X punishes.
-    sys.stdout.flush()
-    sys.stderr.flush()
-    os._exit(0 if outcome.wasSuccessful() else 1)
+    main()

@@ -2,6 +2,8 @@
 """What the tests in ParaView's Python share: the loaded plugin and the pieces of Data/."""
 
 import os
+import sys
+import unittest
 
 import paraview.simple as pv
 from paraview import servermanager
@@ -29,3 +31,11 @@ def values(data, name):
     """A column of a table, or an array of the field data of another data set, as Python values."""
     array = (data.GetRowData() if data.IsA("vtkTable") else data.GetFieldData()).GetAbstractArray(name)
     return [array.GetValue(row) for row in range(array.GetNumberOfValues())]
+
+
+def main():
+    """Runs the tests of a script that draws: at its end ParaView closes windows without an OpenGL context, an X error."""
+    outcome = unittest.main(exit=False).result
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(0 if outcome.wasSuccessful() else 1)
