@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pieces cut from cloth: the measures are those of the geometry, whatever computed them."""
 
+import inspect
 import json
 import os
+import pathlib
 import re
 import tempfile
 import unittest
@@ -95,22 +97,53 @@ class Materials(unittest.TestCase):
             cloth = flatten(points, triangles, material=path).report["pieces"][0]["cloth"]
         self.assertTrue(cloth["one_way"])
         self.assertEqual(cloth["share_out_of_limit"], 0)  # without limits
-        result = flatten(points, triangles)
-        for call in (lambda name: sf.flatten(points, triangles, material=name), lambda name: sf.suggest(
-                points, triangles, material=name), lambda name: sf.resew(result, material=name)):
-            for name, near in (("felt", None), ("twil", "twill"), ("Demin", "denim"), ("nowhere.json", None)):
-                with self.assertRaisesRegex(ValueError, f"'{name}'; it must be one of isotropic, plain") as caught:
-                    call(name)
-                self.assertEqual("did you mean" in str(caught.exception), near is not None, name)
-                self.assertIn(f"did you mean '{near}'?" if near else "JSON file", str(caught.exception))
-        surface, curve = sf.make_surface(points, triangles), sf.make_curves([sf.Curve([0, 1], "key", "a")], points)
-        for class_ in (sf.vtkWireWarpingFilter, sf.vtkFeatureCurveSuggestion, sf.vtkKeyCurvePrices,
-                       sf.vtkMakeFlattenable):
+        with self.assertRaisesRegex(ValueError, r"grain is for a material; .*, or leave grain out$"):
+            sf.flatten(points, triangles, grain=30)
+        with self.assertRaisesRegex(TypeError, "name or the path"):
+            sf.flatten(points, triangles, material=3)
+
+    def test_an_unknown_material_is_raised_wherever_a_name_is_taken(self):
+        points, triangles = shell()
+        curves = [sf.Curve([0, 1], "key", "a")]
+        surface, lines = sf.make_surface(points, triangles), sf.make_curves(curves, points)
+        inputs = {"points": points, "triangles": triangles, "curves": curves, "surface": surface,
+                  "flattening": flatten(points, triangles)}
+        takers = {name: inspect.signature(getattr(sf, name)).parameters for name in sf.__all__
+                  if inspect.isfunction(getattr(sf, name))}
+        takers = {name: parameters for name, parameters in takers.items() if "material" in parameters}
+        self.assertEqual(takers.keys(), {
+            "flatten", "flatten_polydata", "make_flattenable", "make_flattenable_polydata", "price_keys", "resew",
+            "suggest", "suggest_polydata"})
+        unknown = (("felt", None), ("twil", "twill"), ("Demin", "denim"), ("nowhere.json", None), ("twill ", "twill"),
+                   (pathlib.Path("no") / "cloth.json", None))
+        for function, parameters in takers.items():
+            needed = {name: inputs["surface" if parameters[name].annotation == "vtkPolyData" else name]
+                      for name, parameter in parameters.items()
+                      if parameter.default is parameter.empty and parameter.kind is parameter.POSITIONAL_OR_KEYWORD}
+            for name, near in unknown:
+                with self.subTest(function, material=name), warnings.catch_warnings():
+                    warnings.simplefilter("error")  # raised, not said
+                    with self.assertRaises(sf.ArgumentError) as caught:
+                        getattr(sf, function)(**needed, material=name)
+                    self.assertIn(f"material is {name!r}; it must be one of isotropic, plain", str(caught.exception))
+                    self.assertIn(f"did you mean '{near}'?" if near else "JSON file", str(caught.exception))
+                    self.assertEqual("did you mean" in str(caught.exception), near is not None)
+        for scheme in ("lscm", "global", "progressive"):
+            with self.assertRaisesRegex(sf.ArgumentError, "material is 'felt'"):
+                sf.flatten(points, triangles, scheme=scheme, material="felt")
+
+        classes = [class_ for name, class_ in vars(sf).items() if hasattr(class_, "SetMaterial") and "Algorithm" not in name]
+        self.assertGreaterEqual(len(classes), 6)
+        for class_ in classes:
             filter_ = class_()
             errors = []
             filter_.AddObserver("ErrorEvent", lambda *_: errors.append(1))
             filter_.SetInputData(surface)
-            filter_.SetCurvesData(curve)
+            if class_ is sf.vtkSewnShape:
+                filter_.SetInputData(0, inputs["flattening"].to_polydata())
+                filter_.SetInputData(1, surface)
+            if hasattr(class_, "SetCurvesData"):
+                filter_.SetCurvesData(lines)
             filter_.SetMaterial("felt")
             filter_.Update()
             self.assertEqual((filter_.GetStatusName(), len(errors)), ("InvalidOption", 1), class_)
@@ -119,10 +152,6 @@ class Materials(unittest.TestCase):
             filter_.SetMaterial("twill")
             filter_.Update()
             self.assertFalse(filter_.IsRefused(), class_)
-        with self.assertRaisesRegex(ValueError, r"grain is for a material; .*, or leave grain out$"):
-            sf.flatten(points, triangles, grain=30)
-        with self.assertRaisesRegex(TypeError, "name or the path"):
-            sf.flatten(points, triangles, material=3)
 
     def test_a_grain_is_an_angle_or_names_of_curves(self):
         points, triangles = shell()
