@@ -78,6 +78,26 @@ class Suggestions(command.CommandTest):
             self.assertEqual(os.listdir(self.path("out")), [name])
             os.rmdir(os.path.join(self.path("out"), name))
 
+    def test_options_of_cloth_and_patterns_are_refused_before_surface_and_search(self):
+        for surface in ("dome.obj", "missing.obj"):
+            for options, said in (
+                    (["--roll-width", "300"], "an option of wirewarp nest"),
+                    (["--roll-width=0"], "an option of wirewarp nest"),
+                    (["--max-cuts", "2", "--nap"], "an option of wirewarp nest"),
+                    (["--kind", "seams", "--gap", "4"], "an option of wirewarp nest"),
+                    (["--allowance", "10"], "an option of wirewarp pattern, wirewarp nest"),
+                    (["-o", "lay.svg"], "does not write 'lay.svg'; .*wirewarp pattern"),
+                    (["-o", "out", "-o", "lay.plt"], "does not write 'lay.plt'; .*wirewarp pattern")):
+                with self.subTest(surface, options=options):
+                    run = self.run_command("cut", surface, "--unit", "cm", "--effort", "long", *options)
+                    self.assertEqual((run.returncode, run.stdout), (2, ""))
+                    self.assertRegex(run.stderr, said)
+            for width in ("0", "-3", "nan", "inf", "1e6", "wide"):
+                run = self.run_command("nest", surface, "--unit", "cm", "--roll-width", width, "--output", "out")
+                self.assertEqual((run.returncode, run.stdout), (2, ""))
+                self.assertRegex(run.stderr, rf"--roll-width: '{width}' is not a number in \(0, 1e5\]")
+        self.assertEqual(os.listdir(self.path(".")), ["dome.obj"])
+
     def test_nothing_is_cut_that_lies_flat(self):
         self.write("sheet.obj", command.obj(*command.sheet()))
         run = self.run_command("cut", "sheet.obj", "--kind", "all", "--output", "out")

@@ -239,6 +239,30 @@ TEST(CurveSuggestion, KeepsToTheMostCutsOnAClosedSurfaceThatWouldTakeManyMore)
   }
 }
 
+TEST(CurveSuggestion, NeverHasMoreCutsOfAnyKindThanTheMaximum)
+{
+  const TriangleMesh tube = rolledUp(24, 8, [](double turn, double across) {
+    const double radius = 1.0 + 0.4 * std::cos(3.0 * across);
+    return Point3(radius * std::cos(turn), radius * std::sin(turn), 3.0 * across);
+  });
+  for (const TriangleMesh& mesh : { dome(0.8), twoBumps(), tube, sphere(2), cube() })
+  {
+    for (const SuggestedCuts kind :
+      { SuggestedCuts::Darts, SuggestedCuts::Seams, SuggestedCuts::All })
+    {
+      for (Index most : { 1, 3 })
+      {
+        SuggestionOptions options = optionsOf(0.03, most);
+        options.search.cuts = kind;
+        options.search.maximumWork = 0.25;
+        const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
+        EXPECT_LE(static_cast<Index>(suggestions.curves.size()), most)
+          << mesh.triangles().size() << " triangles, kind " << static_cast<int>(kind);
+      }
+    }
+  }
+}
+
 TEST(CurveSuggestion, EndsWhenItsWorkIsUsedUpWhateverTheThreads)
 {
   const TriangleMesh mesh = dome(0.6);
