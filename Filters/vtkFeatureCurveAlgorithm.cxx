@@ -112,6 +112,7 @@ void vtkFeatureCurveAlgorithm::VisitOptions(flattening::bridge::OptionVisitor& v
 {
   this->Superclass::VisitOptions(visit);
   visit("CoincidentPoints", this->CoincidentPoints);
+  visit("HealSurface", this->HealSurface);
   visit("SplitTriangles", this->SplitTriangles);
   visit("ImprintTolerance", this->ImprintTolerance);
   visit("SnapTolerance", this->SnapTolerance);
@@ -216,7 +217,9 @@ std::shared_ptr<const flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorith
   const auto source =
     this->Kept ? this->Kept->source : std::make_shared<flattening::bridge::CurvedSurface>();
   flattening::bridge::loadCurvedSurface(vtkPolyData::GetData(inputVector[0]), curves,
-    options.coincidentPoints, options.imprint, flattening::bridge::executionOf(this), *source);
+    options.coincidentPoints,
+    options.healSurface ? flattening::bridge::Defects::Heal : flattening::bridge::Defects::Refuse,
+    options.imprint, flattening::bridge::executionOf(this), *source);
   const auto blamed = std::find(curves.begin(), curves.end(), source->blamed);
   this->StatusConnection =
     blamed == curves.end() ? -1 : connected.connections[blamed - curves.begin()];

@@ -126,6 +126,17 @@ public:
 
   ///@{
   /**
+   * Heal defects of the surface where it is clear how, and warn of what was done: points that are
+   * collapsed onto neighbors, triangles without area or doubled, fins and edges of more than two
+   * triangles, points in which parts touch, specks. Off: all of them are refused. Default: on.
+   */
+  vtkSetMacro(HealSurface, bool);
+  vtkGetMacro(HealSurface, bool);
+  vtkBooleanMacro(HealSurface, bool);
+  ///@}
+
+  ///@{
+  /**
    * Split triangles where a curve does not run along mesh edges; off: such a curve is refused
    * (CURVE_NOT_ON_EDGES). Default: on.
    */
@@ -222,6 +233,7 @@ protected:
 
   // Options have the defaults of the algorithms.
   int CoincidentPoints = 0;
+  bool HealSurface = false;
   bool SplitTriangles = false;
   double ImprintTolerance = 0.0;
   double SnapTolerance = 0.0;

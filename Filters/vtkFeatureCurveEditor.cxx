@@ -334,7 +334,8 @@ bool vtkFeatureCurveEditor::SetSurface(vtkPolyData* surface)
   }
   try
   {
-    bridge::LoadedSurface loaded = bridge::loadSurface(surface, CoincidentPoints::Automatic);
+    bridge::LoadedSurface loaded =
+      bridge::loadSurface(surface, CoincidentPoints::Automatic, bridge::Defects::Heal);
     if (loaded.outcome.refused() || loaded.prepared.mesh.triangleCount() == 0)
     {
       return this->Refuse(bridge::inWords(loaded.outcome));

@@ -10,10 +10,12 @@
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
 #include "StatusOutput.h"
+#include "Surface/SurfaceHealing.h"
 #include "Surface/SurfacePreparation.h"
 #include "SurfaceInput.h"
 #include "SurfaceOutput.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
@@ -26,6 +28,7 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
@@ -33,6 +36,7 @@
 
 #include <algorithm>
 #include <new>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -489,6 +493,66 @@ void vtkFlatteningAlgorithm::Triangulate(vtkPolyData* surface, vtkPolyData* tria
     triangles->GetFieldData()->ShallowCopy(surface->GetFieldData());
     bridge::copyCellData(surface->GetCellData(), read.cellOfTriangle, triangles);
   }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkStringArray> vtkFlatteningAlgorithm::Heal(
+  vtkPolyData* surface, vtkPolyData* triangles)
+{
+  using namespace flattening;
+  auto sentences = vtkSmartPointer<vtkStringArray>::New();
+  const bridge::LoadedSurface loaded =
+    bridge::loadSurface(surface, CoincidentPoints::Automatic, bridge::Defects::Heal);
+  for (const std::string& sentence : loaded.mendings)
+  {
+    sentences->InsertNextValue(sentence);
+  }
+  const HealedSurface& healed = loaded.prepared;
+  if (!loaded.outcome.ok() || healed.mendings.empty())
+  {
+    Triangulate(surface, triangles);
+    if (!loaded.outcome.ok())
+    {
+      sentences->InsertNextValue(loaded.outcome.message);
+    }
+    return sentences;
+  }
+  triangles->Initialize();
+  vtkPointData* const data = triangles->GetPointData();
+  data->DeepCopy(surface->GetPointData());
+  const vtkNew<vtkPoints> points;
+  points->DeepCopy(surface->GetPoints());
+  Indices pointOf;
+  std::vector<char> taken(loaded.input.points.size(), 0);
+  for (const Index p : healed.originalPoint)
+  {
+    pointOf.push_back(p);
+    if (taken[p] != 0)
+    {
+      pointOf.back() = static_cast<Index>(points->InsertNextPoint(surface->GetPoint(p)));
+      for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+      {
+        data->GetAbstractArray(k)->InsertNextTuple(p, data->GetAbstractArray(k));
+      }
+    }
+    taken[p] = 1;
+  }
+  Triangles cells = healed.mesh.triangles();
+  for (Triangle& t : cells)
+  {
+    t = { pointOf[t[0]], pointOf[t[1]], pointOf[t[2]] };
+  }
+  triangles->SetPoints(points);
+  triangles->SetVerts(surface->GetVerts());
+  triangles->SetLines(surface->GetLines());
+  triangles->SetPolys(bridge::makeTriangles(cells));
+  triangles->GetFieldData()->ShallowCopy(surface->GetFieldData());
+  std::vector<vtkIdType> cellOf(surface->GetNumberOfVerts() + surface->GetNumberOfLines());
+  std::iota(cellOf.begin(), cellOf.end(), vtkIdType{ 0 });
+  cellOf.insert(
+    cellOf.end(), loaded.input.cellOfTriangle.begin(), loaded.input.cellOfTriangle.end());
+  bridge::copyCellData(surface->GetCellData(), cellOf, triangles);
+  return sentences;
 }
 
 //------------------------------------------------------------------------------

@@ -188,6 +188,14 @@ public:
   static void Triangulate(vtkPolyData* surface, vtkPolyData* triangles);
 
   /**
+   * The same with defects healed as HealSurface heals them: all points with their ids, behind them
+   * copies of those that were doubled, and the other cells before the triangles. \return a sentence
+   * for each kind of defect; where the surface cannot be healed, one that says why, and the
+   * triangles alone as they are.
+   */
+  static vtkSmartPointer<vtkStringArray> Heal(vtkPolyData* surface, vtkPolyData* triangles);
+
+  /**
    * True where the last run gave no result, or there was none.
    */
   bool IsRefused() const;

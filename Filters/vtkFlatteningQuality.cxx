@@ -52,10 +52,8 @@ void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t most
   const FlatteningQuality quality = measureFlattening(mesh, map.positions, map.edges, execution);
   const BoundaryOverlaps overlaps = countBoundaryOverlaps(mesh, map.positions, mostListedOverlaps);
 
-  if (!map.surface.loosePoints.empty())
-  {
-    warnings.push_back(leftOut(map.surface));
-  }
+  const std::vector<std::string>& mendings = map.surface.mendings;
+  warnings.insert(warnings.end(), mendings.begin(), mendings.end());
   output->SetPoints(input->GetPoints());
   output->SetPolys(makeTriangles(map.surface.input.triangles));
   output->GetPointData()->ShallowCopy(wholePointArrays(input, warnings));

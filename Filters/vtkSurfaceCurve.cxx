@@ -235,7 +235,8 @@ int vtkSurfaceCurve::RequestData(vtkInformation* vtkNotUsed(request),
   if (!this->Drawn || !this->Drawn->origin.sameAs(origin))
   {
     this->Drawn.reset();
-    bridge::LoadedSurface loaded = bridge::loadSurface(input, CoincidentPoints::Automatic);
+    bridge::LoadedSurface loaded =
+      bridge::loadSurface(input, CoincidentPoints::Automatic, bridge::Defects::Heal);
     if (!this->Conclude(loaded.outcome))
     {
       this->WriteRunStatus(output);

@@ -24,8 +24,9 @@ int vtkSurfaceDevelopability::RequestData(vtkInformation* vtkNotUsed(request),
   this->Begin(outputVector);
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  const flattening::bridge::LoadedSurface surface = flattening::bridge::loadSurface(
-    input, flattening::CoincidentPoints::Automatic, flattening::bridge::GhostCells::Duplicates);
+  const flattening::bridge::LoadedSurface surface =
+    flattening::bridge::loadSurface(input, flattening::CoincidentPoints::Automatic,
+      flattening::bridge::Defects::Heal, flattening::bridge::GhostCells::Duplicates);
   if (!this->Conclude(surface.outcome))
   {
     return 1;
@@ -34,11 +35,7 @@ int vtkSurfaceDevelopability::RequestData(vtkInformation* vtkNotUsed(request),
     flattening::surfaceDevelopability(surface.prepared.mesh,
       flattening::cornerAngles(surface.prepared.mesh, flattening::bridge::executionOf(this)));
   output->ShallowCopy(input);
-  std::vector<std::string> warnings;
-  if (!surface.loosePoints.empty())
-  {
-    warnings.push_back(flattening::bridge::leftOut(surface));
-  }
+  std::vector<std::string> warnings = surface.mendings;
   output->GetPointData()->ShallowCopy(flattening::bridge::wholePointArrays(input, warnings));
   output->GetCellData()->ShallowCopy(flattening::bridge::wholeCellArrays(input, warnings));
   output->GetFieldData()->ShallowCopy(flattening::bridge::fieldArrays(input, warnings));

@@ -18,6 +18,7 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 
 #include <algorithm>
 #include <array>
@@ -241,7 +242,7 @@ int runCheck(const Options& options)
   }
   const LikelyUnit likely = likelyUnit(contents.surface);
   const std::string unit = stated.empty() ? likely.unit : stated;
-  const MendedSurface mend = mendedSurface(options, contents, unit);
+  MendedSurface mend = mendedSurface(options, contents, unit);
   TriangleList list = listTriangles(mend.surface);
   if (list.triangles.empty())
   {
@@ -251,6 +252,13 @@ int runCheck(const Options& options)
   {
     scaleBy(scaleOf(options, boxOf(list), unit), mend.surface);
     list = listTriangles(mend.surface);
+  }
+  const vtkNew<vtkPolyData> healed;
+  for (const std::string& sentence : textsOf(vtkFlatteningAlgorithm::Heal(mend.surface, healed)))
+  {
+    mend.notes.push_back(sentence);
+    mend.surface = healed;
+    list = listTriangles(healed);
   }
   const vtkBoundingBox box = boxOf(list);
   const Shape shape = shapeOf(list, boundaryLoops(list));

@@ -39,7 +39,7 @@ LoadedBody loadBody(vtkPolyData* body)
   {
     return result;
   }
-  const LoadedSurface surface = loadSurface(body, CoincidentPoints::Automatic);
+  const LoadedSurface surface = loadSurface(body, CoincidentPoints::Automatic, Defects::Heal);
   result.outcome = surface.outcome;
   if (!result.outcome.ok())
   {

@@ -33,17 +33,18 @@ Status outcomeOfImprint(
 }
 
 /// Loads the surface of the data unless it has been.
-void loadSurfaceAnew(CoincidentPoints coincident, CurvedSurface& source)
+void loadSurfaceAnew(CoincidentPoints coincident, Defects defects, CurvedSurface& source)
 {
   const SurfaceOrigin origin(source.data);
-  if (source.origin.sameAs(origin) && source.coincident == coincident)
+  if (source.origin.sameAs(origin) && source.coincident == coincident && source.defects == defects)
   {
     return;
   }
   source.imprintedBy.reset();
   source.origin = {};
-  source.surface = loadSurface(source.data, coincident);
+  source.surface = loadSurface(source.data, coincident, defects);
   source.coincident = coincident;
+  source.defects = defects;
   if (source.surface.outcome.ok())
   {
     source.origin = origin;
@@ -209,8 +210,8 @@ Status CurvedSurface::outcomeOfStage(const Status& status, const CutSurface* cut
 }
 
 void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
-  CoincidentPoints coincident, const ImprintOptions& options, const Execution& execution,
-  CurvedSurface& source)
+  CoincidentPoints coincident, Defects defects, const ImprintOptions& options,
+  const Execution& execution, CurvedSurface& source)
 {
   source.data = surface;
   source.warnings.clear();
@@ -218,11 +219,9 @@ void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& cu
   source.cellArrays = wholeCellArrays(surface, source.warnings);
   source.fieldData = fieldArrays(surface, source.warnings);
   source.blamed = nullptr;
-  loadSurfaceAnew(coincident, source);
-  if (!source.surface.loosePoints.empty())
-  {
-    source.warnings.push_back(leftOut(source.surface));
-  }
+  loadSurfaceAnew(coincident, defects, source);
+  const std::vector<std::string>& mendings = source.surface.mendings;
+  source.warnings.insert(source.warnings.end(), mendings.begin(), mendings.end());
   source.outcome = source.surface.outcome;
   if (!source.outcome.ok())
   {

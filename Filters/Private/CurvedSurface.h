@@ -71,6 +71,7 @@ struct CurvedSurface
   /// Of the data that `surface` was loaded from.
   SurfaceOrigin origin;
   CoincidentPoints coincident = CoincidentPoints::Automatic;
+  Defects defects = Defects::Heal;
   /// How `curves` were imprinted on `surface`; none where they have not been.
   std::optional<ImprintOptions> imprintedBy;
 
@@ -93,8 +94,8 @@ struct CurvedSurface
 /// is made from the same: the surface and, where the points of the curves are the same, the
 /// imprint.
 void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
-  CoincidentPoints coincident, const ImprintOptions& options, const Execution& execution,
-  CurvedSurface& source);
+  CoincidentPoints coincident, Defects defects, const ImprintOptions& options,
+  const Execution& execution, CurvedSurface& source);
 
 /// The refusal of a name that no curve has.
 Status noCurveNamed(const std::string& name, const CurvedSurface& source);

@@ -7,6 +7,7 @@
 #include "Flattening/FlatteningResult.h"
 #include "SurfaceOutput.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace flattening
 {
@@ -48,6 +50,43 @@ Dominant dominantOf(const ThreadStrain& strain)
   consider(1, strain.weft);
   consider(2, bias);
   return dominant;
+}
+
+/// Appends the points that healing joined to others: copies of these with their own
+/// `vtkOriginalPointIds`, which no cell uses, so that each point of the input has a flat place.
+/// \return the vertices that they are copies of
+std::vector<vtkIdType> appendJoinedPoints(const CurvedSurface& source, vtkPolyData* flat)
+{
+  const HealedSurface& healed = source.surface.prepared;
+  std::multimap<vtkIdType, vtkIdType> joinedTo;
+  for (const Index p : healed.joinedPoints)
+  {
+    const Index vertex = healed.vertexOfPoint[p];
+    if (vertex != none)
+    {
+      joinedTo.emplace(healed.originalPoint[vertex], p);
+    }
+  }
+  std::vector<vtkIdType> vertices;
+  vtkPointData* const data = flat->GetPointData();
+  auto* const ids = vtkIdTypeArray::SafeDownCast(data->GetArray("vtkOriginalPointIds"));
+  const vtkIdType count = joinedTo.empty() ? 0 : flat->GetNumberOfPoints();
+  for (vtkIdType v = 0; v < count; ++v)
+  {
+    const auto points = joinedTo.equal_range(ids->GetValue(v));
+    for (auto joined = points.first; joined != points.second; ++joined)
+    {
+      vertices.push_back(v);
+      const vtkIdType copy = flat->GetPoints()->InsertNextPoint(flat->GetPoint(v));
+      for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+      {
+        vtkAbstractArray* const array = data->GetAbstractArray(k);
+        array->InsertNextTuple(v, array);
+      }
+      ids->SetValue(copy, joined->second);
+    }
+  }
+  return vertices;
 }
 
 /// The cell arrays of threads; none where there is no material.
@@ -289,13 +328,20 @@ void writeFlattening(const CurvedSurface& source, const FlatteningResult& result
     [&](std::size_t v) { return result.developability[v]; });
 
   setActiveScalars(flat, "HomogeneityOfDistortion");
+  const std::vector<vtkIdType> joined = appendJoinedPoints(source, flat);
 
   // In space the same data over the original points.
   cut->SetPoints(makePoints(result.cut->mesh.points()));
+  Points2 positions = result.positions;
+  for (const vtkIdType vertex : joined)
+  {
+    cut->GetPoints()->InsertNextPoint(cut->GetPoint(vertex));
+    positions.push_back(result.positions[vertex]);
+  }
   cut->SetPolys(flat->GetPolys());
   cut->GetPointData()->ShallowCopy(flat->GetPointData());
   cut->GetCellData()->ShallowCopy(flat->GetCellData());
-  writeTextureCoordinates(result.positions, cut->GetPointData());
+  writeTextureCoordinates(positions, cut->GetPointData());
   dropDirections(flat->GetPointData());
   dropDirections(flat->GetCellData());
 

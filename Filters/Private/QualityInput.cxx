@@ -217,7 +217,7 @@ Status findEdges(vtkPolyData* flat, vtkPolyData* edges, MappedSurface& result)
 MappedSurface loadMappedSurface(vtkPolyData* surface, vtkPolyData* flat, vtkPolyData* edges)
 {
   MappedSurface result;
-  result.surface = loadSurface(surface, CoincidentPoints::Keep);
+  result.surface = loadSurface(surface, CoincidentPoints::Keep, Defects::HealParts);
   result.outcome = result.surface.outcome;
   if (result.outcome.ok())
   {

@@ -144,46 +144,21 @@ void triangulate(
   }
 }
 
-/// Takes out triangles with all corners in one place that no other triangle has. \return their
-/// cells
-std::vector<std::int64_t> takeLoosePoints(SurfaceTriangles& input)
+/// Gives the triangles of the input that healing left the places that they have in the mesh.
+void keepHealed(LoadedSurface& surface)
 {
-  std::vector<int> uses(input.points.size(), 0); // by triangles
-  const auto forEachPoint = [](const Triangle& t, const auto& visit) {
-    visit(t[0]);
-    if (t[1] != t[0])
-    {
-      visit(t[1]);
-    }
-    if (t[2] != t[0] && t[2] != t[1])
-    {
-      visit(t[2]);
-    }
-  };
-  for (const Triangle& t : input.triangles)
+  const HealedSurface& healed = surface.prepared;
+  std::vector<vtkIdType> cells;
+  for (const Index t : healed.originalTriangle)
   {
-    forEachPoint(t, [&uses](Index p) { ++uses[p]; });
+    cells.push_back(surface.input.cellOfTriangle[t]);
   }
-  std::vector<std::int64_t> cells;
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < input.triangles.size(); ++k)
+  surface.input.cellOfTriangle = std::move(cells);
+  surface.input.triangles = healed.mesh.triangles();
+  for (Triangle& t : surface.input.triangles)
   {
-    const Triangle t = input.triangles[k];
-    bool loose = true;
-    forEachPoint(
-      t, [&](Index p) { loose = loose && uses[p] == 1 && input.points[p] == input.points[t[0]]; });
-    if (loose)
-    {
-      cells.push_back(input.cellOfTriangle[k]);
-      continue;
-    }
-    input.triangles[kept] = t;
-    input.cellOfTriangle[kept] = input.cellOfTriangle[k];
-    ++kept;
+    t = { healed.originalPoint[t[0]], healed.originalPoint[t[1]], healed.originalPoint[t[2]] };
   }
-  input.triangles.resize(kept);
-  input.cellOfTriangle.resize(kept);
-  return cells;
 }
 }
 
@@ -260,16 +235,8 @@ SurfaceTriangles readTriangles(vtkPolyData* surface, GhostCells ghosts)
   return result;
 }
 
-std::string leftOut(const LoadedSurface& surface)
-{
-  const std::vector<std::int64_t>& cells = surface.loosePoints;
-  return std::to_string(cells.size()) +
-    (cells.size() == 1 ? " triangle without size, which touches no other, is left out (cell "
-                       : " triangles without size, which touch no others, are left out (cells ") +
-    listIds(cells) + ")";
-}
-
-LoadedSurface loadSurface(vtkPolyData* surface, CoincidentPoints coincident, GhostCells ghosts)
+LoadedSurface loadSurface(
+  vtkPolyData* surface, CoincidentPoints coincident, Defects defects, GhostCells ghosts)
 {
   LoadedSurface result;
   result.input = readTriangles(surface, ghosts);
@@ -278,19 +245,39 @@ LoadedSurface loadSurface(vtkPolyData* surface, CoincidentPoints coincident, Gho
   {
     return result;
   }
-  result.prepared = prepareSurface(result.input.points, result.input.triangles, coincident);
-  if (result.prepared.status.code == StatusCode::DegenerateTriangle)
+  if (defects != Defects::Refuse)
   {
-    result.loosePoints = takeLoosePoints(result.input);
-    if (!result.loosePoints.empty())
-    {
-      result.prepared = prepareSurface(result.input.points, result.input.triangles, coincident);
-    }
+    result.prepared = healSurface(result.input.points, result.input.triangles, coincident,
+      defects == Defects::Heal ? Specks::LeaveOut : Specks::Keep);
+  }
+  else
+  {
+    static_cast<PreparedSurface&>(result.prepared) =
+      prepareSurface(result.input.points, result.input.triangles, coincident);
   }
   const Status& status = result.prepared.status;
   // Its points are the input's.
   result.outcome =
     status.ids.kind == ElementKind::Cells ? inInput(status, result.input.cellOfTriangle) : status;
+  if (!result.outcome.ok())
+  {
+    return result;
+  }
+  for (Mending& mending : result.prepared.mendings)
+  {
+    if (mending.ids.kind == ElementKind::Cells)
+    {
+      for (std::int64_t& id : mending.ids.values)
+      {
+        id = result.input.cellOfTriangle[id];
+      }
+    }
+    result.mendings.push_back(describe(mending));
+  }
+  if (!result.prepared.originalTriangle.empty())
+  {
+    keepHealed(result);
+  }
   return result;
 }
 }

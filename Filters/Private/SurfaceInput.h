@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Base/Status.h"
+#include "Surface/SurfaceHealing.h"
 #include "Surface/SurfacePreparation.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -49,22 +50,26 @@ private:
 
 SurfaceTriangles readTriangles(vtkPolyData* surface, GhostCells ghosts = GhostCells::LeftOut);
 
+/// What is done about defects of a surface.
+enum class Defects
+{
+  Heal,      ///< where it is clear how, see healSurface()
+  HealParts, ///< the same, but for specks
+  Refuse,    ///< but for triangles that are turned over
+};
+
 /// A surface read and made into a mesh, or refused in the ids of the input.
 struct LoadedSurface
 {
+  /// Once it is healed, the triangles of the mesh.
   SurfaceTriangles input;
-  PreparedSurface prepared;
+  HealedSurface prepared;
   Status outcome;
-  /// Cells of triangles with all corners in one place that nothing else uses: points rather than
-  /// cloth, which are left out.
-  std::vector<std::int64_t> loosePoints;
+  std::vector<std::string> mendings; ///< a sentence for each kind of defect, with cells as ids
 };
 
-LoadedSurface loadSurface(
-  vtkPolyData* surface, CoincidentPoints coincident, GhostCells ghosts = GhostCells::LeftOut);
-
-/// What to warn of where there are loose points.
-std::string leftOut(const LoadedSurface& surface);
+LoadedSurface loadSurface(vtkPolyData* surface, CoincidentPoints coincident, Defects defects,
+  GhostCells ghosts = GhostCells::LeftOut);
 
 /// Calls visit(k, count, ids) for each cell of an array, k counting from 0.
 template <class Visit>

@@ -87,7 +87,7 @@ class Mending(command.CommandTest):
         b = at(5, 4)
         triangles = [t for t in self.triangles if t != (a, b, c)] + [(a, b, m), (m, b, c), (a, m, c)]
         report, warnings = self.flattened(points, triangles)
-        self.assertEqual(warnings, [f"1 triangle without area taken out, the first at polygon {len(triangles) - 1}"])
+        self.assertEqual(warnings, [f"1 triangle without area was taken out ({len(triangles) - 1})"])
         self.assert_whole(report, len(self.triangles) + 2)
         # Where its longest edge is the boundary there is nothing behind it to divide.
         a, b, c = at(4, 0), at(5, 0), at(5, 1)
@@ -116,7 +116,8 @@ class Mending(command.CommandTest):
         triangles = [tuple(double if v == at(5, 5) and t in right else v for v in t) for t in self.triangles]
         triangles += [(at(5, 5), double, at(5, 6)), (double, at(5, 5), at(5, 4))]
         report, warnings = self.flattened(points, triangles)
-        self.assertIn("triangles without area", warnings[0])
+        self.assertIn("1 point was joined with a neighbor", warnings[0])
+        self.assertIn("2 triangles without area", warnings[1])
         self.assert_whole(report, len(self.triangles))
 
     def test_a_surface_of_nothing_but_such_triangles_is_refused(self):
@@ -142,6 +143,32 @@ class Mending(command.CommandTest):
         report, warnings = self.flattened(points, triangles, "--weld")
         self.assertEqual(warnings, ["11 points are joined with one that it lies on, as --weld asks"])
         self.assert_whole(report, 2 * SIZE * SIZE)
+
+    def test_defects_are_healed_and_refused_on_request(self):
+        top = len(self.points)
+        points = [*self.points, (12.0, 12.0, 9.0), (-3.0, 3.0, 0.0), (-3.0, 6.0, 0.0)]
+        triangles = [*self.triangles, self.triangles[30][::-1], (at(4, 4), at(4, 5), top), (at(0, 2), top + 2, top + 1)]
+        report, warnings = self.flattened(points, triangles)
+        count = len(self.triangles)
+        self.assertEqual(warnings, [
+            f"1 triangle with the corners of another was taken out ({count})",
+            f"1 triangle standing on an edge of others was taken out ({count + 1})",
+            f"1 point in which parts touch was doubled ({at(0, 2)})"])
+        self.assertEqual([piece["triangles"] for piece in report["pieces"]], [count, 1])
+        report = self.flatten("bad.obj", "--no-heal", "--unit", "cm", code=3)
+        self.assertEqual((report["status"], report["ids"]), ("NonManifoldEdge", [count]))
+        # The same in proposals, and in what check says and writes.
+        run = self.run_command("cut", "bad.obj", "--unit", "cm", "--output", "cuts.vtp")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn(warnings[0], run.stderr)
+        run = self.run_command("cut", "bad.obj", "--unit", "cm", "--no-heal", "--output", "cuts.vtp")
+        self.assertEqual(run.returncode, 3, run.stderr)
+        run = self.run_command("check", "bad.obj", "--unit", "cm", "--output", "healed.vtp")
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.assertIn(warnings[2], run.stderr)
+        healed = self.flatten("healed.vtp", "--unit", "cm")
+        self.assertEqual(healed["warnings"], [])
+        self.assertEqual([piece["triangles"] for piece in healed["pieces"]], [count, 1])
 
     def area(self):
         """Of the surface as it was flattened."""
@@ -171,7 +198,7 @@ class Mending(command.CommandTest):
                 report, warnings = self.flattened(points, quads, *options)
                 self.assertEqual(len(report["pieces"]), 1)
                 self.assertAlmostEqual(self.area() / (120 * 40 * size * size), 1.0, delta=1e-12)
-                mended = [line for line in warnings if "without area taken out" in line]
+                mended = [line for line in warnings if "without area" in line]
                 self.assertEqual(len(mended), 1, warnings)
                 self.assertIn(f"{1 if wedge else 8} triangle", mended[0])
 
@@ -184,9 +211,10 @@ class Mending(command.CommandTest):
                 triangles = loose + self.triangles if first else self.triangles + loose
                 report, warnings = self.flattened(points, triangles)
                 self.assertEqual([piece["triangles"] for piece in report["pieces"]], [2 * SIZE * SIZE])
-                words = "1 triangle" if count == 1 else f"{count} triangles"
-                self.assertEqual([line for line in warnings if "area" in line], [
-                    f"{words} without area taken out, the first at polygon {0 if first else len(self.triangles)}"])
+                words = "1 triangle without area was" if count == 1 else f"{count} triangles without area were"
+                at_cell = 0 if first else len(self.triangles)
+                self.assertTrue(warnings[0].startswith(f"{words} taken out ("), warnings)
+                self.assertRegex(warnings[0], rf"\((first: )?{at_cell}\b")
 
     def test_a_face_with_a_bridge_to_a_hole_is_read(self):
         face = [0, 1, 2, 3, 0, 4, 7, 6, 5, 4]

@@ -134,10 +134,9 @@ class Refusals(command.CommandTest):
         points = [*self.points]
         points.append(tuple((a + b) / 2 for a, b in zip(points[0], points[1])))
         triangles = [*self.triangles, (1, 0, len(self.points))]
-        # Behind it are two triangles, of which none can be divided for it without leaving the other out.
-        triangles += [(0, 1, len(self.points) + 1)]
-        points.append((2.0, 0.0, 0.1))
-        report = self.refuse_surface(points, triangles, "DegenerateTriangle", str(len(self.triangles)))
+        self.write("bad.obj", command.obj(points, triangles))
+        report = self.refuse("bad.obj", "--no-heal", says=("bad.obj", str(len(self.triangles))),
+                             status="DegenerateTriangle")
         self.assertEqual(report["ids"], [len(self.triangles)])
 
     def test_sizes_that_cannot_be_computed_with(self):

@@ -219,7 +219,7 @@ class Results(command.CommandTest):
         lune = (self.points, self.triangles)
         for count, rings, bottom, top, height, energy in (
                 (6, 1, 5.0, 5.0, 20.0, ""), (40, 11, 7.0, 3.0, 10.0, "symmetric Dirichlet"),
-                (24, 3, 0.02, 0.02, 0.02, "symmetric Dirichlet")):
+                (24, 3, 0.03, 0.03, 0.03, "symmetric Dirichlet")):
             def place(k, ring):
                 radius, turn = bottom + (top - bottom) * ring / rings, 2 * math.pi * k / count
                 return radius * math.cos(turn), radius * math.sin(turn), height * ring / rings

@@ -231,7 +231,7 @@ void looseTrianglesAreLeftOut(Checks& check)
       check.equal(std::string(quality->GetStatusName()), "Ok", what);
       check.equal(messages.warnings.size(), std::size_t{ 1 }, what + ": warnings");
       check.contains(messages.warnings.empty() ? "" : messages.warnings.front(),
-        "left out (cell " + std::to_string(before) + ")", what);
+        "taken out (" + std::to_string(before) + ")", what);
       check.equal(output->GetNumberOfCells(), plain->GetNumberOfCells(), what + ": cells");
       check.near(number(quality->GetMeasures(), "AreaError"), 1.0, 1e-14, what + ": E_area");
       for (vtkIdType t = 0; t < output->GetNumberOfCells(); ++t)

@@ -21,6 +21,7 @@ namespace flattening
 struct OptionStructures
 {
   CoincidentPoints coincidentPoints = CoincidentPoints::Automatic;
+  bool healSurface = true;
   ImprintOptions imprint;
   FlatteningOptions flattening;
   SearchOptions search;

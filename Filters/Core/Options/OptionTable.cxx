@@ -168,6 +168,13 @@ void addCurves(Table& table)
     .expert()
     .help("Whether points of the surface with equal coordinates are one: automatic (where hardly "
           "any two triangles share a point, as in files of separate triangles), join, or keep.");
+  table.add("HealSurface", [](All& all) { return &all.healSurface; })
+    .spelled("heal", "heal")
+    .off("Report defects of the surface as errors instead of healing them.")
+    .help("Heal defects of the surface where it is clear how, with a line for each kind: points "
+          "within a millionth of the edges there are joined, triangles without area, doubled ones "
+          "and fins are taken out, edges of more than two triangles separated, points in which "
+          "parts touch doubled, parts below 0.1 % of the largest one's area left out.");
   table.add("SplitTriangles", [](All& all) { return &all.imprint.split; })
     .expert()
     .off("Report a curve that does not run along mesh edges as an error instead of splitting "

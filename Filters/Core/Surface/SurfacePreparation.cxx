@@ -74,41 +74,6 @@ Indices turnOver(Triangles& triangles, const Indices& partner, Indices& reversed
   return {};
 }
 
-/// Triangles that have the same corners as an earlier one, in either orientation: they share edges,
-/// and the corner opposite to each.
-Indices findDoubled(const Triangles& triangles, const std::vector<HalfedgeKey>& sides)
-{
-  Indices doubled;
-  std::vector<std::pair<Index, Index>> around; // corner opposite to an edge, triangle
-  for (std::size_t i = 0; i < sides.size(); ++i)
-  {
-    const HalfedgeKey& side = sides[i];
-    const bool first = i == 0 || sides[i - 1].low != side.low || sides[i - 1].high != side.high;
-    if (first)
-    {
-      around.clear();
-    }
-    const Index t = side.halfedge / 3;
-    around.emplace_back(triangles[t][(side.halfedge + 2) % 3], t);
-    const bool last =
-      i + 1 == sides.size() || sides[i + 1].low != side.low || sides[i + 1].high != side.high;
-    if (last && around.size() > 1)
-    {
-      std::sort(around.begin(), around.end());
-      for (std::size_t k = 1; k < around.size(); ++k)
-      {
-        if (around[k].first == around[k - 1].first)
-        {
-          doubled.push_back(around[k].second);
-        }
-      }
-    }
-  }
-  std::sort(doubled.begin(), doubled.end());
-  doubled.erase(std::unique(doubled.begin(), doubled.end()), doubled.end());
-  return doubled;
-}
-
 /// Pairs the half-edges of any triangles and turns over those that run against the majority of
 /// their component.
 /// \param pointIds what to call each vertex in messages. \param partner of each half-edge, before a
@@ -118,7 +83,7 @@ Status orientTriangles(
   const Indices& pointIds, Triangles& triangles, Indices& partner, Indices& reversed)
 {
   const std::vector<HalfedgeKey> sides = sortedSides(triangles, pointIds.size());
-  Indices bad = findDoubled(triangles, sides);
+  Indices bad = doubledTriangles(triangles, sides);
   if (!bad.empty())
   {
     return { StatusCode::NonManifoldEdge,
@@ -134,11 +99,7 @@ Status orientTriangles(
       {
         bad.push_back(sides[k].halfedge / 3);
       }
-      return { StatusCode::NonManifoldEdge,
-        "the edge between points " + std::to_string(pointIds[sides[i].low]) + " and " +
-          std::to_string(pointIds[sides[i].high]) + " belongs to triangles " + listIds(bad) +
-          " (an edge can join two at most)",
-        { ElementKind::Cells, bad }, { Remedy::RemoveDoubles, Remedy::SeparateSheets } };
+      return crowdedEdge(pointIds[sides[i].low], pointIds[sides[i].high], bad);
     }
   }
   partner = pairSides(sides);
@@ -192,32 +153,6 @@ Indices findCoincident(const Points3& points, CoincidentPoints coincident)
   return first;
 }
 
-bool isDegenerate(const Points3& points, const Triangle& t)
-{
-  const Point3& a = points[t[0]];
-  const Point3& b = points[t[1]];
-  const Point3& c = points[t[2]];
-  const double longestSquare =
-    std::max({ (b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm() });
-  const double crossSquare = (b - a).cross(c - a).squaredNorm();
-  // Most triangles are far from it, and from where squares underflow.
-  if (longestSquare > 1e-100 && crossSquare > 1e-20 * longestSquare * longestSquare)
-  {
-    return false;
-  }
-  // Scaled by the largest difference, so that no product over- or underflows.
-  const double size = std::max({ (b - a).cwiseAbs().maxCoeff(), (c - a).cwiseAbs().maxCoeff(),
-    (c - b).cwiseAbs().maxCoeff() });
-  if (size < 1.0 / largestCoordinate)
-  {
-    return true;
-  }
-  const Point3 u = (b - a) / size;
-  const Point3 v = (c - a) / size;
-  const double longest = std::max({ u.norm(), v.norm(), (u - v).norm() });
-  return !(u.cross(v).norm() > flatTriangle * longest * longest);
-}
-
 /// Vertices whose triangles form more than one fan.
 Indices findBowTies(const TriangleMesh& mesh)
 {
@@ -243,10 +178,15 @@ Indices findBowTies(const TriangleMesh& mesh)
   return bowTies;
 }
 
-/// Hardly any two triangles share a point, so that they hang together by coordinates only.
-bool isSoup(std::size_t usedPoints, std::size_t triangles)
+/// Points are joined where hardly any two triangles share one, so that they hang together by
+/// coordinates only.
+CoincidentPoints resolved(
+  CoincidentPoints coincident, const Indices& used, const Triangles& triangles)
 {
-  return triangles > 1 && usedPoints >= 2 * triangles;
+  const bool soup = triangles.size() > 1 && used.size() >= 2 * triangles.size();
+  return coincident != CoincidentPoints::Automatic ? coincident
+    : soup                                         ? CoincidentPoints::Join
+                                                   : CoincidentPoints::Keep;
 }
 
 /// Triangles with a corner outside 0 .. pointCount - 1.
@@ -327,7 +267,7 @@ Triangles renumbered(const Triangles& triangles, const Indices& vertexOfPoint,
     }
     const bool repeats =
       cells[t][0] == cells[t][1] || cells[t][1] == cells[t][2] || cells[t][2] == cells[t][0];
-    if (repeats || isDegenerate(vertices, cells[t]))
+    if (repeats || hasNoArea(vertices, cells[t]))
     {
       degenerate.push_back(static_cast<Index>(t));
     }
@@ -360,13 +300,8 @@ PreparedSurface prepare(
       "points " + listIds(bad) + " have a coordinate that is not a finite number, or beyond 1e60",
       { ElementKind::Points, bad }, { Remedy::MendPoints } });
   }
-  if (coincidentPoints == CoincidentPoints::Automatic)
-  {
-    coincidentPoints =
-      isSoup(used.size(), triangles.size()) ? CoincidentPoints::Join : CoincidentPoints::Keep;
-  }
   PreparedSurface result;
-  Points3 joined = joinPoints(points, used, coincidentPoints, result);
+  Points3 joined = joinPoints(points, used, resolved(coincidentPoints, used, triangles), result);
   Triangles cells = renumbered(triangles, result.vertexOfPoint, joined, bad);
   if (!bad.empty())
   {
@@ -401,6 +336,91 @@ PreparedSurface prepare(
   }
   return result;
 }
+}
+
+Indices doubledTriangles(const Triangles& triangles, const std::vector<HalfedgeKey>& sides)
+{
+  Indices doubled;
+  std::vector<std::pair<Index, Index>> around; // corner opposite to an edge, triangle
+  for (std::size_t i = 0; i < sides.size(); ++i)
+  {
+    const HalfedgeKey& side = sides[i];
+    const bool first = i == 0 || sides[i - 1].low != side.low || sides[i - 1].high != side.high;
+    if (first)
+    {
+      around.clear();
+    }
+    const Index t = side.halfedge / 3;
+    around.emplace_back(triangles[t][(side.halfedge + 2) % 3], t);
+    const bool last =
+      i + 1 == sides.size() || sides[i + 1].low != side.low || sides[i + 1].high != side.high;
+    if (last && around.size() > 1)
+    {
+      std::sort(around.begin(), around.end());
+      for (std::size_t k = 1; k < around.size(); ++k)
+      {
+        if (around[k].first == around[k - 1].first)
+        {
+          doubled.push_back(around[k].second);
+        }
+      }
+    }
+  }
+  std::sort(doubled.begin(), doubled.end());
+  doubled.erase(std::unique(doubled.begin(), doubled.end()), doubled.end());
+  return doubled;
+}
+
+bool hasNoArea(const Points3& points, const Triangle& t)
+{
+  const Point3& a = points[t[0]];
+  const Point3& b = points[t[1]];
+  const Point3& c = points[t[2]];
+  const double longestSquare =
+    std::max({ (b - a).squaredNorm(), (c - a).squaredNorm(), (c - b).squaredNorm() });
+  const double crossSquare = (b - a).cross(c - a).squaredNorm();
+  // Most triangles are far from it, and from where squares underflow.
+  if (longestSquare > 1e-100 && crossSquare > 1e-20 * longestSquare * longestSquare)
+  {
+    return false;
+  }
+  // Scaled by the largest difference, so that no product over- or underflows.
+  const double size = std::max({ (b - a).cwiseAbs().maxCoeff(), (c - a).cwiseAbs().maxCoeff(),
+    (c - b).cwiseAbs().maxCoeff() });
+  if (size < 1.0 / largestCoordinate)
+  {
+    return true;
+  }
+  const Point3 u = (b - a) / size;
+  const Point3 v = (c - a) / size;
+  const double longest = std::max({ u.norm(), v.norm(), (u - v).norm() });
+  return !(u.cross(v).norm() > flatTriangle * longest * longest);
+}
+
+Status crowdedEdge(Index low, Index high, const Indices& triangles)
+{
+  return { StatusCode::NonManifoldEdge,
+    "the edge between points " + std::to_string(low) + " and " + std::to_string(high) +
+      " belongs to triangles " + listIds(triangles) + " (an edge can join two at most)",
+    triangleIds(triangles), { Remedy::RemoveDoubles, Remedy::SeparateSheets } };
+}
+
+Indices firstInPlace(const Points3& points, const Triangles& triangles, CoincidentPoints coincident)
+{
+  const Indices used = usedPoints(triangles, points.size());
+  Points3 candidates;
+  for (const Index p : used)
+  {
+    candidates.push_back(points[p]);
+  }
+  const Indices among = findCoincident(candidates, resolved(coincident, used, triangles));
+  Indices first(points.size());
+  std::iota(first.begin(), first.end(), 0);
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    first[used[i]] = used[among[i]];
+  }
+  return first;
 }
 
 PreparedSurface prepareSurface(

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/Status.h"
 #include "Base/Types.h"
+#include "Surface/HalfedgeKey.h"
 #include "Surface/TriangleMesh.h"
 
 #include <cmath>
+#include <vector>
 
 namespace flattening
 {
@@ -48,6 +51,21 @@ enum class CoincidentPoints
   Join, ///< points with equal coordinates are one
   Keep, ///< each point is a vertex of its own: a surface that is cut open stays so
 };
+
+/// Whether a triangle has a height below flatTriangle of its longest edge, or no size.
+bool hasNoArea(const Points3& points, const Triangle& t);
+
+/// Triangles that have the same corners as an earlier one, in either orientation, ascending.
+/// \param sides as sorted. Two of them share edges, and the corner opposite to each.
+Indices doubledTriangles(const Triangles& triangles, const std::vector<HalfedgeKey>& sides);
+
+/// The refusal of an edge between two points that more than two triangles have.
+Status crowdedEdge(Index low, Index high, const Indices& triangles);
+
+/// Per point the first one of those in its place that are to be one; of points that no triangle
+/// uses themselves.
+Indices firstInPlace(
+  const Points3& points, const Triangles& triangles, CoincidentPoints coincident);
 
 /// Joins coincident points as asked, orients triangles consistently, and checks that the result
 /// is a manifold surface of finite coordinates and of triangles with area.

@@ -85,17 +85,6 @@ void weld(
   }
 }
 
-void dropFlat(TriangleList& list, std::vector<std::string>& notes)
-{
-  const std::vector<vtkIdType> polygons = mendFlatTriangles(list);
-  if (!polygons.empty())
-  {
-    notes.push_back(counted(polygons.size(), "triangle", "triangles") +
-      " without area taken out, the first at polygon " +
-      std::to_string(*std::min_element(polygons.begin(), polygons.end())));
-  }
-}
-
 /// Triangles that close the loop; none where it cannot be closed.
 std::vector<ListedTriangle> cover(const TriangleList& list, const BoundaryLoop& loop)
 {
@@ -224,7 +213,6 @@ MendedSurface mendSurface(vtkPolyData* surface, const MendingRequest& request)
   {
     weld(list, size, request, mended.notes);
   }
-  dropFlat(list, mended.notes);
   if (request.outerSide || request.fillHoles > 0.0)
   {
     joinSoup();
@@ -236,7 +224,6 @@ MendedSurface mendSurface(vtkPolyData* surface, const MendingRequest& request)
   if (request.fillHoles > 0.0)
   {
     fillHoles(list, request.fillHoles / request.millimetres, mended.notes);
-    dropFlat(list, mended.notes);
   }
   if (!mended.notes.empty())
   {

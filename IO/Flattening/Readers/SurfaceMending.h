@@ -10,7 +10,7 @@
 
 namespace wirewarp
 {
-/// What is done to a surface before it is flattened, beside taking out triangles without area.
+/// What is done to a surface on request before it is healed and flattened.
 struct MendingRequest
 {
   /// Join points of the boundary up to this distance apart, in mm; 0: those that coincide.

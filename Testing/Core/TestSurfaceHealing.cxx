@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Surface/SurfaceHealing.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+constexpr Index columns = 12;
+constexpr Index rows = 10;
+
+/// A sheet to be damaged.
+struct Sheet
+{
+  Points3 points;
+  Triangles triangles;
+
+  Sheet()
+  {
+    const TriangleMesh mesh = cushion(columns, rows, 0.2).mesh;
+    this->points = mesh.points();
+    this->triangles = mesh.triangles();
+  }
+  static Index at(Index i, Index j) { return j * (columns + 1) + i; }
+  Index add(const Point3& p)
+  {
+    this->points.push_back(p);
+    return static_cast<Index>(this->points.size()) - 1;
+  }
+  Index size() const { return static_cast<Index>(this->triangles.size()); }
+  /// The triangles with all of some corners.
+  Indices with(const Indices& corners) const
+  {
+    Indices found;
+    for (Index t = 0; t < this->size(); ++t)
+    {
+      const Triangle& c = this->triangles[t];
+      if (std::all_of(corners.begin(), corners.end(),
+            [&c](Index p) { return std::find(c.begin(), c.end(), p) != c.end(); }))
+      {
+        found.push_back(t);
+      }
+    }
+    return found;
+  }
+};
+
+/// The healed surface, with this one kind of defect, named by these ids.
+HealedSurface healed(const Sheet& sheet, SurfaceDefect defect, const std::vector<std::int64_t>& ids)
+{
+  HealedSurface surface = healSurface(sheet.points, sheet.triangles);
+  EXPECT_TRUE(surface.status.ok()) << surface.status.message;
+  for (const Mending& mending : surface.mendings)
+  {
+    if (mending.defect == defect)
+    {
+      EXPECT_EQ(mending.ids.values, ids) << describe(mending);
+      return surface;
+    }
+  }
+  ADD_FAILURE() << "the defect is not named";
+  return surface;
+}
+
+std::vector<SurfaceDefect> defectsOf(const HealedSurface& surface)
+{
+  std::vector<SurfaceDefect> defects;
+  for (const Mending& mending : surface.mendings)
+  {
+    defects.push_back(mending.defect);
+  }
+  return defects;
+}
+
+using Defects = std::vector<SurfaceDefect>;
+}
+
+TEST(SurfaceHealing, LeavesASoundSurfaceAsItIs)
+{
+  const Sheet sheet;
+  const PreparedSurface prepared = prepareSurface(sheet.points, sheet.triangles);
+  const HealedSurface surface = healSurface(sheet.points, sheet.triangles);
+  EXPECT_TRUE(surface.mesh.identical(prepared.mesh));
+  EXPECT_EQ(surface.vertexOfPoint, prepared.vertexOfPoint);
+  EXPECT_TRUE(surface.mendings.empty());
+  EXPECT_TRUE(surface.originalTriangle.empty());
+}
+
+TEST(SurfaceHealing, JoinsCollapsedPointsWithTheirNeighbors)
+{
+  for (const double scale : { 1e-9, 1.0, 1e9 })
+  {
+    for (const double part : { 0.0, 5e-7 })
+    {
+      Sheet sheet;
+      const Index moved = Sheet::at(5, 5);
+      const Index neighbor = Sheet::at(4, 5);
+      sheet.points[moved] = sheet.points[neighbor] + Point3(part / columns, 0.0, 0.0);
+      const Indices between = sheet.with({ moved, neighbor });
+      for (Point3& p : sheet.points)
+      {
+        p *= scale;
+      }
+      const HealedSurface surface = healed(sheet, SurfaceDefect::CollapsedPoints, { moved });
+      EXPECT_EQ(defectsOf(surface),
+        (Defects{ SurfaceDefect::CollapsedPoints, SurfaceDefect::FlatTriangles }));
+      EXPECT_EQ(surface.mendings[1].ids, (ElementIds{ ElementKind::Cells, between }));
+      EXPECT_EQ(surface.joinedPoints, Indices{ moved });
+      EXPECT_EQ(surface.vertexOfPoint[moved], surface.vertexOfPoint[neighbor]);
+      EXPECT_EQ(surface.originalPoint[surface.vertexOfPoint[neighbor]], neighbor);
+      EXPECT_EQ(surface.mesh.triangleCount(), sheet.size() - 2);
+      EXPECT_EQ(eulerCharacteristic(surface.mesh), 1);
+    }
+  }
+  // An edge of three millionths is one.
+  Sheet sheet;
+  sheet.points[Sheet::at(5, 5)] = sheet.points[Sheet::at(4, 5)] + 3e-6 / columns * Point3::UnitX();
+  EXPECT_TRUE(healSurface(sheet.points, sheet.triangles).mendings.empty());
+}
+
+TEST(SurfaceHealing, DividesWhatLiesBehindTrianglesWithoutArea)
+{
+  Sheet sheet;
+  const double area = prepareSurface(sheet.points, sheet.triangles).mesh.area();
+  // Two points on a diagonal, which the triangle on one side has and the other has not.
+  const Index a = Sheet::at(4, 4);
+  const Index c = Sheet::at(5, 5);
+  const Index t = sheet.with({ a, c }).front();
+  const Triangle whole = sheet.triangles[t];
+  const Index b = whole[0] + whole[1] + whole[2] - a - c;
+  const Index half = sheet.add(0.5 * (sheet.points[a] + sheet.points[c]));
+  const Index quarter = sheet.add(0.5 * (sheet.points[a] + sheet.points[half]));
+  const auto part = [&](Index from, Index to) {
+    Triangle result = whole;
+    std::replace(result.begin(), result.end(), from, to);
+    return result;
+  };
+  Triangle middle = part(a, quarter);
+  std::replace(middle.begin(), middle.end(), c, half);
+  sheet.triangles[t] = part(c, quarter);
+  sheet.triangles.push_back(middle);
+  sheet.triangles.push_back(part(a, half));
+  const Index first = sheet.size();
+  sheet.triangles.push_back({ a, quarter, half });
+  sheet.triangles.push_back({ a, half, c });
+  sheet.triangles.push_back({ b, b, a });
+  const HealedSurface surface =
+    healed(sheet, SurfaceDefect::FlatTriangles, { first, first + 1, first + 2 });
+  EXPECT_EQ(surface.mendings.size(), 1U);
+  EXPECT_NEAR(surface.mesh.area() / area, 1.0, 1e-12);
+  EXPECT_EQ(surface.mesh.triangleCount(), 2 * columns * rows + 4);
+  EXPECT_EQ(surface.mesh.boundaryLoops().size(), 1U);
+  EXPECT_EQ(eulerCharacteristic(surface.mesh), 1);
+}
+
+TEST(SurfaceHealing, TakesOutDoubledTriangles)
+{
+  Sheet sheet;
+  const Triangle t = sheet.triangles[40];
+  const Triangle u = sheet.triangles[71];
+  sheet.triangles.push_back({ t[1], t[2], t[0] });
+  sheet.triangles.push_back({ u[0], u[2], u[1] });
+  sheet.triangles.push_back(u);
+  const Index count = 2 * columns * rows;
+  const HealedSurface surface =
+    healed(sheet, SurfaceDefect::DoubledTriangles, { count, count + 1, count + 2 });
+  EXPECT_EQ(surface.mendings.size(), 1U);
+  EXPECT_EQ(surface.mesh.triangles(), Sheet().triangles);
+  // A sheet with both of its sides is a sheet.
+  Sheet sides;
+  for (Index k = 0; k < count; ++k)
+  {
+    const Triangle s = sides.triangles[k];
+    sides.triangles.push_back({ s[1], s[0], s[2] });
+  }
+  EXPECT_TRUE(healSurface(sides.points, sides.triangles)
+                .mesh.identical(prepareSurface(Sheet().points, Sheet().triangles).mesh));
+}
+
+TEST(SurfaceHealing, TakesOffFins)
+{
+  Sheet sheet;
+  const Index a = Sheet::at(4, 4);
+  const Index b = Sheet::at(4, 5);
+  const Index first = sheet.size();
+  const Index top = sheet.add(sheet.points[a] + Point3(0.01, 0.05, 0.06));
+  const Index other = sheet.add(sheet.points[a] + Point3(-0.03, 0.02, -0.05));
+  sheet.triangles.push_back({ a, b, top });
+  sheet.triangles.push_back({ b, a, other });
+  const HealedSurface surface = healed(sheet, SurfaceDefect::Fins, { first, first + 1 });
+  EXPECT_EQ(surface.mendings.size(), 1U);
+  EXPECT_EQ(surface.mesh.triangles(), Sheet().triangles);
+  EXPECT_EQ(surface.vertexOfPoint[top], none);
+}
+
+TEST(SurfaceHealing, SeparatesWhatStandsOnASurface)
+{
+  // A wall across the whole sheet: it comes off, since the sheet goes on evenly.
+  Sheet sheet;
+  Index before = none;
+  for (Index j = 0; j <= rows; ++j)
+  {
+    const Index foot = Sheet::at(6, j);
+    const Index top = sheet.add(sheet.points[foot] + Point3(0.02, 0.0, 0.4));
+    if (j > 0)
+    {
+      sheet.triangles.push_back({ Sheet::at(6, j - 1), foot, top });
+      sheet.triangles.push_back({ Sheet::at(6, j - 1), top, before });
+    }
+    before = top;
+  }
+  const HealedSurface surface = healSurface(sheet.points, sheet.triangles);
+  ASSERT_TRUE(surface.status.ok()) << surface.status.message;
+  EXPECT_EQ(defectsOf(surface), Defects{ SurfaceDefect::CrowdedEdges });
+  EXPECT_EQ(surface.mendings[0].ids.kind, ElementKind::Edges);
+  EXPECT_EQ(surface.mendings[0].ids.values.size(), 2U * rows);
+  Indices part;
+  EXPECT_EQ(connectedParts(surface.mesh, {}, part), 2);
+  EXPECT_EQ(surface.mesh.triangleCount(), sheet.size());
+  EXPECT_EQ(surface.originalPoint[surface.vertexOfPoint[Sheet::at(6, 3)]], Sheet::at(6, 3));
+}
+
+TEST(SurfaceHealing, RefusesWhereItIsNotClearWhatGoesOn)
+{
+  // Three pages of a book.
+  Points3 points{ Point3(0, 0, 0), Point3(0, 1, 0) };
+  Triangles triangles;
+  for (const double angle : { 0.0, 120.0, 240.0 })
+  {
+    const Point3 out(std::cos(angle * degree), 0.0, std::sin(angle * degree));
+    const Index first = static_cast<Index>(points.size());
+    points.push_back(out);
+    points.emplace_back(out + Point3(0, 1, 0));
+    triangles.push_back({ 0, 1, first + 1 });
+    triangles.push_back({ 0, first + 1, first });
+  }
+  const HealedSurface surface = healSurface(points, triangles);
+  EXPECT_EQ(surface.status.code, StatusCode::NonManifoldEdge);
+  EXPECT_EQ(surface.status.ids, (ElementIds{ ElementKind::Cells, Indices{ 0, 2, 4 } }));
+  EXPECT_NE(surface.status.message.find("between points 0 and 1"), std::string::npos);
+  EXPECT_EQ(surface.mesh.triangleCount(), 0);
+}
+
+TEST(SurfaceHealing, DoublesPinchedPoints)
+{
+  Sheet sheet;
+  const Index pinched = Sheet::at(0, 4);
+  const Index a = sheet.add(Point3(-0.5, 0.2, 0.0));
+  const Index b = sheet.add(Point3(-0.5, 0.6, 0.0));
+  sheet.triangles.push_back({ pinched, b, a });
+  const HealedSurface surface = healed(sheet, SurfaceDefect::PinchedPoints, { pinched });
+  EXPECT_EQ(surface.mendings.size(), 1U);
+  EXPECT_EQ(surface.mesh.triangleCount(), sheet.size());
+  EXPECT_EQ(surface.mesh.vertexCount(), static_cast<Index>(sheet.points.size()) + 1);
+  EXPECT_EQ(std::count(surface.originalPoint.begin(), surface.originalPoint.end(), pinched), 2);
+  // It is not split where neighbors are oriented differently.
+  std::swap(sheet.triangles[77][0], sheet.triangles[77][1]);
+  EXPECT_EQ(healed(sheet, SurfaceDefect::PinchedPoints, { pinched }).mesh.vertexCount(),
+    surface.mesh.vertexCount());
+  // The point stays with the larger part.
+  EXPECT_EQ(surface.mesh.triangle(0)[0], surface.vertexOfPoint[0]);
+  EXPECT_NE(surface.mesh.triangles().back()[0], surface.vertexOfPoint[pinched]);
+}
+
+TEST(SurfaceHealing, TurnsPatchesOver)
+{
+  Sheet sheet;
+  std::vector<std::int64_t> turned;
+  for (Index t = 50; t < 70; ++t)
+  {
+    std::swap(sheet.triangles[t][0], sheet.triangles[t][1]);
+    turned.push_back(t);
+  }
+  const HealedSurface surface = healed(sheet, SurfaceDefect::ReversedTriangles, turned);
+  EXPECT_EQ(surface.mendings.size(), 1U);
+  EXPECT_EQ(describe(surface.mendings[0]),
+    "20 triangles were turned over to agree with the others (first: 50, 51, 52)");
+}
+
+TEST(SurfaceHealing, LeavesOutSpecks)
+{
+  Sheet sheet;
+  const Index first = sheet.size();
+  for (const double x : { 2.0, 3.0 })
+  {
+    const Index p = sheet.add(Point3(x, 0.0, 0.0));
+    sheet.add(Point3(x + 0.04, 0.0, 0.0));
+    sheet.add(Point3(x, 0.04, 0.0));
+    sheet.triangles.push_back({ p, p + 1, p + 2 });
+  }
+  const HealedSurface surface = healed(sheet, SurfaceDefect::Specks, { first, first + 1 });
+  EXPECT_EQ(describe(surface.mendings[0]),
+    "2 parts below 0.1 % of the largest part's area were left out: 2 triangles (" +
+      std::to_string(first) + ", " + std::to_string(first + 1) + ")");
+  EXPECT_EQ(surface.mesh.triangles(), Sheet().triangles);
+  // A larger one is a part.
+  sheet.points.back() = Point3(3.0, 0.1, 0.0);
+  EXPECT_EQ(healSurface(sheet.points, sheet.triangles).mesh.triangleCount(), first + 1);
+}
+
+TEST(SurfaceHealing, RefusesWhatHasNothingLeft)
+{
+  Sheet sheet;
+  for (Point3& p : sheet.points)
+  {
+    p = Point3(p.x(), 0.0, 0.0);
+  }
+  const HealedSurface surface = healSurface(sheet.points, sheet.triangles);
+  EXPECT_EQ(surface.status.code, StatusCode::DegenerateTriangle);
+  EXPECT_EQ(surface.status.ids.values.size(), static_cast<std::size_t>(sheet.size()));
+}
+
+TEST(SurfaceHealing, KeepsToTheSameWhateverOrderAndSizeTrianglesHave)
+{
+  Sheet sheet;
+  sheet.points[Sheet::at(3, 3)] = sheet.points[Sheet::at(3, 4)];
+  sheet.points[Sheet::at(8, 6)] =
+    0.5 * (sheet.points[Sheet::at(7, 6)] + sheet.points[Sheet::at(9, 6)]);
+  sheet.triangles.push_back({ Sheet::at(9, 2), Sheet::at(9, 3), sheet.add(Point3(0.8, 0.2, 0.9)) });
+  sheet.triangles.push_back({ Sheet::at(7, 6), Sheet::at(8, 6), Sheet::at(9, 6) });
+  const HealedSurface straight = healSurface(sheet.points, sheet.triangles);
+  ASSERT_TRUE(straight.status.ok()) << straight.status.message;
+  std::mt19937 random(7);
+  for (const double scale : { 1.0, 0x1p-40, 0x1p40 })
+  {
+    Indices order(sheet.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::shuffle(order.begin(), order.end(), random);
+    Sheet mixed = sheet;
+    for (Index t = 0; t < sheet.size(); ++t)
+    {
+      mixed.triangles[t] = sheet.triangles[order[t]];
+    }
+    for (Point3& p : mixed.points)
+    {
+      p *= scale;
+    }
+    const HealedSurface surface = healSurface(mixed.points, mixed.triangles);
+    ASSERT_TRUE(surface.status.ok()) << surface.status.message;
+    ASSERT_EQ(defectsOf(surface), defectsOf(straight));
+    for (std::size_t k = 0; k < straight.mendings.size(); ++k)
+    {
+      std::vector<std::int64_t> ids = surface.mendings[k].ids.values;
+      for (std::int64_t& id : ids)
+      {
+        id = surface.mendings[k].ids.kind == ElementKind::Cells ? order[id] : id;
+      }
+      std::sort(ids.begin(), ids.end());
+      EXPECT_EQ(ids, straight.mendings[k].ids.values);
+    }
+    const auto sorted = [](const HealedSurface& of) {
+      std::vector<Indices> cells;
+      for (const Triangle& t : of.mesh.triangles())
+      {
+        Indices cell{ of.originalPoint[t[0]], of.originalPoint[t[1]], of.originalPoint[t[2]] };
+        std::sort(cell.begin(), cell.end());
+        cells.push_back(cell);
+      }
+      std::sort(cells.begin(), cells.end());
+      return cells;
+    };
+    EXPECT_EQ(sorted(surface), sorted(straight));
+  }
+}

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Defects of surfaces are healed with a warning each; curves and results go on referring to the input's points."""
+
+import unittest
+import warnings
+
+import numpy as np
+
+import surfaceflattening as sf
+
+COLUMNS, ROWS = 12, 10
+
+
+def at(i, j):
+    return j * (COLUMNS + 1) + i
+
+
+def sheet():
+    """A bent sheet as lists, to be damaged."""
+    points = [[x / COLUMNS, y / COLUMNS, 0.1 * np.sin(3.0 * x * y / COLUMNS ** 2)]
+              for y in range(ROWS + 1) for x in range(COLUMNS + 1)]
+    triangles = [t for y in range(ROWS) for x in range(COLUMNS) for t in (
+        [at(x, y), at(x + 1, y), at(x + 1, y + 1)], [at(x, y), at(x + 1, y + 1), at(x, y + 1)])]
+    return points, triangles
+
+
+def collapsed(points, triangles):
+    points[at(5, 5)] = list(points[at(6, 5)])
+    return [f"1 point was joined with a neighbor within a millionth of the edges there ({at(6, 5)})",
+            "2 triangles without area were taken out"]
+
+
+def doubled(points, triangles):
+    triangles.append(triangles[30][::-1])
+    return [f"1 triangle with the corners of another was taken out ({len(triangles) - 1})"]
+
+
+def turned(points, triangles):
+    for k in (50, 51, 52, 53):
+        triangles[k] = triangles[k][::-1]
+    return ["4 triangles were turned over to agree with the others (first: 50, 51, 52)"]
+
+
+def with_speck(points, triangles):
+    p = len(points)
+    points += [[3.0, 0.0, 0.0], [3.01, 0.0, 0.0], [3.0, 0.01, 0.0]]
+    triangles.append([p, p + 1, p + 2])
+    return [f"1 part below 0.1 % of the largest part's area was left out: 1 triangle ({len(triangles) - 1})"]
+
+
+def with_fin(points, triangles):
+    points.append([0.3, 0.3, 0.3])
+    triangles.append([at(3, 3), at(3, 4), len(points) - 1])
+    return [f"1 triangle standing on an edge of others was taken out ({len(triangles) - 1})"]
+
+
+def pinched(points, triangles):
+    points += [[-0.1, 0.1, 0.0], [-0.1, 0.4, 0.0]]
+    triangles.append([at(0, 3), len(points) - 1, len(points) - 2])
+    return [f"1 point in which parts touch was doubled ({at(0, 3)})"]
+
+
+DEFECTS = (collapsed, doubled, turned, with_speck, with_fin, pinched)
+
+
+class Healed(unittest.TestCase):
+    def flatten(self, points, triangles, *arguments, **options):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            result = sf.flatten(np.array(points), np.array(triangles), *arguments, **options)
+        self.assertEqual(result.report["warnings"], [str(one.message) for one in caught])
+        self.assertEqual(result.report["status"], "Ok")
+        return result
+
+    def test_each_defect_is_named_and_refused_without_healing(self):
+        clean = self.flatten(*sheet())
+        self.assertEqual(clean.report["warnings"], [])
+        for defect in DEFECTS:
+            with self.subTest(defect.__name__):
+                points, triangles = sheet()
+                lines = defect(points, triangles)
+                result = self.flatten(points, triangles)
+                told = result.report["warnings"]
+                self.assertEqual(len(told), len(lines), told)
+                for line, expected in zip(told, lines):
+                    self.assertTrue(line.startswith(expected), line)
+                self.assertAlmostEqual(result.report["pieces"][0]["E_area"], clean.report["pieces"][0]["E_area"],
+                                       delta=0.1 * clean.report["pieces"][0]["E_area"])
+                if defect in (turned, with_speck):  # which are a surface as they are
+                    self.assertEqual(self.flatten(points, triangles, heal=False).report["warnings"], [])
+                    continue
+                if defect is collapsed:
+                    points[at(5, 5)][0] += 1e-9
+                    self.assertEqual(self.flatten(points, triangles, heal=False).report["warnings"], [])
+                    continue
+                with self.assertRaises(sf.FlatteningError) as caught:
+                    sf.flatten(np.array(points), np.array(triangles), heal=False)
+                self.assertTrue(caught.exception.name.startswith("NonManifold"), caught.exception)
+
+    def test_every_point_of_the_surface_has_a_flat_place(self):
+        points, triangles = sheet()
+        for defect in (collapsed, doubled, turned, pinched):
+            defect(points, triangles)
+        result = self.flatten(points, triangles)
+        original = result.point_arrays["vtkOriginalPointIds"]
+        self.assertEqual(set(original), set(range(len(points))))
+        self.assertEqual(len(original), len(points) + 1)  # the pinched one twice
+        places = {p: place for p, place in zip(original, result.positions)}
+        np.testing.assert_array_equal(places[at(5, 5)], places[at(6, 5)])
+        self.assertTrue(np.isfinite(result.positions).all())
+        self.assertLess(result.triangles.max(), len(points) + 1)
+        cells = result.cell_arrays["vtkOriginalCellIds"]
+        for corners, cell in zip(original[result.triangles], cells):
+            expected = [at(5, 5) if p == at(6, 5) else p for p in triangles[cell]]
+            self.assertEqual(sorted(corners), sorted(expected))
+
+    def test_curves_go_on_through_the_points_that_they_name(self):
+        points, triangles = sheet()
+        curve = [at(3, 5), at(4, 5), at(5, 5), at(6, 5), at(7, 5)]
+        collapsed(points, triangles)
+        result = self.flatten(points, triangles, [sf.Curve(curve, "key", "waist", key_shape="straight")])
+        length = sum(np.linalg.norm(np.subtract(points[a], points[b])) for a, b in zip(curve, curve[1:]))
+        report = result.report["curves"][0]
+        self.assertAlmostEqual(report["length_3d"], length, delta=1e-9)
+        self.assertAlmostEqual(report["length_2d"], length, delta=1e-9)
+        places = {p: place for p, place in zip(result.point_arrays["vtkOriginalPointIds"], result.positions)}
+        self.assertAlmostEqual(
+            np.linalg.norm(places[curve[0]] - places[curve[-1]]), length, delta=1e-9)
+
+
+if __name__ == "__main__":
+    unittest.main()
