@@ -341,12 +341,16 @@ bool vtkFeatureCurveEditor::SetSurface(vtkPolyData* surface)
       return this->Refuse(bridge::inWords(loaded.outcome));
     }
     this->Drawn = std::make_unique<bridge::CurveEditorModel>(std::move(loaded.prepared.mesh));
+    this->Message.clear();
+    for (const std::string& mending : loaded.mendings)
+    {
+      this->Message += (this->Message.empty() ? "" : "; ") + mending;
+    }
   }
   catch (const std::bad_alloc&)
   {
     return this->Refuse("out of memory");
   }
-  this->Message.clear();
   this->Modified();
   return true;
 }

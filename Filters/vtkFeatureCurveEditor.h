@@ -98,8 +98,9 @@ public:
   };
 
   /**
-   * The surface to draw on; a copy is kept. Forgets all curves, and the past. False, and nothing
-   * changes, where it is no surface that can be drawn on.
+   * The surface to draw on; a copy is kept, with defects healed as filters heal them, which
+   * GetMessage() tells. Forgets all curves, and the past. False, and nothing changes, where it is
+   * no surface that can be drawn on.
    */
   bool SetSurface(vtkPolyData* surface);
 

@@ -103,6 +103,7 @@ bool EditorWindow::openSurface(const std::string& path)
     {
       throw std::runtime_error(this->Curves->GetMessage());
     }
+    const std::string healed = this->Curves->GetMessage();
     this->Surface = surface;
     this->Labels = contents.labels;
     this->Name = std::filesystem::path(path).stem().string();
@@ -130,6 +131,10 @@ bool EditorWindow::openSurface(const std::string& path)
     this->expectPieces();
     this->followChoice();
     this->Journal.open(surface);
+    if (!healed.empty())
+    {
+      this->tell(healed, false);
+    }
     this->offerLeftover();
   });
 }

@@ -117,6 +117,17 @@ TEST_F(PatternEditor, AnArrayOfTheSurfaceCanSayWhereDistortionMatters)
   EXPECT_GE(this->window->proposals()->cuts().size(), 2U) << this->window->message().toStdString();
 }
 
+TEST_F(PatternEditor, ADamagedSurfaceIsHealedWhenItIsOpened)
+{
+  const QTemporaryDir folder;
+  const std::string path = folder.filePath("doubled.obj").toStdString();
+  std::ofstream(path) << "v 0 0 0\nv 9 0 0\nv 9 9 1\nv 0 9 0\nf 1 2 3\nf 1 3 4\nf 4 3 1\n";
+  ASSERT_TRUE(this->window->openSurface(path)) << this->window->message().toStdString();
+  EXPECT_EQ(this->window->message(), "1 triangle with the corners of another was taken out (2)");
+  this->waitForPieces();
+  EXPECT_GT(this->measure("AreaError"), -1.0);
+}
+
 TEST_F(PatternEditor, TheUnitIsKeptWithCurvesAndSurface)
 {
   const std::string lines = testing::TempDir() + "unit_curves.vtp";

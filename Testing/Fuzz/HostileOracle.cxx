@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HostileCase.h"
+#include "Surface/SurfaceHealing.h"
 
 #include <cmath>
 #include <ctime>
@@ -296,8 +297,8 @@ void checkImprint(const TriangleMesh& before, const TriangleMesh& after, Checks&
 
 StatusCode goTheWay(const HostileCase& hostileCase, Checks& checks)
 {
-  const PreparedSurface prepared =
-    prepareSurface(hostileCase.points, hostileCase.triangles, hostileCase.coincident);
+  const HealedSurface prepared =
+    healSurface(hostileCase.points, hostileCase.triangles, hostileCase.coincident);
   checkStatus(prepared.status, checks);
   if (!prepared.status.ok())
   {

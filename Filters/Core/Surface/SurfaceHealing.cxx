@@ -464,10 +464,10 @@ bool pairAtEdge(const Draft& draft, const Parts& parts, CrowdedEdge edge, Indice
   takePaired();
   while (edge.size() > 2)
   {
-    auto [h, g] = clearPair(draft, edge, false);
+    auto [h, g] = clearPair(draft, edge, true);
     if (h == none)
     {
-      std::tie(h, g) = clearPair(draft, edge, true);
+      std::tie(h, g) = clearPair(draft, edge, false); // parts may be turned over
     }
     if (h == none)
     {

@@ -62,10 +62,10 @@ struct HealedSurface : PreparedSurface
 /// - A triangle with its corners in a line is divided among those behind its longest edge. Where
 ///   half of the triangles or more are without area, the surface is refused.
 /// - At an edge of more than two triangles those two go on with each other that are of large parts,
-///   or of one part, or, by at least 30 degrees clearer than any other two, or than any other two
-///   that are oriented alike, in one plane. The others come off, and are fins below a hundredth of
-///   the area of the largest part, or as single triangles below a tenth. Where none of it decides
-///   between large parts, the surface is refused.
+///   or of one part, or in one plane by at least 30 degrees clearer than any other two that are
+///   oriented alike, else than any other two. The others come off, and are fins below a hundredth
+///   of the area of the largest part, or as single triangles below a tenth. Where none of it
+///   decides between large parts, the surface is refused.
 ///
 /// It takes linear time, and where the surface has no defect returns prepareSurface()'s to the last
 /// bit. Which triangle of doubled ones stays is all that depends on their order.
