@@ -96,6 +96,31 @@ TEST(LinearSolver, OneAnalysisServesManyFactorizations)
   }
 }
 
+TEST(LinearSolver, TakesMatricesOfItsPatternHoweverTheyAreStored)
+{
+  for (Method method : allMethods)
+  {
+    // The lower triangle alone, all of it, and with room between its columns.
+    const SparseMatrix whole = gridLaplacian(13).selfadjointView<Eigen::Lower>();
+    const SparseMatrix lower = whole.triangularView<Eigen::Lower>();
+    const Eigen::MatrixXd right = someRightHandSide(whole.rows());
+    for (const SparseMatrix& matrix : { lower, whole })
+    {
+      LinearSolver solver = make(method, matrix.rows());
+      ASSERT_TRUE(solver.factorize(matrix));
+      const Eigen::MatrixXd once = solver.solve(right);
+      EXPECT_LT((whole * once - right).norm(), 1e-12 * right.norm());
+      SparseMatrix doubled = 2.0 * matrix;
+      doubled.reserve(Eigen::VectorXi::Constant(matrix.cols(), 9));
+      ASSERT_FALSE(doubled.isCompressed());
+      ASSERT_TRUE(solver.factorize(doubled));
+      EXPECT_LT((2.0 * solver.solve(right) - once).norm(), 1e-12 * once.norm());
+      EXPECT_FALSE(solver.factorize(matrix.nonZeros() < whole.nonZeros() ? whole : lower));
+      EXPECT_FALSE(solver.ok());
+    }
+  }
+}
+
 TEST(LinearSolver, OneStepOfRefinementTakesTheRegularizationOut)
 {
   const SparseMatrix exact = saddlePoint(10, 20, 0.0, 11);

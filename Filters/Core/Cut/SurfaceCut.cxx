@@ -207,10 +207,11 @@ CutSurface openCuts(const TriangleMesh& mesh, CurveLabels labels)
   for (Index h = 0; h < mesh.halfedgeCount(); ++h)
   {
     const Index twin = mesh.twin(h);
-    if (twin != none && corner(h) == corner(TriangleMesh::next(twin)) &&
+    if (twin > h && corner(h) == corner(TriangleMesh::next(twin)) &&
       corner(twin) == corner(TriangleMesh::next(h)))
     {
       twins[h] = twin;
+      twins[twin] = h;
     }
   }
   points.shrink_to_fit(); // it grew by copies, and is kept

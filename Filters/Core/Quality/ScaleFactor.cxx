@@ -112,20 +112,19 @@ LinearSolver factorLaplacian(
 
 /// Column s holds the weights of the mean over site s, by area; rows are free vertices.
 SparseMatrix siteMeans(
-  const TriangleMesh& mesh, const Indices& members, const Indices& siteOfVertex)
+  const std::vector<double>& areas, const Indices& members, const Indices& siteOfVertex)
 {
   std::vector<double> siteArea;
   for (Index v : members)
   {
     siteArea.resize(std::max<std::size_t>(siteArea.size(), siteOfVertex[v] + 1), 0.0);
-    siteArea[siteOfVertex[v]] += vertexArea(mesh, v);
+    siteArea[siteOfVertex[v]] += areas[v];
   }
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t k = 0; k < members.size(); ++k)
   {
     const Index site = siteOfVertex[members[k]];
-    entries.emplace_back(
-      static_cast<Index>(k), site, vertexArea(mesh, members[k]) / siteArea[site]);
+    entries.emplace_back(static_cast<Index>(k), site, areas[members[k]] / siteArea[site]);
   }
   SparseMatrix means(static_cast<Index>(members.size()), static_cast<Index>(siteArea.size()));
   means.setFromTriplets(entries.begin(), entries.end());
@@ -173,15 +172,17 @@ ScaleFactor::ScaleFactor(
   : Points(mesh.points())
   , Values(mesh.vertexCount(), 0.0)
 {
-  this->Ok = this->solve(mesh, options, execution);
+  const std::vector<double> areas =
+    vertexAreas(mesh.triangles(), mesh.vertexCount(), [&mesh](Index t) { return mesh.area(t); });
+  this->Ok = this->solve(mesh, areas, options, execution);
   if (this->Ok)
   {
-    this->integrate(mesh, options.weight);
+    this->integrate(areas, options.weight);
   }
 }
 
-bool ScaleFactor::solve(
-  const TriangleMesh& mesh, const ScaleFactorOptions& options, const Execution& execution)
+bool ScaleFactor::solve(const TriangleMesh& mesh, const std::vector<double>& areas,
+  const ScaleFactorOptions& options, const Execution& execution)
 {
   const Indices members = freeVertices(mesh, options.fixed);
   const Index count = static_cast<Index>(members.size());
@@ -200,7 +201,7 @@ bool ScaleFactor::solve(
   {
     this->Values[members[k]] = u(k, 0);
   }
-  const SparseMatrix means = siteMeans(mesh, members, this->SiteOfVertex);
+  const SparseMatrix means = siteMeans(areas, members, this->SiteOfVertex);
   this->SiteValue = means.transpose() * u.col(0);
   return this->solveBetweenSites(solver, means, execution);
 }
@@ -226,15 +227,15 @@ bool ScaleFactor::solveBetweenSites(
     std::all_of(solved.begin(), solved.end(), [](char done) { return done != 0; });
 }
 
-void ScaleFactor::integrate(const TriangleMesh& mesh, const std::vector<double>& weight)
+void ScaleFactor::integrate(const std::vector<double>& areas, const std::vector<double>& weight)
 {
   this->SiteArea = Eigen::VectorXd::Zero(this->SiteValue.size());
-  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  for (std::size_t v = 0; v < areas.size(); ++v)
   {
     const Index site = this->SiteOfVertex[v];
     if (site != none)
     {
-      this->SiteArea[site] += (weight.empty() ? 1.0 : weight[v]) * vertexArea(mesh, v);
+      this->SiteArea[site] += (weight.empty() ? 1.0 : weight[v]) * areas[v];
     }
   }
   this->Energy = this->SiteArea.dot(this->SiteValue.cwiseAbs2());

@@ -83,12 +83,12 @@ public:
   CutForecast forecastInside(const Indices& path) const;
 
 private:
-  bool solve(
-    const TriangleMesh& mesh, const ScaleFactorOptions& options, const Execution& execution);
+  bool solve(const TriangleMesh& mesh, const std::vector<double>& areas,
+    const ScaleFactorOptions& options, const Execution& execution);
   bool solveBetweenSites(
     const LinearSolver& solver, const SparseMatrix& means, const Execution& execution);
   CutForecast forecast(const Indices& path, bool inside) const;
-  void integrate(const TriangleMesh& mesh, const std::vector<double>& weight);
+  void integrate(const std::vector<double>& areas, const std::vector<double>& weight);
 
   Points3 Points;
   Indices SiteOfVertex;      ///< none: u = 0

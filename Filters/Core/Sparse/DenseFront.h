@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace flattening
@@ -87,6 +88,27 @@ struct FrontColumns
   Value* column(Index k) const { return this->values + std::size_t(k) * std::size_t(this->size); }
 };
 using DenseFront = FrontColumns<double>;
+
+/// Memory for the columns of one front after the other.
+class FrontBuffer
+{
+public:
+  /// What was there before is lost where it grows.
+  double* atLeast(std::size_t count)
+  {
+    if (count > this->Count)
+    {
+      this->Values.reset();
+      this->Values.reset(new double[count]);
+      this->Count = count;
+    }
+    return this->Values.get();
+  }
+
+private:
+  std::unique_ptr<double[]> Values; // NOLINT(modernize-avoid-c-arrays)
+  std::size_t Count = 0;
+};
 
 /// L D L^T of the columns of a front in place, D on the diagonal, and what they do to the rows
 /// below, which is subtracted from `update`. False where a pivot is zero or not finite.

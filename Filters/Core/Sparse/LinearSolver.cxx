@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 namespace flattening
 {
@@ -109,7 +110,19 @@ struct LinearSolver::SimplicialBackend : LinearSolver::Backend
   void analyze(const SparseMatrix& matrix) override
   {
     this->PlaceOfColumn = leadingColumnsFirst(matrix, this->Leading);
-    this->withOrder(matrix, [this](const SparseMatrix& a) { this->Solver.analyzePattern(a); });
+    SparseMatrix numbered = matrix;
+    numbered.makeCompressed();
+    this->Stored = numbered.nonZeros();
+    std::iota(numbered.valuePtr(), numbered.valuePtr() + this->Stored, 0.0);
+    SparseMatrix lower(matrix.rows(), matrix.cols());
+    lower.selfadjointView<Eigen::Lower>() =
+      numbered.selfadjointView<Eigen::Lower>().twistedBy(this->PlaceOfColumn);
+    this->Ordered.resize(matrix.rows(), matrix.cols());
+    this->Ordered.selfadjointView<Eigen::Upper>() = lower.selfadjointView<Eigen::Lower>();
+    this->Source.resize(this->Ordered.nonZeros());
+    std::transform(this->Ordered.valuePtr(), this->Ordered.valuePtr() + this->Ordered.nonZeros(),
+      this->Source.begin(), [](double number) { return static_cast<Index>(number); });
+    this->Solver.analyzePattern(this->Ordered);
     const std::int64_t entries = this->Solver.factorEntries();
     this->Bytes = static_cast<std::size_t>(entries) * (sizeof(double) + sizeof(int));
     if (entries > std::numeric_limits<int>::max())
@@ -123,7 +136,20 @@ struct LinearSolver::SimplicialBackend : LinearSolver::Backend
     {
       throwOutOfMemory(this->Bytes);
     }
-    this->withOrder(matrix, [this](const SparseMatrix& a) { this->Solver.factorize(a); });
+    if (!matrix.isCompressed())
+    {
+      SparseMatrix compressed = matrix;
+      compressed.makeCompressed();
+      return this->factorize(compressed, execution);
+    }
+    if (matrix.nonZeros() != this->Stored)
+    {
+      return false;
+    }
+    const double* const values = matrix.valuePtr();
+    std::transform(this->Source.begin(), this->Source.end(), this->Ordered.valuePtr(),
+      [values](Index stored) { return values[stored]; });
+    this->Solver.factorize(this->Ordered);
     return this->Solver.info() == Eigen::Success;
   }
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rightHandSide, const Execution&) const override
@@ -139,7 +165,7 @@ struct LinearSolver::SimplicialBackend : LinearSolver::Backend
 
 private:
   struct Factorization
-    : Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>>
+    : Eigen::SimplicialLDLT<SparseMatrix, Eigen::Upper, Eigen::NaturalOrdering<int>>
   {
     std::int64_t factorEntries() const
     {
@@ -155,24 +181,13 @@ private:
     }
   };
 
-  template <class Use>
-  void withOrder(const SparseMatrix& matrix, const Use& use) const
-  {
-    if (this->PlaceOfColumn.size() == 0)
-    {
-      use(matrix);
-      return;
-    }
-    SparseMatrix ordered(matrix.rows(), matrix.cols());
-    ordered.selfadjointView<Eigen::Lower>() =
-      matrix.selfadjointView<Eigen::Lower>().twistedBy(this->PlaceOfColumn);
-    use(ordered);
-  }
-
   Index Leading;
   Factorization Solver;
   std::size_t Bytes = 0; ///< of the factor
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> PlaceOfColumn;
+  SparseMatrix Ordered; ///< the upper triangle, which Eigen takes without another copy
+  Indices Source;       ///< of each of its entries, where it is stored in the matrix
+  Eigen::Index Stored = 0;
 };
 
 struct LinearSolver::MultifrontalBackend : LinearSolver::Backend

@@ -333,14 +333,14 @@ bool MultifrontalFactorization::eliminateAll(const double* values, const Executi
   };
   const auto eachOf = [&](const Indices& together) {
     execution.parallelFor(static_cast<Index>(together.size()), [&](Index first, Index last) {
-      std::vector<double> work;
+      FrontBuffer buffer;
       for (Index k = first; k < last; ++k)
       {
-        sound[together[k]] = this->eliminate(together[k], values, work, {}) ? 1 : 0;
+        sound[together[k]] = this->eliminate(together[k], values, buffer, {}) ? 1 : 0;
       }
     });
   };
-  std::vector<double> topWork;
+  FrontBuffer topBuffer;
   for (std::size_t round = 0; round < this->TopByRound.size(); ++round)
   {
     if (execution.cancelled())
@@ -348,13 +348,13 @@ bool MultifrontalFactorization::eliminateAll(const double* values, const Executi
       return false;
     }
     execution.parallelFor(roundSize, [&](Index first, Index last) {
-      std::vector<double> work;
+      FrontBuffer buffer;
       for (std::size_t task = round * roundSize + first; task < round * roundSize + last; ++task)
       {
         bool going = true;
         for (auto s = this->Tasks[task].begin(); s != this->Tasks[task].end() && going; ++s)
         {
-          going = this->eliminate(*s, values, work, {});
+          going = this->eliminate(*s, values, buffer, {});
           sound[*s] = going ? 1 : 0;
         }
       }
@@ -374,7 +374,7 @@ bool MultifrontalFactorization::eliminateAll(const double* values, const Executi
         }
         else
         {
-          sound[s] = this->eliminate(s, values, topWork, execution) ? 1 : 0;
+          sound[s] = this->eliminate(s, values, topBuffer, execution) ? 1 : 0;
         }
       }
       eachOf(narrow);
@@ -404,14 +404,12 @@ void MultifrontalFactorization::addChild(
   this->Updates[child] = BlockedLowerTriangle();
 }
 
-/// \param work a buffer, from one supernode to the next.
 bool MultifrontalFactorization::eliminate(
-  Index s, const double* values, std::vector<double>& work, const Execution& execution)
+  Index s, const double* values, FrontBuffer& buffer, const Execution& execution)
 {
   const Supernode& node = this->Structure.supernodes()[s];
   const std::size_t size = node.blockSize();
-  work.resize(std::max(size, work.size()));
-  const DenseFront front{ work.data(), node.frontSize(), node.columnCount() };
+  const DenseFront front{ buffer.atLeast(size), node.frontSize(), node.columnCount() };
   std::fill_n(front.values, size, 0.0);
   for (Index k = node.entriesBegin; k < node.entriesEnd; ++k)
   {

@@ -129,8 +129,7 @@ private:
   void chooseTasks();
   void planTop();
   bool eliminateAll(const double* values, const Execution& execution);
-  bool eliminate(
-    Index s, const double* values, std::vector<double>& work, const Execution& execution);
+  bool eliminate(Index s, const double* values, FrontBuffer& buffer, const Execution& execution);
   void addChild(const DenseFront& front, Index child, BlockedLowerTriangle& update);
   void substitute(Eigen::MatrixXd& x, const Execution& execution) const;
   void substituteForward(const Supernode& node, Eigen::MatrixXd& x, Eigen::MatrixXd& passed,

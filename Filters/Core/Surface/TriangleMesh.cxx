@@ -21,12 +21,17 @@ TriangleMesh::TriangleMesh(Points3 points, Triangles triangles, Indices twins)
   , Twins(std::move(twins))
   , Outgoing(Points.size(), none)
 {
-  for (Index h = 0; h < this->halfedgeCount(); ++h)
+  Index h = 0;
+  for (const Triangle& t : this->Cells)
   {
-    Index& outgoing = this->Outgoing[this->from(h)];
-    if (outgoing == none || this->Twins[h] == none)
+    for (Index v : t)
     {
-      outgoing = h;
+      Index& outgoing = this->Outgoing[v];
+      if (outgoing == none || this->Twins[h] == none)
+      {
+        outgoing = h;
+      }
+      ++h;
     }
   }
 }
@@ -96,15 +101,17 @@ std::vector<Indices> TriangleMesh::boundaryLoops() const
   std::vector<Indices> loops;
   std::vector<double> lengths;
   std::vector<char> seen(this->halfedgeCount(), 0);
-  for (Index start = 0; start < this->halfedgeCount(); ++start)
+  const auto begin = this->Twins.begin();
+  const auto end = this->Twins.end();
+  for (auto at = std::find(begin, end, none); at != end; at = std::find(at + 1, end, none))
   {
-    if (this->Twins[start] != none || seen[start])
+    if (seen[at - begin])
     {
       continue;
     }
     Indices loop;
     double length = 0.0;
-    for (Index h = start; !seen[h]; h = this->Outgoing[this->to(h)])
+    for (auto h = static_cast<Index>(at - begin); !seen[h]; h = this->Outgoing[this->to(h)])
     {
       seen[h] = 1;
       loop.push_back(h);

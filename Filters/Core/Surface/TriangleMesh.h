@@ -19,9 +19,9 @@ public:
   /// \param twins of the half-edges, where they are known.
   TriangleMesh(Points3 points, Triangles triangles, Indices twins);
 
-  Index vertexCount() const { return static_cast<Index>(this->Points.size()); }
+  Index vertexCount() const { return static_cast<Index>(this->Outgoing.size()); }
   Index triangleCount() const { return static_cast<Index>(this->Cells.size()); }
-  Index halfedgeCount() const { return 3 * this->triangleCount(); }
+  Index halfedgeCount() const { return static_cast<Index>(this->Twins.size()); }
 
   const Points3& points() const { return this->Points; }
   const Triangles& triangles() const { return this->Cells; }
