@@ -430,7 +430,8 @@ Flattening flattenOne(const Options& options, const std::string& base)
     run(filter, options.quiet, result);
     checkBound(options, result);
     const int curves = filter->GetStatusConnection();
-    const std::string& file = curves < 0 ? options.surface : curveFiles[curves];
+    const bool ofFile = curves >= 0 && curves < static_cast<int>(curveFiles.size());
+    const std::string& file = ofFile ? curveFiles[curves] : options.surface; // or of a proposal
     sewAgain(options, result);
     if (result.refused())
     {
