@@ -160,7 +160,7 @@ public:
   ///@{
   /**
    * The most work that the search may take, in millions of steps of an iteration on one triangle;
-   * 0: no limit. A million takes about a third of a second of one processor. The best cuts that
+   * 0: no limit. A million takes about half a second of one processor. The best cuts that
    * are found by then are proposed, and a warning names it. Work is counted, not timed: cuts are
    * the same on every machine. Default: 60.
    */

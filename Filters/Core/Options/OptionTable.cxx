@@ -428,8 +428,8 @@ void addSuggestion(Table& table)
     .range(0.0, unlimited)
     .slider(0.0, 1000.0)
     .where(cuts)
-    .help("Maximum work of the search, in millions of steps on one triangle, each about a third of "
-          "a second of one processor; the best cuts found by then are proposed; 0: no limit.");
+    .help("Maximum work of the search, in millions of steps on one triangle, each about half a "
+          "second of one processor; the best cuts found by then are proposed; 0: no limit.");
   table.add("PieceCount", [](All& all) { return &all.search.pieces; })
     .spelled("pieces", "pieces")
     .range(0.0, std::numeric_limits<int>::max())

@@ -293,6 +293,10 @@ bool LinearSolver::factorize(const SparseMatrix& matrix, const Execution& execut
   {
     return false;
   }
+  if (execution.factorized)
+  {
+    *execution.factorized += this->Size;
+  }
   this->Factorized = this->Size == 0 || this->Solver->factorize(matrix, execution);
   return this->Factorized;
 }

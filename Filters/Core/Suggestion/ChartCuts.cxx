@@ -15,6 +15,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
+#include <tuple>
 
 namespace flattening
 {
@@ -41,7 +43,9 @@ constexpr double workingSnap = 0.15;
 /// On the surface itself: more than the default, so that what is far enough apart here is so there.
 constexpr double surfaceSnap = 1e-2;
 /// Of the budget, for charts on few triangles; the rest is for drawing seams on the surface.
-constexpr double mergingShare = 0.6;
+constexpr double mergingShare = 0.5;
+/// Of what is left then, for sewing seams from their ends on.
+constexpr double sewingShare = 0.2;
 /// Larger surfaces are parted on a version of half as many, to which their cuts are moved.
 constexpr Index settledTriangles = 30000;
 /// Seams are drawn anew this often at most.
@@ -50,8 +54,10 @@ constexpr int mostDrawings = 24;
 constexpr double partedShare = 1.5;
 /// What drawing them takes, in steps of a flattening.
 constexpr double drawingSteps = 5.0;
-/// A flattening of the surface with its seams is given up after these steps.
-constexpr double mostDrawnSteps = 100.0;
+/// The flattening of a chart is given up after these steps; those of charts that keep the bound
+/// take 55 at most with few triangles, and 126 beside the narrow triangles of seams that are drawn.
+constexpr double mostChartSteps = 50.0;
+constexpr double mostDrawnSteps = 130.0;
 /// Charts are parted again this often at most.
 constexpr int mostPartings = 3;
 /// Where the mirror is worse than this, in sqrt(area / pi), cuts are tried from either side.
@@ -170,7 +176,8 @@ std::vector<Indices> curvesBeside(const ImprintedSurface& surface, const std::ve
 /// The mesh cut along straight lines from end to end of its arcs, or as straight as they do not
 /// meet and charts keep the bound.
 CutMesh straightened(const TriangleMesh& mesh, const std::vector<Charts::Arc>& arcs,
-  const ChartOptions& options, double size, TrialBudget& budget, const Execution& execution)
+  const ChartOptions& options, double size, ChartTrials& trials, TrialBudget& budget,
+  const Execution& execution)
 {
   const SeamDrawing drawing(mesh);
   const Indices numbers = numbersTo(static_cast<Index>(arcs.size()));
@@ -202,7 +209,8 @@ CutMesh straightened(const TriangleMesh& mesh, const std::vector<Charts::Arc>& a
     if (bad.empty())
     {
       best = cutAlong(imprinted);
-      Charts charts(best.mesh, best.cut, numbersTo(best.mesh.halfedgeCount()), options, size);
+      Charts charts(
+        best.mesh, best.cut, numbersTo(best.mesh.halfedgeCount()), options, size, trials);
       bad = curvesBeside(imprinted, charts.keeping(budget, execution));
     }
     changed = !budget.spent() && !execution.cancelled() && raiseLevels(bad, numbers, levels);
@@ -280,6 +288,70 @@ std::vector<SuggestedCurve> joined(std::vector<SuggestedCurve> cuts)
   return cuts;
 }
 
+/// The pieces of a surface with its cuts, and what they are like flat.
+struct DrawnPieces
+{
+  CutSurface cut;
+  std::vector<Piece> pieces;
+  std::vector<ChartTrials::Result> results;
+
+  DrawnPieces(const ImprintedSurface& surface, ChartTrials& trials, TrialBudget& budget,
+    const Execution& execution)
+    : cut(cutSurface(surface.mesh, surface.curves))
+    , pieces(extractPieces(this->cut))
+  {
+    std::vector<std::vector<TriangleMesh>> meshes;
+    for (const Piece& piece : this->pieces)
+    {
+      meshes.push_back({ piece.mesh });
+    }
+    this->results = trials.run(meshes, std::numeric_limits<double>::infinity(), budget, execution);
+  }
+
+  /// How much is wrong with one: its strain, and one more where it is folded, lies over itself, or
+  /// has no flattening.
+  double fault(std::size_t piece) const
+  {
+    const ChartTrials::Result& result = this->results[piece];
+    return (result.sound ? 0.0 : 1.0) + (std::isinf(result.strain) ? 0.0 : result.strain);
+  }
+
+  /// How many are wrong, and the largest strain.
+  double worst() const
+  {
+    double count = 0.0;
+    double strain = 0.0;
+    for (const ChartTrials::Result& result : this->results)
+    {
+      count += result.sound ? 0.0 : 1.0;
+      strain = std::max(strain, std::isinf(result.strain) ? 0.0 : result.strain);
+    }
+    return count + strain;
+  }
+};
+
+/// Each dart that has different pieces at its sides.
+std::vector<Indices> dividingDarts(const CutSurface& cut, const std::vector<SuggestedCurve>& cuts)
+{
+  std::vector<std::set<Index>> beside(cuts.size());
+  for (Index h = 0; h < cut.mesh.halfedgeCount(); ++h)
+  {
+    if (cut.curveOfHalfedge[h] != none)
+    {
+      beside[cut.curveOfHalfedge[h]].insert(cut.pieceOfTriangle[h / 3]);
+    }
+  }
+  std::vector<Indices> sets;
+  for (std::size_t c = 0; c < cuts.size(); ++c)
+  {
+    if (cuts[c].curve.type == CurveType::Dart && beside[c].size() > 1)
+    {
+      sets.push_back({ static_cast<Index>(c) });
+    }
+  }
+  return sets;
+}
+
 class ChartSearch
 {
 public:
@@ -296,10 +368,10 @@ public:
     , Run(execution)
     , Size(std::sqrt(mesh.area() / pi))
     , InPlane(inPlaneShare * SnapDistance(mesh, ImprintOptions().snap).greatest())
+    , Trials(roughly(options.flattening), mostChartSteps)
   {
     this->Options.bound *= straight ? coarseShare : ruggedShare;
     this->Options.bound /= options.pieces > 0 ? finerBound : 1.0;
-    this->Options.flattening = roughly(options.flattening);
   }
 
   std::vector<SuggestedCurve> run()
@@ -311,21 +383,21 @@ public:
       return {};
     }
     Charts first(half, firstCuts(half, firstShare * this->Options.bound),
-      numbersTo(half.halfedgeCount()), this->Options, this->Size);
+      numbersTo(half.halfedgeCount()), this->Options, this->Size, this->Trials);
     TrialBudget budget(mergingShare * this->Budget.left());
     first.divide(budget, this->Run);
     CutMesh parted{ half, first.cut(), {} };
     if (this->Straight)
     {
       const auto straighten = [&](const TriangleMesh& mesh, const std::vector<Charts::Arc>& arcs) {
-        return straightened(mesh, arcs, this->Options, this->Size, budget, this->Run);
+        return straightened(mesh, arcs, this->Options, this->Size, this->Trials, budget, this->Run);
       };
       parted = straighten(half, first.arcs());
       ChartOptions rough = this->Options;
       rough.bound *= roughShare;
       rough.pieces = this->Plane ? (rough.pieces + 1) / 2 : rough.pieces;
-      Charts merged(
-        parted.mesh, parted.cut, numbersTo(parted.mesh.halfedgeCount()), rough, this->Size);
+      Charts merged(parted.mesh, parted.cut, numbersTo(parted.mesh.halfedgeCount()), rough,
+        this->Size, this->Trials);
       TrialBudget some(roughWork * budget.left());
       merged.divide(some, this->Run);
       merged.merge(true, some, this->Run);
@@ -337,7 +409,7 @@ public:
     {
       return {};
     }
-    Charts charts(whole.mesh, whole.cut, whole.images, this->Options, this->Size);
+    Charts charts(whole.mesh, whole.cut, whole.images, this->Options, this->Size, this->Trials);
     charts.divide(budget, this->Run);
     if (this->Options.pieces > 0)
     {
@@ -348,11 +420,13 @@ public:
     {
       charts.merge(false, budget, this->Run);
     }
+    this->Budget.add(budget);
     if (this->Options.darts)
     {
-      charts.shorten(budget, this->Run);
+      TrialBudget sewing(sewingShare * this->Budget.left());
+      charts.shorten(sewing, this->Run);
+      this->Budget.add(sewing);
     }
-    this->Budget.add(budget);
     this->settle(
       this->seams(whole.mesh, parted.mesh.vertexCount(), charts.arcs(this->Plane.has_value())));
     return joined(std::move(this->Best));
@@ -360,8 +434,27 @@ public:
 
   /// How many pieces are folded, or lie over themselves, and the largest strain.
   double worst() const { return this->Worst; }
+  /// Whether it is far from what it was to reach.
+  bool fails() const { return this->excess() > 0 || this->Worst > partedShare * this->Bound; }
+  /// Whether its cuts are better than another's: fewer pieces beyond the number that is wanted;
+  /// then within the bound, or nearer to it; then fewer.
+  bool betterThan(const ChartSearch& other, double bound) const
+  {
+    const auto merit = [bound](const ChartSearch& search) {
+      const bool counted = search.Options.pieces > 0;
+      return std::tuple(
+        search.excess(), counted ? search.Worst : std::max(search.Worst, bound), search.BestCuts);
+    };
+    return merit(*this) < merit(other);
+  }
 
 private:
+  Index excess() const
+  {
+    return this->Options.pieces > 0 ? std::max<Index>(0, this->BestPieces - this->Options.pieces)
+                                    : 0;
+  }
+
   /// A seam or dart to be drawn, the first of each pair of images.
   struct Seam
   {
@@ -515,8 +608,7 @@ private:
     const SeamDrawing drawing(this->Surface);
     ImprintOptions imprint;
     imprint.snap = surfaceSnap;
-    const CutTrials trials(
-      this->Surface, {}, imprint, this->Options.flattening, SearchGoal::Energy, {}, mostDrawnSteps);
+    ChartTrials trials(this->Options.flattening, mostDrawnSteps);
     std::vector<int> levels;
     for (const Seam& seam : seams)
     {
@@ -537,17 +629,21 @@ private:
       const std::vector<Polyline> lines = linesOf(cuts);
       const ImprintedSurface imprinted = imprintCurves(this->Surface, lines, imprint);
       std::vector<Indices> bad = failingLines(imprinted, lines.size());
+      if (bad.empty())
+      {
+        bad = dividingDarts(cutSurface(imprinted.mesh, imprinted.curves), cuts);
+      }
       const bool drawn = bad.empty();
       if (drawn)
       {
-        const TrialOutcome outcome = trials.run(lines, this->Budget, this->Run);
-        bad = this->aroundBad(imprinted, outcome);
-        const auto faults = std::count(outcome.pieceFaults.begin(), outcome.pieceFaults.end(), 1);
-        const double worst = static_cast<double>(faults) + outcome.strainP95;
-        if (outcome.valid && worst < this->Worst)
+        const DrawnPieces pieces(imprinted, trials, this->Budget, this->Run);
+        bad = this->aroundBad(pieces, lines.size());
+        if (pieces.worst() < this->Worst && !this->Run.cancelled() && !this->Budget.spent())
         {
           this->Best = cuts;
-          this->Worst = worst;
+          this->BestCuts = cuts.size();
+          this->BestPieces = static_cast<Index>(pieces.pieces.size());
+          this->Worst = pieces.worst();
         }
       }
       changed = raiseLevels(bad, seamOf, levels);
@@ -641,18 +737,13 @@ private:
   }
 
   /// Each curve that bounds a piece which does not keep the bound.
-  std::vector<Indices> aroundBad(const ImprintedSurface& surface, const TrialOutcome& outcome) const
+  std::vector<Indices> aroundBad(const DrawnPieces& pieces, std::size_t curves) const
   {
-    const CutSurface cut = cutSurface(surface.mesh, surface.curves);
-    const bool known =
-      outcome.valid && static_cast<std::size_t>(cut.pieceCount) == outcome.pieceStrains.size();
-    std::vector<char> bad(surface.curves.size(), known ? 0 : 1);
-    for (Index h = 0; h < cut.mesh.halfedgeCount() && known; ++h)
+    std::vector<char> bad(curves, 0);
+    for (Index h = 0; h < pieces.cut.mesh.halfedgeCount(); ++h)
     {
-      const Index curve = cut.curveOfHalfedge[h];
-      const Index piece = cut.pieceOfTriangle[h / 3];
-      if (curve != none &&
-        (outcome.pieceFaults[piece] || outcome.pieceStrains[piece] > this->Bound))
+      const Index curve = pieces.cut.curveOfHalfedge[h];
+      if (curve != none && !pieces.results[pieces.cut.pieceOfTriangle[h / 3]].keeps(this->Bound))
       {
         bad[curve] = 1;
       }
@@ -675,9 +766,12 @@ private:
   double Bound;
   TrialBudget& Budget;
   const Execution& Run;
-  double Size;    ///< sqrt(area / pi)
-  double InPlane; ///< the distance within which points are
+  double Size;        ///< sqrt(area / pi)
+  double InPlane;     ///< the distance within which points are
+  ChartTrials Trials; ///< on few triangles
   std::vector<SuggestedCurve> Best;
+  std::size_t BestCuts = 0;
+  Index BestPieces = 0;
   double Worst = std::numeric_limits<double>::infinity(); ///< of the best
 };
 
@@ -712,33 +806,30 @@ std::vector<SuggestedCurve> drawnOn(const TriangleMesh& mesh,
 
 /// Adds cuts in the pieces that do not keep the bound yet. False where there are none.
 bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirror, bool straight,
-  const ChartOptions& options, std::vector<SuggestedCurve>& cuts, TrialBudget& budget,
-  const Execution& execution)
+  const ChartOptions& options, std::vector<SuggestedCurve>& cuts, ChartTrials& trials,
+  TrialBudget& budget, const Execution& execution)
 {
-  const CutTrials trials(mesh, {}, {}, roughly(options.flattening));
-  const TrialOutcome outcome = trials.run(linesOf(cuts), budget, execution);
   const ImprintedSurface surface = imprintCurves(mesh, linesOf(cuts), {});
-  if (!outcome.valid || !surface.status.ok())
+  if (!surface.status.ok())
   {
     return false;
   }
-  const CutSurface cut = cutSurface(surface.mesh, surface.curves);
-  const std::vector<Piece> pieces = extractPieces(cut);
+  const DrawnPieces drawn(surface, trials, budget, execution);
+  const std::vector<Piece>& pieces = drawn.pieces;
   const Indices images =
-    pieceImages(pieceSurfaces(surface, cut), mirror, std::sqrt(mesh.area() / pi));
+    pieceImages(pieceSurfaces(surface, drawn.cut), mirror, std::sqrt(mesh.area() / pi));
   bool added = false;
   std::vector<char> done(pieces.size(), 0);
   for (std::size_t p = 0; p < pieces.size() && !budget.spent(); ++p)
   {
-    if (done[p] ||
-      (!outcome.pieceFaults[p] && outcome.pieceStrains[p] <= partedShare * options.bound))
+    if (done[p] || drawn.results[p].keeps(partedShare * options.bound))
     {
       continue;
     }
     std::vector<SuggestedCurve> more = cuts;
     ChartSearch search(pieces[p].mesh, std::nullopt, straight, options, budget, execution);
     const std::vector<SuggestedCurve> here = search.run();
-    if (search.worst() >= outcome.pieceFaults[p] + outcome.pieceStrains[p])
+    if (search.worst() >= drawn.fault(p))
     {
       continue;
     }
@@ -749,7 +840,7 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
       addImages(more, static_cast<Index>(cuts.size()), *mirror);
     }
     // Beside the others it may come too near to them.
-    if (!here.empty() && !trials.paths(linesOf(more)).empty())
+    if (!here.empty() && !CutTrials(mesh, {}, {}, options.flattening).paths(linesOf(more)).empty())
     {
       cuts = std::move(more);
       added = true;
@@ -768,34 +859,35 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
     return drawnOn(mesh, plane,
       chartCuts(fewTriangles(mesh, settledTriangles / 2), plane, options, budget, execution));
   }
-  ChartSearch search(mesh, plane, true, options, budget, execution);
-  std::vector<SuggestedCurve> cuts = search.run();
-  double worst = search.worst();
+  ChartSearch first(mesh, plane, true, options, budget, execution);
+  std::vector<SuggestedCurve> cuts = first.run();
+  const ChartSearch* best = &first;
+  std::optional<ChartSearch> second;
   if (plane && plane->error > unlikeSides)
   {
-    const SymmetryPlane turned{ -plane->normal, -plane->offset, plane->error };
-    ChartSearch other(mesh, turned, true, options, budget, execution);
-    std::vector<SuggestedCurve> others = other.run();
-    if (std::max(other.worst(), options.bound) < std::max(search.worst(), options.bound) ||
-      (other.worst() <= options.bound && others.size() < cuts.size()))
+    second.emplace(mesh, SymmetryPlane{ -plane->normal, -plane->offset, plane->error }, true,
+      options, budget, execution);
+    std::vector<SuggestedCurve> others = second->run();
+    if (second->betterThan(first, options.bound))
     {
       cuts = std::move(others);
-      worst = other.worst();
+      best = &*second;
     }
   }
   // Halves may differ too much for the cuts of one to do for the other.
-  const bool unlike = plane && plane->error > SurfaceMirror::exact && !options.mirrorKept &&
-    options.pieces == 0 && worst > partedShare * options.bound;
+  const bool unlike =
+    plane && plane->error > SurfaceMirror::exact && !options.mirrorKept && best->fails();
   if (plane && (cuts.empty() || unlike))
   {
     return chartCuts(mesh, std::nullopt, options, budget, execution);
   }
   const std::optional<SurfaceMirror> mirror =
     plane ? std::optional<SurfaceMirror>(*plane) : std::nullopt;
+  ChartTrials trials(options.flattening, mostDrawnSteps);
   const int partings = options.pieces > 0 ? 0 : mostPartings;
   for (int k = 0; k < partings && !cuts.empty() && !budget.spent(); ++k)
   {
-    if (!addCuts(mesh, mirror, k == 0, options, cuts, budget, execution) && k > 0)
+    if (!addCuts(mesh, mirror, k == 0, options, cuts, trials, budget, execution) && k > 0)
     {
       break;
     }

@@ -27,13 +27,10 @@ constexpr int mostDivisions = 4;
 /// A chart whose forecast is more than this many times the bound is not flattened: of 8,000 merged
 /// charts of animals and parts of machines 0.3 % kept the bound from there on.
 constexpr double hopelessShare = 1.5;
-/// A trial is given up after these steps; those of charts that keep the bound take 48 at most.
-constexpr double mostChartSteps = 50.0;
 /// What a forecast takes, in steps of a flattening.
 constexpr double forecastSteps = 1.0;
 /// More than there are threads.
 constexpr std::size_t triedAtOnce = 4;
-constexpr Index numberedAtOnce = 16;
 /// Of bound^2, the rise of the mean square of the strain below which merging is free.
 constexpr double freeRise = 1e-2;
 /// Where a number of charts is wanted: by what the bound is multiplied, and up to where.
@@ -62,7 +59,7 @@ Indices halvesOf(const TriangleMesh& mesh)
 }
 
 Charts::Charts(const TriangleMesh& mesh, std::vector<char> cut, Indices images,
-  const ChartOptions& options, double size)
+  const ChartOptions& options, double size, ChartTrials& trials)
   : Mesh(mesh)
   , Cut(std::move(cut))
   , Images(std::move(images))
@@ -70,6 +67,7 @@ Charts::Charts(const TriangleMesh& mesh, std::vector<char> cut, Indices images,
   , Bound(options.bound)
   , Fewest(std::max<Index>(1, options.pieces))
   , Size(size)
+  , Trials(trials)
   , HoleOf(mesh.vertexCount(), none)
 {
   const std::vector<Indices> loops = mesh.boundaryLoops();
@@ -307,24 +305,16 @@ void Charts::group(const std::vector<char>& changed)
 void Charts::number(TrialBudget& budget, const Execution& execution)
 {
   this->group(std::vector<char>(this->Mesh.triangleCount(), 1));
-  const Execution inner = execution.nestedExecution();
-  const auto count = static_cast<Index>(this->All.size());
-  for (Index first = 0; first < count && !budget.spent(); first += numberedAtOnce)
+  std::vector<std::vector<TriangleMesh>> parts;
+  for (const Chart& chart : this->All)
   {
-    const Index last = std::min(count, first + numberedAtOnce);
-    std::vector<Trial> trials(last - first);
-    execution.parallelFor(last - first, [&](Index begin, Index end) {
-      for (Index k = begin; k < end; ++k)
-      {
-        const Indices& triangles = this->All[first + k].triangles;
-        trials[k] = this->tried(openedPart(this->Mesh, triangles, this->Cut).mesh, inner);
-      }
-    });
-    for (Index k = first; k < last; ++k)
-    {
-      this->All[k].keeps = trials[k - first].keeps;
-      budget.pay(trials[k - first].work);
-    }
+    parts.push_back({ openedPart(this->Mesh, chart.triangles, this->Cut).mesh });
+  }
+  const std::vector<ChartTrials::Result> results =
+    this->Trials.run(parts, this->Bound, budget, execution);
+  for (std::size_t c = 0; c < results.size(); ++c)
+  {
+    this->All[c].keeps = results[c].keeps(this->Bound);
   }
 }
 
@@ -371,10 +361,9 @@ void Charts::eliminate(
         budget.pay(forecastSteps * static_cast<double>(this->All[chart].triangles.size()));
       }
     }
-    order.erase(std::remove_if(order.begin(), order.end(),
-                  [](const Candidate* one) {
-                    return std::isinf(one->cost) || (one->tried && !one->trial.keeps);
-                  }),
+    order.erase(
+      std::remove_if(order.begin(), order.end(),
+        [](const Candidate* one) { return std::isinf(one->cost) || (one->tried && !one->keeps); }),
       order.end());
     std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) {
       return a->removal.saved * b->cost > b->removal.saved * a->cost;
@@ -387,31 +376,28 @@ void Charts::eliminate(
 bool Charts::removeFirst(
   const std::vector<Candidate*>& order, TrialBudget& budget, const Execution& execution)
 {
-  const Execution inner = execution.nestedExecution();
   for (std::size_t first = 0; first < order.size() && !budget.spent(); first += triedAtOnce)
   {
     const std::size_t last = std::min(order.size(), first + triedAtOnce);
-    execution.parallelFor(static_cast<Index>(last - first), [&](Index begin, Index end) {
-      for (Index k = begin; k < end; ++k)
-      {
-        Candidate& one = *order[first + k];
-        if (!one.tried)
-        {
-          one.trial = this->tried(one.removal, inner);
-        }
-      }
-    });
+    std::vector<std::vector<TriangleMesh>> sets;
     for (std::size_t k = first; k < last; ++k)
     {
-      if (!order[k]->tried)
+      sets.emplace_back();
+      for (OpenedPart& part : this->without(order[k]->removal))
       {
-        budget.pay(order[k]->trial.work);
-        order[k]->tried = true;
+        sets.back().push_back(std::move(part.mesh));
       }
+    }
+    const std::vector<ChartTrials::Result> results =
+      this->Trials.run(sets, this->Bound, budget, execution);
+    for (std::size_t k = first; k < last; ++k)
+    {
+      order[k]->tried = true;
+      order[k]->keeps = results[k - first].keeps(this->Bound);
     }
     for (std::size_t k = first; k < last; ++k)
     {
-      if (order[k]->trial.keeps)
+      if (order[k]->keeps)
       {
         this->remove(order[k]->removal);
         return true;
@@ -439,32 +425,6 @@ void Charts::remove(const Removal& removal)
     }
   }
   this->group(changed);
-}
-
-Charts::Trial Charts::tried(const TriangleMesh& part, const Execution& execution) const
-{
-  TrialBudget budget(mostChartSteps * static_cast<double>(part.triangleCount()));
-  const TrialOutcome outcome =
-    CutTrials(part, {}, {}, this->Options.flattening).run({}, budget, execution);
-  return { outcome.valid && outcome.flipped == 0 && outcome.overlaps == 0 &&
-      outcome.strainP95 <= this->Bound,
-    budget.work() };
-}
-
-Charts::Trial Charts::tried(const Removal& removal, const Execution& execution) const
-{
-  Trial all;
-  all.keeps = true;
-  for (const OpenedPart& part : this->without(removal))
-  {
-    if (all.keeps)
-    {
-      const Trial one = this->tried(part.mesh, execution);
-      all.keeps = one.keeps;
-      all.work += one.work;
-    }
-  }
-  return all;
 }
 
 /// What becomes of the charts.

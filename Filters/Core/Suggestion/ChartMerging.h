@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Suggestion/ChartClusters.h"
-#include "Suggestion/CutTrials.h"
+#include "Suggestion/ChartTrials.h"
 
 #include <functional>
 
@@ -38,7 +38,7 @@ public:
   /// All must outlive it. \param cut per half-edge \param images per half-edge that of the mirror
   /// image; its own id where there is no mirror \param size sqrt(area / pi) of the whole surface
   Charts(const TriangleMesh& mesh, std::vector<char> cut, Indices images,
-    const ChartOptions& options, double size);
+    const ChartOptions& options, double size, ChartTrials& trials);
 
   /// By triangle, whether its chart keeps the bound.
   std::vector<char> keeping(TrialBudget& budget, const Execution& execution);
@@ -61,12 +61,6 @@ public:
   const std::vector<char>& cut() const { return this->Cut; }
 
 private:
-  /// What is known of a chart from flattening it.
-  struct Trial
-  {
-    bool keeps = false; ///< the bound, without folds and overlaps
-    double work = 0.0;
-  };
   struct Chart
   {
     Indices triangles;
@@ -87,7 +81,7 @@ private:
     Removal removal;
     double cost = 0.0; ///< by the forecast; infinite where the chart cannot keep the bound
     bool tried = false;
-    Trial trial;
+    bool keeps = false;
   };
 
   void group(const std::vector<char>& changed);
@@ -98,8 +92,6 @@ private:
   bool removeFirst(
     const std::vector<Candidate*>& order, TrialBudget& budget, const Execution& execution);
   void remove(const Removal& removal);
-  Trial tried(const TriangleMesh& part, const Execution& execution) const;
-  Trial tried(const Removal& removal, const Execution& execution) const;
   std::vector<OpenedPart> without(const Removal& removal) const;
   double forecastCost(const Removal& removal) const;
   bool isDisk(const OpenedPart& part) const;
@@ -123,6 +115,7 @@ private:
   double Bound;
   Index Fewest; ///< charts
   double Size;
+  ChartTrials& Trials;
   Indices HoleOf;  ///< by vertex
   Indices ChartOf; ///< by triangle
   std::vector<Chart> All;

@@ -14,8 +14,6 @@ namespace flattening
 {
 namespace
 {
-/// How often a step of an iteration asks whether to go on, in the mean of many flattenings.
-constexpr double askedPerStep = 11.0;
 /// What a trial takes beside its steps, in steps.
 constexpr double besideSteps = 5.0;
 /// The budget is checked after this many trials in parallel, more than there are threads.
@@ -250,19 +248,14 @@ CutTrials::Trial CutTrials::tried(
 {
   Trial trial;
   const auto triangles = static_cast<double>(this->Mesh.triangleCount());
-  // Steps of attempts that were given up are in no report, but all ask whether to go on. On one
-  // thread they ask as often whatever the threads.
-  Index asked = 0;
-  double mostSteps = most / triangles;
+  std::atomic<std::int64_t> factorized = 0; // in attempts that were given up as well
+  double limit = most;
   Execution counting = execution.nestedExecution();
-  trial.surface = this->imprinted(cuts);
-  // A step of one of several pieces is made on its part of the triangles.
-  const double perStep = !trial.surface.status.ok() ? askedPerStep
-                                                    : askedPerStep *
-      std::max<Index>(1, cutSurface(trial.surface.mesh, trial.surface.curves).pieceCount);
-  counting.cancel = [&asked, &execution, &mostSteps, perStep] {
-    return ++asked / perStep > mostSteps || execution.cancelled();
+  counting.factorized = &factorized;
+  counting.cancel = [&factorized, &execution, &limit] {
+    return static_cast<double>(factorized) > limit || execution.cancelled();
   };
+  trial.surface = this->imprinted(cuts);
   const bool starts = !this->Start.empty();
   for (bool fromStart : { true, false })
   {
@@ -274,14 +267,14 @@ CutTrials::Trial CutTrials::tried(
     const double steps = cuts.empty() ? std::numeric_limits<double>::infinity()
       : fromStart                     ? startShare * this->MostSteps
                                       : this->MostSteps;
-    mostSteps = std::min(most / triangles, asked / perStep + steps);
+    limit = std::min(most, static_cast<double>(factorized) + triangles * steps);
     trial.flat = this->flattened(trial.surface, fromStart, counting);
     if (!trial.flat.status.refused())
     {
       trial.outcome = this->measured(trial.surface, trial.flat);
     }
   }
-  trial.work = triangles * (besideSteps + asked / perStep);
+  trial.work = besideSteps * triangles + static_cast<double>(factorized);
   return trial;
 }
 

@@ -126,7 +126,7 @@ private:
     ImprintedSurface surface;
     FlatteningResult flat;
     TrialOutcome outcome;
-    double work = 0.0; ///< steps of its iterations times the triangles that they were made on
+    double work = 0.0; ///< unknowns of all systems that were solved, and what else there is to do
   };
   Trial tried(const std::vector<Polyline>& cuts, double most, const Execution& execution) const;
   FlatteningResult flattened(

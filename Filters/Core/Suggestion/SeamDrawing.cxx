@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace flattening
@@ -138,9 +139,20 @@ std::vector<Indices> meetingCurves(const ImprintedSurface& surface)
   std::set<Indices> sets;
   std::vector<Indices> through(surface.mesh.vertexCount());
   std::vector<char> inside(surface.mesh.vertexCount(), 0);
+  std::map<Indices, Index> owner; // by the ends of an edge
   for (std::size_t c = 0; c < surface.curves.size(); ++c)
   {
     const Indices& vertices = surface.curves[c].vertices;
+    for (std::size_t k = 1; k < vertices.size(); ++k)
+    {
+      const auto [a, b] = std::minmax(vertices[k - 1], vertices[k]);
+      const auto entry = owner.emplace(Indices{ a, b }, static_cast<Index>(c));
+      const Index h = surface.mesh.find(a, b);
+      if (!entry.second || h == none || surface.mesh.twin(h) == none)
+      {
+        sets.insert({ entry.first->second, static_cast<Index>(c) });
+      }
+    }
     for (std::size_t k = 0; k < vertices.size(); ++k)
     {
       const bool tip = k + 1 == vertices.size() && surface.curves[c].type == CurveType::Dart;

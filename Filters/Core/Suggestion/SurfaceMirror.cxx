@@ -17,7 +17,7 @@ constexpr Index samples = 512;
 /// Of the Gaussian by which turning is smoothed, as a share of the boundary's length: some samples.
 constexpr double smoothing = 0.015;
 /// Correlation of the boundary and its image from which on they may be the same.
-constexpr double alike = 0.9;
+constexpr double leastLikeness = 0.9;
 /// Axes that are considered, and how far they lie apart at least: a square has four.
 constexpr std::size_t mostAxes = 8;
 constexpr Index axesApart = samples / 32;
@@ -137,7 +137,7 @@ std::vector<double> boundaryAxes(const TriangleMesh& mesh)
   Indices order;
   for (Index sum = 0; sum < samples; ++sum)
   {
-    if (alikeness[sum] >= alike)
+    if (alikeness[sum] >= leastLikeness)
     {
       order.push_back(sum);
     }

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/ChartTrials.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace flattening
+{
+namespace
+{
+/// More than there are threads.
+constexpr std::size_t flattenedTogether = 16;
+}
+
+/// Two sums of the bits of all coordinates and corners (FNV-1a, from two starts).
+ChartTrials::Key ChartTrials::keyOf(const TriangleMesh& chart)
+{
+  Key key{ 0xcbf29ce484222325U, 0x84222325cbf29ce4U };
+  const auto add = [&key](std::uint64_t bits) {
+    for (std::uint64_t& sum : key)
+    {
+      sum = (sum ^ bits) * 0x100000001b3U;
+      sum ^= sum >> 29U;
+    }
+  };
+  for (const Point3& point : chart.points())
+  {
+    for (double coordinate : point)
+    {
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, &coordinate, sizeof bits);
+      add(bits);
+    }
+  }
+  for (const Triangle& triangle : chart.triangles())
+  {
+    for (Index corner : triangle)
+    {
+      add(static_cast<std::uint64_t>(corner));
+    }
+  }
+  return key;
+}
+
+ChartTrials::Result ChartTrials::flattened(
+  const TriangleMesh& chart, const Execution& execution) const
+{
+  TrialBudget budget(this->MostSteps * static_cast<double>(chart.triangleCount()));
+  const TrialOutcome outcome =
+    CutTrials(chart, {}, {}, this->Flattening).run({}, budget, execution);
+  Result result;
+  result.sound = outcome.valid && outcome.flipped == 0 && outcome.overlaps == 0;
+  result.strain = outcome.valid ? outcome.strainP95 : result.strain;
+  result.work = budget.work();
+  return result;
+}
+
+std::vector<ChartTrials::Result> ChartTrials::run(
+  const std::vector<std::vector<TriangleMesh>>& sets, double bound, TrialBudget& budget,
+  const Execution& execution)
+{
+  std::vector<Result> results(sets.size());
+  const Execution inner = execution.nestedExecution();
+  for (std::size_t first = 0; first < sets.size() && !budget.spent(); first += flattenedTogether)
+  {
+    const std::size_t last = std::min(sets.size(), first + flattenedTogether);
+    std::vector<std::vector<std::pair<Key, Result>>> fresh(last - first);
+    execution.parallelFor(static_cast<Index>(last - first), [&](Index begin, Index end) {
+      for (Index k = begin; k < end; ++k)
+      {
+        Result all{ true, 0.0, 0.0 };
+        for (const TriangleMesh& chart : sets[first + k])
+        {
+          const Key key = keyOf(chart);
+          const auto known = this->Known.find(key);
+          Result one;
+          if (known == this->Known.end())
+          {
+            one = this->flattened(chart, inner);
+            fresh[k].emplace_back(key, one);
+            all.work += one.work;
+          }
+          else
+          {
+            one = known->second;
+          }
+          all.sound = all.sound && one.sound;
+          all.strain = std::max(all.strain, one.strain);
+          if (!all.keeps(bound))
+          {
+            break;
+          }
+        }
+        results[first + k] = all;
+      }
+    });
+    for (std::size_t k = first; k < last && !execution.cancelled(); ++k)
+    {
+      if (results[k].work > 0.0)
+      {
+        budget.pay(results[k].work);
+      }
+      this->Known.insert(fresh[k - first].begin(), fresh[k - first].end());
+    }
+  }
+  return results;
+}
+}
