@@ -56,7 +56,8 @@ def flatten(
         A :class:`Flattening`: positions in the plane (in the unit of `points`), triangles, arrays,
         wires and the report as a plain dict. Points on darts and seams occur once for each side:
         its point array "vtkOriginalPointIds" leads back to `points` (-1: made by imprinting), its
-        cell array "vtkOriginalCellIds" to `triangles`.
+        cell array "vtkOriginalCellIds" to `triangles`. Points that healing joined to another come
+        last, at its place.
 
     Raises:
         FlatteningError: the input is refused; it carries code, name, ids and message.
