@@ -25,6 +25,7 @@
  * | `SeamPairs` | 0 field | id, 5 components | one row per pair of cut edges: the edge between points 0 and 1 is sewn to that between points 2 and 3; component 4 is the row of output 4 |
  * | `CurveId` | 1 cells | id | row of output 4; -1 for boundary and connectors |
  * | `EdgeLengthError`, `MaxEdgeLengthError` | 3 | double | mean and largest relative error of wire edges (E_len, Eq. 26) |
+ * | `EdgeLengthErrorAll` | 3 | double | mean relative error of all edges of the mesh |
  * | `AreaError` | 3 | double | sum of abs(flat area - area) / sum of area |
  * | `StrainP95` | 3 | double | strain that is not exceeded on 95 % of the area |
  * | `RestLength`, `FlatLength` | 4 | double | length on the surface and in the plane |

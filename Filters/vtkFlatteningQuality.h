@@ -22,12 +22,12 @@
  * MaximumOverlaps of all).
  *
  * **Output 1, the measures**: a vtkTable of one row, with the columns `EdgeLengthError`,
- * `MaxEdgeLengthError`, `AngleErrorMean`, `GlobalHomogeneity`, `GlobalAspectRatio`, `AreaError`,
- * `StrainP95`, `RigidEnergy` (double), `FlippedTriangles`, `Overlaps` (id), `OverlapsComplete`
- * (int), `CutLength` (double; cuts are boundary edges whose ends have exactly the coordinates in
- * space of those of another one, each place counts once), `Triangles`, `Vertices` (id), `Mirrored`
- * (int, 1 where the map turned the surface over). Meanings: see vtkFlatPieceAlgorithm. Flips and
- * overlaps are a result here, not a warning.
+ * `MaxEdgeLengthError`, `EdgeLengthErrorAll`, `AngleErrorMean`, `GlobalHomogeneity`,
+ * `GlobalAspectRatio`, `AreaError`, `StrainP95`, `RigidEnergy` (double), `FlippedTriangles`,
+ * `Overlaps` (id), `OverlapsComplete` (int), `CutLength` (double; cuts are boundary edges whose
+ * ends have exactly the coordinates in space of those of another one, each place counts once),
+ * `Triangles`, `Vertices` (id), `Mirrored` (int, 1 where the map turned the surface over).
+ * Meanings: see vtkFlatPieceAlgorithm. Flips and overlaps are a result here, not a warning.
  *
  * @code
  * vtkNew<vtkFlatteningQuality> quality;

@@ -24,6 +24,7 @@ void vtkWireWarpingFilter::VisitOptions(flattening::bridge::OptionVisitor& visit
 {
   this->Superclass::VisitOptions(visit);
   visit("Scheme", this->Scheme);
+  visit("BoundaryMode", this->BoundaryMode);
   visit("Interior", this->Interior);
   visit("ReleaseKeys", this->ReleaseKeys);
   visit("DartLegs", this->DartLegs);
@@ -75,8 +76,8 @@ flattening::FlatteningOptions vtkWireWarpingFilter::Settings()
   static_assert(
     static_cast<int>(flattening::InteriorMethod::AsRigidAsPossible) == AS_RIGID_AS_POSSIBLE, "");
   static_assert(
-    static_cast<int>(flattening::DistortionEnergyKind::SymmetricDirichlet) == SYMMETRIC_DIRICHLET,
-    "");
+    static_cast<int>(flattening::DistortionEnergyKind::Automatic) == AUTOMATIC_ENERGY, "");
+  static_assert(static_cast<int>(flattening::BoundaryMode::Free) == FREE_BOUNDARY, "");
   static_assert(static_cast<int>(flattening::DartLegs::Mirrored) == MIRRORED, "");
 
   flattening::FlatteningOptions options = this->Superclass::Settings();

@@ -4,8 +4,9 @@
  * @brief flatten a surface with feature curves of exact length
  *
  * The surface's boundary and its feature curves are *wires*: in the plane each of their edges has
- * the length that it has in space. Darts are opened and seams are cut through first; every piece
- * is flattened on its own, and the pieces are laid beside each other.
+ * the length that it has in space (of the boundary on request only those that curves name). Darts
+ * are opened and seams are cut through first; every piece is flattened on its own, and the pieces
+ * are laid beside each other.
  *
  * Inputs: see vtkFeatureCurveAlgorithm. Outputs: see vtkFlatPieceAlgorithm.
  *
@@ -77,6 +78,30 @@ public:
   void SetSchemeToGlobal() { this->SetScheme(GLOBAL); }
   void SetSchemeToIsometric() { this->SetScheme(ISOMETRIC); }
   const char* GetSchemeAsString() const { return this->GetOptionWord("Scheme", this->Scheme); }
+  ///@}
+
+  /// Which lengths of the boundary are kept.
+  enum BoundaryModes
+  {
+    EXACT_BOUNDARY = 0,
+    FREE_BOUNDARY = 1
+  };
+
+  ///@{
+  /**
+   * Which lengths are kept: EXACT_BOUNDARY, those of the boundary, of the sides of darts and seams
+   * and of all curves; FREE_BOUNDARY, with ISOMETRIC alone, those of accessory and key curves,
+   * whether they lie inside or name a stretch of the boundary. A piece may be without any. Default:
+   * EXACT_BOUNDARY.
+   */
+  vtkSetClampMacro(BoundaryMode, int, EXACT_BOUNDARY, FREE_BOUNDARY);
+  vtkGetMacro(BoundaryMode, int);
+  void SetBoundaryModeToExact() { this->SetBoundaryMode(EXACT_BOUNDARY); }
+  void SetBoundaryModeToFree() { this->SetBoundaryMode(FREE_BOUNDARY); }
+  const char* GetBoundaryModeAsString() const
+  {
+    return this->GetOptionWord("BoundaryMode", this->BoundaryMode);
+  }
   ///@}
 
   /**
@@ -250,19 +275,22 @@ public:
   enum SheetEnergies
   {
     RIGID = 0,
-    SYMMETRIC_DIRICHLET = 1
+    SYMMETRIC_DIRICHLET = 1,
+    AUTOMATIC_ENERGY = 2
   };
 
   ///@{
   /**
    * ISOMETRIC: what deforming the sheet costs. RIGID, as rigid as possible: the squared distance of
    * the map of each triangle from the nearest rotation; SYMMETRIC_DIRICHLET: grows without bound
-   * where a triangle collapses, so that none is flipped. Default: RIGID.
+   * where a triangle collapses, so that none is flipped; AUTOMATIC_ENERGY: SYMMETRIC_DIRICHLET
+   * where the boundary is free, else RIGID. Default: AUTOMATIC_ENERGY.
    */
-  vtkSetClampMacro(DistortionEnergy, int, RIGID, SYMMETRIC_DIRICHLET);
+  vtkSetClampMacro(DistortionEnergy, int, RIGID, AUTOMATIC_ENERGY);
   vtkGetMacro(DistortionEnergy, int);
   void SetDistortionEnergyToRigid() { this->SetDistortionEnergy(RIGID); }
   void SetDistortionEnergyToSymmetricDirichlet() { this->SetDistortionEnergy(SYMMETRIC_DIRICHLET); }
+  void SetDistortionEnergyToAutomatic() { this->SetDistortionEnergy(AUTOMATIC_ENERGY); }
   const char* GetDistortionEnergyAsString() const
   {
     return this->GetOptionWord("DistortionEnergy", this->DistortionEnergy);
@@ -324,6 +352,7 @@ private:
   void operator=(const vtkWireWarpingFilter&) = delete;
 
   int Scheme = 0; // as all options at first by SetDefaultOptions()
+  int BoundaryMode = 0;
   int Solver = 0;
   int Interior = 0;
   bool ReleaseKeys = false;

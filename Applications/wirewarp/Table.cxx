@@ -119,8 +119,8 @@ std::string pieceTable(const Flattening& result)
   const std::string optimized = format("%.3f", result.seconds[0]);
   const std::string all = format("%.3f", result.seconds[3]);
   std::vector<Row> rows{ { "piece", "triangles", "size [mm]", "wire-patches", "E_len x1e3",
-    "E_len max", "E_ang x1e3", "E_h", "E_r", "E_area", "strain p95", "flips", "overlaps",
-    "iterations", "T_opt [s]", "T_all [s]", "status" } };
+    "E_len max", "E_len all", "E_ang x1e3", "E_h", "E_r", "E_area", "strain p95", "flips",
+    "overlaps", "iterations", "T_opt [s]", "T_all [s]", "status" } };
   for (vtkIdType piece = 0; piece < pieces; ++piece)
   {
     const std::string name = plainText(textIn(table, piece, "Name"));
@@ -129,6 +129,7 @@ std::string pieceTable(const Flattening& result)
       std::to_string(integerIn(table, piece, "WirePatches")),
       format("%.2f", 1e3 * numberIn(table, piece, "EdgeLengthError")),
       format("%.1e", numberIn(table, piece, "MaxEdgeLengthError")),
+      format("%.4f", numberIn(table, piece, "EdgeLengthErrorAll")),
       format("%.1f", 1e3 * numberIn(table, piece, "AngleErrorMean")),
       format("%.3f", numberIn(table, piece, "GlobalHomogeneity")),
       format("%.3f", numberIn(table, piece, "GlobalAspectRatio")),

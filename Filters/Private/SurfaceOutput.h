@@ -47,6 +47,7 @@ void addSummaries(const TableColumns<Row>& columns, SummaryOf summaryOf)
   };
   add("EdgeLengthError", &QualitySummary::edgeLengthError);
   add("MaxEdgeLengthError", &QualitySummary::maximumEdgeLengthError);
+  add("EdgeLengthErrorAll", &QualitySummary::edgeLengthErrorAll);
   add("AngleErrorMean", &QualitySummary::angleError);
   add("GlobalHomogeneity", &QualitySummary::globalHomogeneity);
   add("GlobalAspectRatio", &QualitySummary::globalAspectRatio);

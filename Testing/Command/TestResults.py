@@ -6,7 +6,7 @@ import re
 import command
 
 PIECE_KEYS = """piece triangles vertices wire_patches wire_nodes free_wire_nodes constraints iterations
-objective closure_residual E_len E_len_max E_ang E_h E_r E_area strain_p95
+objective closure_residual E_len E_len_max E_len_all E_ang E_h E_r E_area strain_p95
 energy_rigid cut_length flipped overlaps overlaps_complete verdict forecast_area_loss
 forecast_area_loss_after_cut forecast_cut_from forecast_cut_to status""".split()
 
@@ -105,6 +105,19 @@ class Results(command.CommandTest):
     def test_a_conformal_map_reports_neither_solver_nor_interior(self):
         report = self.flatten("lune.obj", "--scheme", "lscm")
         self.assertEqual((report["solver"], report["interior"]), (None, None))
+
+    def test_a_free_boundary_keeps_what_curves_name_and_distorts_less(self):
+        exact = self.flatten("lune.obj", "arc.txt", "--table")["pieces"][0]
+        free = self.flatten("lune.obj", "arc.txt", "--boundary", "free")["pieces"][0]
+        self.assertLess(free["E_len_max"], 1e-12)
+        self.assertLess(free["E_len_all"], 0.6 * exact["E_len_all"])
+        self.assertEqual((exact["energy_used"], free["energy_used"]), ("rigid", "symmetric-dirichlet"))
+        bare = self.flatten("lune.obj", "--boundary", "free")["pieces"][0]
+        self.assertEqual((bare["status"], bare["E_len_max"], bare["flipped"]), ("Ok", 0.0, 0))
+        self.assertLess(bare["energy_sheet"], free["energy_sheet"])
+        run = self.run_command("lune.obj", "--boundary", "free", "--scheme", "global", "--output", "out")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("--boundary is for --scheme isometric, not for --scheme global", run.stderr)
 
     def test_files_lie_in_the_folder_and_belong_together(self):
         self.flatten("lune.obj", "arc.txt")

@@ -132,6 +132,14 @@ class Output:
                 found.update(zip(map(edge, chain[:-1], chain[1:]), np.abs(flat - rest) / rest))
         return np.array(list(found.values()))
 
+    def all_edges(self, piece):
+        """Relative errors of all edges."""
+        triangles = self.triangles[self.piece == piece]
+        sides = np.concatenate([triangles[:, pair] for pair in ([0, 1], [1, 2], [2, 0])])
+        ends = np.unique(np.sort(sides, axis=1), axis=0)
+        rest, flat = (np.linalg.norm(points[ends[:, 0]] - points[ends[:, 1]], axis=1) for points in (self.space, self.plane))
+        return np.abs(flat - rest) / rest
+
     def cut_length(self, piece):
         """Of cuts, each pair of banks once."""
         total = 0.0
@@ -188,14 +196,14 @@ class EveryNumber(unittest.TestCase):
         for row, piece in zip(rows, report["pieces"]):
             self.assertEqual(row[:2] + row[3:4], [
                 str(piece["piece"] + 1), str(piece["triangles"]), str(piece["wire_patches"])])
-            for cell, value in zip(row[4:11], (
-                    1e3 * piece["E_len"], piece["E_len_max"], 1e3 * piece["E_ang"], piece["E_h"],
+            for cell, value in zip(row[4:12], (
+                    1e3 * piece["E_len"], piece["E_len_max"], piece["E_len_all"], 1e3 * piece["E_ang"], piece["E_h"],
                     piece["E_r"], piece["E_area"], piece["strain_p95"])):
                 digits, _, power = cell.partition("e")
                 unit = 10.0 ** (int(power or 0) - len(digits.partition(".")[2]))
                 self.assertAlmostEqual(float(cell), value, delta=0.501 * unit)
-            self.assertEqual(row[11:14], [str(piece[key]) for key in ("flipped", "overlaps", "iterations")])
-            self.assertEqual(row[16], piece["status"])
+            self.assertEqual(row[12:15], [str(piece[key]) for key in ("flipped", "overlaps", "iterations")])
+            self.assertEqual(row[17], piece["status"])
 
     def check_regions(self, output):
         """Pieces and wire-patches are the regions between edges that are not shared, and between wires."""
@@ -287,6 +295,7 @@ class EveryNumber(unittest.TestCase):
             ("overlaps_complete", True, 0),
             ("E_len", errors.mean(), 1e-11),
             ("E_len_max", errors.max(), 1e-11),
+            ("E_len_all", output.all_edges(piece).mean(), 1e-8),
             ("E_ang", output.angle_error[inside].mean(), 1e-8),
             ("E_h", ratio.min() / ratio.max(), 1e-7),
             ("E_r", small.min() / large.max(), 1e-7),

@@ -24,22 +24,23 @@ void addStretchGroups(
   for (Index e = 0; e < network.edgeCount(); ++e)
   {
     const WireEdge& edge = network.edges[e];
+    const Index curve = problem.held[e] ? edge.curve : none;
     if (edge.connector)
     {
       problem.stretchGroup[e] = static_cast<Index>(problem.groups.size());
       problem.groups.push_back({ connectorTolerance, stretchWeight });
     }
-    else if (edge.curve != none && rules.decidedStretch(edge.curve))
+    else if (curve != none && rules.decidedStretch(curve))
     {
-      problem.length[e] *= 1.0 + *rules.decidedStretch(edge.curve);
+      problem.length[e] *= 1.0 + *rules.decidedStretch(curve);
     }
-    else if (edge.curve != none && curves[edge.curve].tolerance > 0.0)
+    else if (curve != none && curves[curve].tolerance > 0.0)
     {
-      Index& group = groupOfCurve[edge.curve];
+      Index& group = groupOfCurve[curve];
       if (group == none)
       {
         group = static_cast<Index>(problem.groups.size());
-        problem.groups.push_back({ curves[edge.curve].tolerance, 0.0 });
+        problem.groups.push_back({ curves[curve].tolerance, 0.0 });
       }
       problem.stretchGroup[e] = group;
       problem.groups[group].weight += stretchWeight;
@@ -53,6 +54,16 @@ AngleProblem makeWireProblem(const WireNetwork& network, const Piece& piece, con
 {
   AngleProblem problem =
     makeAngleProblem(network, lockKeyCurves(network, piece, cut, curves, rules));
+  for (Index e = 0; e < network.edgeCount(); ++e)
+  {
+    problem.held[e] = holdsLength(network.edges[e], curves, rules.freeBoundary);
+  }
+  for (Index i = 0; rules.freeBoundary && i < network.nodeCount(); ++i)
+  {
+    const bool free =
+      !problem.held[network.edge[i]] || !problem.held[network.edge[network.previous[i]]];
+    problem.weight[i] = free ? 0.0 : problem.weight[i];
+  }
   addStretchGroups(curves, rules, problem);
   return problem;
 }
@@ -73,6 +84,7 @@ AngleProblem makeAngleProblem(const WireNetwork& network, NodeLocks locks)
   {
     problem.length.push_back(edge.length);
   }
+  problem.held.assign(network.edges.size(), 1);
   problem.stretchGroup.assign(network.edges.size(), none);
   return problem;
 }

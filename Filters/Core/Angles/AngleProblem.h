@@ -32,6 +32,7 @@ struct AngleProblem
   std::vector<double> weight; ///< per node, in the objective; 0 around holes
   NodeLocks locks;
   std::vector<double> length; ///< per wire edge: the length to close with
+  std::vector<char> held;     ///< per wire edge: the isometric scheme keeps its length
   Indices stretchGroup;       ///< per wire edge; none where the length is rigid
   std::vector<StretchGroup> groups;
 };
@@ -103,7 +104,8 @@ double closureResidual(
 double perimeter(const AngleProblem& problem);
 
 /// The angle problem of a piece's wires as every scheme, trial and piece of advice poses it: key
-/// curves locked but for the released ones, elastic curves and connectors with their stretches.
+/// curves locked but for the released ones, elastic curves and connectors with their stretches; of
+/// a free boundary neither lengths nor angles count.
 AngleProblem makeWireProblem(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
   const std::vector<FeatureCurve>& curves, const CurveRules& rules = {});
 }

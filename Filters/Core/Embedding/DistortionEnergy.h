@@ -14,6 +14,8 @@ enum class DistortionEnergyKind
   /// |J|^2 + |J^-1|^2 - 4, infinite where a triangle collapses (Smith and Schaefer, "Bijective
   /// parameterization with free boundaries", 2015).
   SymmetricDirichlet,
+  /// Of an option: SymmetricDirichlet where a piece has a free boundary, else AsRigidAsPossible.
+  Automatic,
 };
 
 struct DistortionEnergy

@@ -367,7 +367,7 @@ void takeSolution(const PieceContext& context, const GrainReference& grain,
   }
   const auto errorOf = [&](const Points2& positions, const std::vector<double>& stretch) {
     return largestLengthError(
-      context.network, stretchedLengths(piece.problem, stretch), positions, false);
+      piece.problem, stretchedLengths(piece.problem, stretch), positions, false);
   };
   const double error = errorOf(solution.positions, solution.stretch);
   if (!(error <= brokenLength) && !(error <= errorOf(piece.positions, before.stretch)))

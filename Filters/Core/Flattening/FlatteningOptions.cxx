@@ -8,6 +8,17 @@
 
 namespace flattening
 {
+FlatteningOptions withEnergy(FlatteningOptions options)
+{
+  DistortionEnergyKind& kind = options.isometric.energy.kind;
+  if (kind == DistortionEnergyKind::Automatic)
+  {
+    kind = options.boundary == BoundaryMode::Free ? DistortionEnergyKind::SymmetricDirichlet
+                                                  : DistortionEnergyKind::AsRigidAsPossible;
+  }
+  return options;
+}
+
 Status checkOptions(const FlatteningOptions& options)
 {
   constexpr double large = std::numeric_limits<double>::max();
@@ -27,6 +38,22 @@ Status checkOptions(const FlatteningOptions& options)
         { { Remedy::Give,
           "a number from 0" +
             (range.maximum < large ? " to " + shortNumber(range.maximum) : std::string()) } } };
+    }
+  }
+  if (options.boundary == BoundaryMode::Free)
+  {
+    if (options.scheme != Scheme::Isometric)
+    {
+      return { StatusCode::InvalidOption, "the boundary is free, and the scheme is not isometric",
+        {}, { { Remedy::Give, "the isometric scheme, or an exact boundary" } } };
+    }
+    if (options.isometric.energy.kind == DistortionEnergyKind::Automatic &&
+      options.isometric.energy.bias != 0.0)
+    {
+      return { StatusCode::InvalidOption,
+        "an area bias is for the rigid energy, and the energy of a free boundary is the symmetric "
+        "Dirichlet one",
+        {}, { { Remedy::Give, "the rigid energy, or no area bias" } } };
     }
   }
   if (options.cloth)

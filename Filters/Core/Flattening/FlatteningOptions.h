@@ -18,6 +18,13 @@ enum class Scheme
   LeastSquaresConformal, ///< LSCM, for comparison: keeps no length
 };
 
+/// Which lengths of the boundary are kept.
+enum class BoundaryMode
+{
+  Exact, ///< all
+  Free,  ///< those that accessory and key curves name, which only the isometric scheme can
+};
+
 /// How the two legs of a dart lie in the plane.
 enum class DartLegs
 {
@@ -58,6 +65,7 @@ using FlatCorners = std::array<Point2, 3>;
 struct FlatteningOptions
 {
   Scheme scheme = Scheme::Isometric;
+  BoundaryMode boundary = BoundaryMode::Exact;
   /// Isometric scheme: by triangle where it lay before more of the surface was cut. Pieces that
   /// lengths alone hold go on from there, which is quicker than from the wires' angles, to the same
   /// minimum or one beside it (see warpFromGivenStart()). Empty: all start from their angles.
@@ -95,6 +103,9 @@ struct FlatteningOptions
   /// A wire edge whose relative length error is larger is a LengthError.
   double lengthTolerance = 1e-9;
 };
+
+/// With the energy that Automatic stands for.
+FlatteningOptions withEnergy(FlatteningOptions options);
 
 /// InvalidOption where a number of the options lies outside its range or the material is unknown or
 /// without meaning; numbers of the interior are checked where it is placed.

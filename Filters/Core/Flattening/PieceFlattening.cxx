@@ -33,9 +33,10 @@ PieceContext contextOf(
   {
     wired.network = buildWireNetwork(wired.piece, wired.disk);
   }
-  // A conformal map keeps no length that would want room, and a start says that there is some.
-  const bool wanted =
-    settings.options.start.empty() && settings.options.scheme != Scheme::LeastSquaresConformal;
+  // Without the boundary's length nothing wants room, and a start says that there is some.
+  const bool wanted = settings.options.start.empty() &&
+    settings.options.scheme != Scheme::LeastSquaresConformal &&
+    settings.options.boundary == BoundaryMode::Exact;
   if (wanted && !(wired.area && wired.area->known))
   {
     wired.area = forecastArea(wired.piece.mesh, execution);
@@ -121,7 +122,7 @@ bool foldDarts(const PieceContext& context, const Indices& darts,
 PieceSolution flattenWithDarts(const PieceContext& context, const CurveRules& rules)
 {
   PieceSolution piece = flattenByScheme(context, rules);
-  const bool free = context.options.dartLegs == DartLegs::Free ||
+  const bool free = context.options.dartLegs == DartLegs::Free || rules.freeBoundary ||
     context.options.scheme == Scheme::LeastSquaresConformal || piece.status.refused() ||
     piece.positions.empty();
   if (free)
@@ -235,7 +236,7 @@ ReleaseAdvice adviseByTrials(const PieceContext& context, const PieceSolution& p
 {
   const Scheme scheme = context.options.scheme;
   if (scheme == Scheme::Progressive || scheme == Scheme::LeastSquaresConformal ||
-    piece.status.refused() || piece.fromGivenStart)
+    piece.status.refused() || piece.fromGivenStart || piece.rules.freeBoundary)
   {
     return {};
   }

@@ -76,9 +76,9 @@ std::vector<std::string> fallbacks(const PieceContext& context, const PieceSolut
   // A tube that is only mapped keeps no length.
   const bool mapped = options.scheme == Scheme::Isometric && !flat.isometric;
   const double error = flat.isometric
-    ? largestLengthError(context.network, stretchedLengths(flat.problem, flat.isometric->stretch),
+    ? largestLengthError(flat.problem, stretchedLengths(flat.problem, flat.isometric->stretch),
         flat.positions, false)
-    : largestLengthError(context.network, flat.angles.length, flat.positions, true);
+    : largestLengthError(flat.problem, flat.angles.length, flat.positions, true);
   if (!mapped && !(error <= options.lengthTolerance))
   {
     all.emplace_back("the last correction of the wires' lengths ended with an edge off by " +
@@ -219,8 +219,9 @@ Indices worstEdge(const CutSurface& cut, const Points2& positions, const Wire& w
 
 /// Which wires of a piece miss their lengths: curves, the worst first, and the boundary.
 Status wrongLengths(const CutSurface& cut, const std::vector<FeatureCurve>& curves,
-  double tolerance, Index piece, const FlatteningResult& result)
+  const FlatteningOptions& options, Index piece, const FlatteningResult& result)
 {
+  const bool free = options.boundary == BoundaryMode::Free;
   std::map<Index, double> errors; // by curve, none: the boundary
   double worst = 0.0;
   const Wire* worstWire = nullptr;
@@ -228,7 +229,9 @@ Status wrongLengths(const CutSurface& cut, const std::vector<FeatureCurve>& curv
   {
     const double error = wire.maximumEdgeError;
     const bool elastic = wire.curve != none && curves[wire.curve].tolerance > 0.0;
-    if (wire.piece == piece && !wire.connector && !elastic && !(error <= tolerance))
+    const bool held = !free || (wire.curve != none && !curves[wire.curve].opens());
+    if (wire.piece == piece && held && !wire.connector && !elastic &&
+      !(error <= options.lengthTolerance))
     {
       errors[wire.curve] = std::max(errors[wire.curve], error);
       if (!worstWire || !(error <= worst))
@@ -434,7 +437,7 @@ WireMeasures measureWires(const AngleProblem& problem, const Points2& positions)
   for (Index e = 0; e < network.edgeCount(); ++e)
   {
     const WireEdge& edge = network.edges[e];
-    length[e] = problem.stretchGroup[e] == none
+    length[e] = problem.held[e] && problem.stretchGroup[e] == none
       ? length[e]
       : (positions[edge.to] - positions[edge.from]).norm();
   }
@@ -519,8 +522,7 @@ void judgePiece(const CutSurface& cut, const std::vector<FeatureCurve>& curves,
   if (keepsLengths && !(quality.maximumEdgeLengthError <= options.lengthTolerance) &&
     severity(StatusCode::LengthError) > severity(report.status.code))
   {
-    report.status =
-      together(wrongLengths(cut, curves, options.lengthTolerance, piece, result), report.status);
+    report.status = together(wrongLengths(cut, curves, options, piece, result), report.status);
   }
   else if (report.status.ok() && !quality.flipped.empty())
   {

@@ -104,6 +104,29 @@ std::optional<PieceSolution> flattenDeepPiece(
   return piece;
 }
 
+/// With a free boundary the wires have no angles to start from. Without a value where the piece
+/// has no map without a fold.
+std::optional<PieceSolution> flattenFreely(const PieceContext& context, const CurveRules& rules)
+{
+  PieceSolution wires;
+  wires.rules = rules;
+  if (context.options.releaseKeys)
+  {
+    wires.rules.released = keyCurves(context.network, context.piece, context.cut, context.curves);
+  }
+  wires.problem =
+    makeWireProblem(context.network, context.piece, context.cut, context.curves, wires.rules);
+  std::optional<PieceSolution> piece =
+    warpFromConvexStart(context, wires, context.options.isometric);
+  if (piece)
+  {
+    piece->fromConvexStart = false;
+    layOnCloth(context, *piece);
+    noteStatus(piece->placement, piece->status);
+  }
+  return piece;
+}
+
 /// Angles without a solution were only a start; where there is a remedy it is named.
 void forgetAngles(const PieceContext& context, PieceSolution& piece)
 {
@@ -149,6 +172,14 @@ PieceSolution flattenByScheme(const PieceContext& context, const CurveRules& rul
   {
     continued->secondsInterior = watch.seconds();
     return std::move(*continued);
+  }
+  if (rules.freeBoundary)
+  {
+    if (std::optional<PieceSolution> freely = flattenFreely(context, rules))
+    {
+      freely->secondsInterior = watch.seconds();
+      return std::move(*freely);
+    }
   }
   watch.restart();
   PieceSolution piece = solveWithKeys(context, rules);

@@ -2,12 +2,14 @@
 #include "Flattening/PieceWarping.h"
 
 #include "Embedding/ConvexEmbedding.h"
+#include "Embedding/LeastSquaresConformalMap.h"
 #include "Embedding/Untangling.h"
 #include "Quality/BoundaryOverlap.h"
 #include "Quality/FlatteningQuality.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flattening
 {
@@ -30,6 +32,9 @@ constexpr double surelyFolding = 0.35;
 constexpr double bending = 0.01;
 /// What lengths and locked angles may miss where the iteration ended, in the model's units.
 constexpr double wiresKeptWithin = 1e-6;
+
+/// Mean of |J|^2 + |J^-1|^2, at least 4, from which few iterations are left.
+constexpr double goodStart = 8.0;
 
 constexpr auto barrier = DistortionEnergyKind::SymmetricDirichlet;
 
@@ -61,6 +66,51 @@ Points2 bent(const TriangleMesh& mesh, const Points2& start)
       Point2(std::sin(2.3 * q.x() + 1.1 * q.y() + 0.4), std::cos(1.7 * q.x() - 0.9 * q.y() + 0.2));
   }
   return countFlipped(mesh, result) == 0 ? result : start;
+}
+
+/// A map without a fold, in the size in which it has least of the energy with a barrier: the
+/// conformal one where it is good, else the better of that and the convex one. Empty: both fold.
+Points2 unfoldedMap(const PieceContext& context)
+{
+  const TriangleMesh& mesh = context.piece.mesh;
+  Points2 best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const bool conformal : { true, false })
+  {
+    Points2 map = conformal ? leastSquaresConformalMap(mesh, {}, context.execution).positions
+                            : embedConvexly(mesh, context.execution);
+    if (map.empty() || countFlipped(mesh, map) > 0)
+    {
+      continue;
+    }
+    // |J|^2 of the map s times as large is s^2 times as large, |J^-1|^2 is divided by it.
+    double stretching = 0.0;
+    double pressing = 0.0;
+    for (const Triangle& c : mesh.triangles())
+    {
+      const TriangleFrame frame(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
+      Eigen::Matrix<double, 6, 1> corners;
+      corners << map[c[0]], map[c[1]], map[c[2]];
+      const Eigen::Vector4d parts = mapPartsDerivative(frame) * corners;
+      const double norm = 0.5 * parts.squaredNorm();
+      stretching += frame.area * norm;
+      pressing += frame.area * (distortionEnergyDensity({ barrier }, parts) + 4.0 - norm);
+    }
+    const double energy = 2.0 * std::sqrt(stretching * pressing) / mesh.area();
+    if (energy < least)
+    {
+      least = energy;
+      const double size = std::pow(pressing / stretching, 0.25);
+      std::transform(
+        map.begin(), map.end(), map.begin(), [size](const Point2& q) { return Point2(size * q); });
+      best = std::move(map);
+    }
+    if (least < goodStart)
+    {
+      break;
+    }
+  }
+  return best;
 }
 
 bool keepsWires(const PieceSolution& piece)
@@ -161,6 +211,53 @@ void untangleAfter(const PieceContext& context, PieceSolution& piece)
   {
     piece.positions = std::move(positions);
   }
+}
+
+/// First without the shapes of key curves.
+IsometricSolution warpFromConvexMap(const PieceContext& context, const PieceSolution& wires,
+  const Points2& start, const IsometricOptions& options, const Execution& execution)
+{
+  AngleProblem unlocked = wires.problem;
+  unlocked.locks = freeNodes(context.network);
+  const std::vector<double> rigid(wires.problem.groups.size(), 0.0);
+  IsometricSolution solution = warpByPenaltyContinuation(
+    context.piece, unlocked, bent(context.piece.mesh, start), rigid, options, execution);
+  if (!solution.status.refused() && wires.locks())
+  {
+    const int before = solution.factorizations;
+    solution = warpByPenaltyContinuation(
+      context.piece, wires.problem, solution.positions, solution.stretch, options, execution);
+    solution.factorizations += before;
+  }
+  return solution;
+}
+
+/// First without any wire, then with those that are held.
+IsometricSolution warpFreely(const PieceContext& context, const PieceSolution& wires,
+  const Points2& start, const IsometricOptions& options, const Execution& execution)
+{
+  AngleProblem bare = wires.problem;
+  bare.locks = freeNodes(context.network);
+  bare.held.assign(bare.held.size(), 0);
+  const std::vector<double> rigid(wires.problem.groups.size(), 0.0);
+  IsometricSolution solution =
+    warpIsometrically(context.piece, bare, start, rigid, options, execution);
+  const std::vector<char>& held = wires.problem.held;
+  if (solution.status.refused() || std::find(held.begin(), held.end(), 1) == held.end())
+  {
+    return solution;
+  }
+  int before = solution.factorizations;
+  const Points2 free = std::move(solution.positions);
+  solution = warpIsometrically(context.piece, wires.problem, free, rigid, options, execution);
+  if (solution.status.code == StatusCode::NotConverged)
+  {
+    before += solution.factorizations;
+    solution =
+      warpByPenaltyContinuation(context.piece, wires.problem, free, rigid, options, execution);
+  }
+  solution.factorizations += before;
+  return solution;
 }
 
 /// From where the wires' angles have put the piece; what it folds is untangled.
@@ -287,25 +384,17 @@ void warpPiece(const PieceContext& context, PieceSolution& piece)
 std::optional<PieceSolution> warpFromConvexStart(
   const PieceContext& context, const PieceSolution& wires, const IsometricOptions& asked)
 {
-  const Points2 start = embedConvexly(context.piece.mesh, context.execution);
+  const bool free = wires.rules.freeBoundary;
+  const Points2 start =
+    free ? unfoldedMap(context) : embedConvexly(context.piece.mesh, context.execution);
   if (start.empty() || countFlipped(context.piece.mesh, start) > 0)
   {
     return std::nullopt;
   }
-  AngleProblem unlocked = wires.problem;
-  unlocked.locks = freeNodes(context.network);
   const Execution execution = context.execution.part(1.0, 1.0);
-  const std::vector<double> rigid(wires.problem.groups.size(), 0.0);
   const IsometricOptions options = optionsWithBarrier(asked);
-  IsometricSolution solution = warpByPenaltyContinuation(
-    context.piece, unlocked, bent(context.piece.mesh, start), rigid, options, execution);
-  if (!solution.status.refused() && wires.locks())
-  {
-    const int before = solution.factorizations;
-    solution = warpByPenaltyContinuation(
-      context.piece, wires.problem, solution.positions, solution.stretch, options, execution);
-    solution.factorizations += before;
-  }
+  IsometricSolution solution = free ? warpFreely(context, wires, start, options, execution)
+                                    : warpFromConvexMap(context, wires, start, options, execution);
   if (solution.status.refused())
   {
     return std::nullopt;

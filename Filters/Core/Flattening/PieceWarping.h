@@ -9,8 +9,9 @@ namespace flattening
 /// Where the result is doubtful, from a convex start as well, and the better one counts.
 void warpPiece(const PieceContext& context, PieceSolution& piece);
 
-/// The isometric scheme from a start that does not fold, whatever the piece (embedConvexly()), on a
-/// way that does not: first by an energy that no triangle can be turned over against, without the
+/// The isometric scheme from a start that does not fold, whatever the piece (embedConvexly(); with
+/// a free boundary a conformal map where that does not fold either, and no wire at first), on a way
+/// that does not: first by an energy that no triangle can be turned over against, without the
 /// shapes of key curves, then with them, and last by the energy of the options where that neither
 /// folds nor nearly collapses triangles. Without a value where there is no such start, or the run
 /// was cancelled.

@@ -254,14 +254,15 @@ std::optional<PieceSolution> releaseFoldingKeys(
   return released;
 }
 
-double largestLengthError(const WireNetwork& network, const std::vector<double>& lengths,
-  const Points2& positions, bool connectors)
+double largestLengthError(const AngleProblem& problem, const std::vector<double>& lengths,
+  const Points2& positions, bool all)
 {
+  const WireNetwork& network = *problem.network;
   double worst = 0.0;
   for (Index e = 0; e < network.edgeCount(); ++e)
   {
     const WireEdge& edge = network.edges[e];
-    if (lengths[e] > 0.0 && (connectors || !edge.connector))
+    if (lengths[e] > 0.0 && (all || problem.held[e]))
     {
       const double length = (positions[edge.to] - positions[edge.from]).norm();
       worst = std::max(worst, std::abs(length - lengths[e]) / lengths[e]);

@@ -20,6 +20,29 @@ Status cancelled()
   return { StatusCode::Cancelled, "cancelled", {} };
 }
 
+/// Tolerances and eases of curves whose length is free.
+Status checkFreeCurves(const std::vector<FeatureCurve>& curves, const FlatteningOptions& options)
+{
+  Indices free;
+  for (std::size_t c = 0; c < curves.size() && options.boundary == BoundaryMode::Free; ++c)
+  {
+    const FeatureCurve& curve = curves[c];
+    const bool eased = curve.ease.fraction != 0.0 ||
+      std::any_of(options.eases.begin(), options.eases.end(),
+        [&curve](const CurveEase& ease) { return ease.curve == curve.name; });
+    if (curve.opens() && (curve.tolerance > 0.0 || eased))
+    {
+      free.push_back(static_cast<Index>(c));
+    }
+  }
+  return free.empty() ? Status()
+                      : Status{ StatusCode::InvalidOption,
+                          "a free boundary leaves the sides of " + quotedNames(curves, free) +
+                            " any length, and these have a tolerance or an ease",
+                          { ElementKind::Curves, free },
+                          { { Remedy::Give, "an exact boundary, or neither of them" } } };
+}
+
 /// By how much the elastic curves are longer in a flat piece than on the surface, as fractions.
 CurveStretches stretchesIn(
   const WireNetwork& network, const Points2& positions, const std::vector<FeatureCurve>& curves)
@@ -103,6 +126,7 @@ Status flattenPieces(const PieceSettings& settings, const Execution& execution,
     {
       return cancelled();
     }
+    rules.freeBoundary = settings.options.boundary == BoundaryMode::Free;
     for (std::size_t c = 0; !eased.empty() && c < curves; ++c)
     {
       rules.stretch.resize(curves);
@@ -239,15 +263,17 @@ void placePieces(const std::vector<WiredPiece>& pieces, const FlatteningOptions&
 
 /// Stage by stage. \param keep whether the cache outlives the run \return the error that ends it
 Status flattenStages(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
-  const FlatteningOptions& options, const Execution& execution, bool keep, FlatteningCache& kept,
+  const FlatteningOptions& requested, const Execution& execution, bool keep, FlatteningCache& kept,
   FlatteningResult& result)
 {
   Stopwatch watch;
-  Status status = checkOptions(options);
+  Status status = checkOptions(requested);
+  status = status.ok() ? checkFreeCurves(curves, requested) : status;
   if (!status.ok())
   {
     return status;
   }
+  const FlatteningOptions options = withEnergy(requested);
   execution.report(0.0, "Cutting darts and seams");
   CurveLabels labels = labelHalfedges(mesh, curves);
   if (!labels.status.ok())

@@ -13,13 +13,14 @@ namespace flattening
 namespace
 {
 /// Half-edges of the piece's wires whose length is promised, one an edge.
-Indices rigidHalfedges(const WireNetwork& network, const std::vector<FeatureCurve>& curves)
+Indices rigidHalfedges(
+  const WireNetwork& network, const std::vector<FeatureCurve>& curves, bool freeBoundary)
 {
   Indices edges;
   for (const WireEdge& edge : network.edges)
   {
     const bool elastic = edge.curve != none && curves[edge.curve].tolerance > 0.0;
-    if (!edge.connector && !elastic)
+    if (holdsLength(edge, curves, freeBoundary) && !elastic)
     {
       edges.push_back(network.halfedge[edge.side]);
     }
@@ -113,7 +114,8 @@ void measurePiece(const std::vector<FeatureCurve>& curves, const FlatteningOptio
   {
     positions.push_back(result.positions[v]);
   }
-  const Indices edges = rigidHalfedges(networkOf(wired, flat), curves);
+  const Indices edges =
+    rigidHalfedges(networkOf(wired, flat), curves, options.boundary == BoundaryMode::Free);
   FlatteningQuality quality =
     measureFlattening(piece.mesh, *wired.measures, positions, edges, execution);
   if (only)

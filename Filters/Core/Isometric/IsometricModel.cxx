@@ -30,7 +30,7 @@ IsometricModel::IsometricModel(const Piece& piece, const AngleProblem& problem,
   const WireNetwork& net = *problem.network;
   for (Index e = 0; e < net.edgeCount(); ++e)
   {
-    if (!net.edges[e].connector)
+    if (problem.held[e])
     {
       this->LengthEdges.push_back(e);
       this->Length.push_back(problem.length[e] / this->Unit);
@@ -86,7 +86,7 @@ void IsometricModel::addNodes()
       const Index i = net.vertexNodes[k];
       const Index in = net.edge[net.previous[i]];
       const Index out = net.edge[i];
-      if (in == out || net.edges[in].connector || net.edges[out].connector)
+      if (in == out || !this->Problem.held[in] || !this->Problem.held[out])
       {
         continue;
       }

@@ -28,8 +28,9 @@ Dissection dissectVertices(
 /// with a_t the area of triangle t over the mean area, f the sheet's energy density, theta_i the
 /// planar angle of wire-node i and k_i its stiffness, the same for all forces until
 /// switchToFinalObjective() gets them; constraints are the length of each wire edge, |x_a - x_b|
-/// = l (1 + h), the angle of each locked node, and the hold. Edges of connectors are no constraint
-/// here: the triangles beside them hold them, and nodes on them have no angle term.
+/// = l (1 + h), the angle of each locked node, and the hold. Edges of connectors and of a free
+/// boundary are no constraint: the triangles beside them hold them, and nodes on them have no angle
+/// term.
 class IsometricModel : public NewtonKktModel
 {
 public:

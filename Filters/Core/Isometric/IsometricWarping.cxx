@@ -180,9 +180,9 @@ void correctLengths(const AngleProblem& problem, IsometricSolution& solution)
   for (Index e = 0; e < network.edgeCount(); ++e)
   {
     const WireEdge& edge = network.edges[e];
-    length[e] = edge.connector
-      ? (solution.positions[edge.to] - solution.positions[edge.from]).norm()
-      : length[e];
+    length[e] = problem.held[e]
+      ? length[e]
+      : (solution.positions[edge.to] - solution.positions[edge.from]).norm();
   }
   correctWireLengths(network, length, solution.positions);
 }

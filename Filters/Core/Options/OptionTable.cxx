@@ -198,6 +198,7 @@ void addMethod(Table& table)
 {
   const OptionCondition keepsLengths{ "Scheme", { "progressive", "global", "isometric" } };
   const OptionCondition isometric{ "Scheme", { "isometric" } };
+  const OptionCondition exact{ "BoundaryMode", { "exact" } };
   table.group(OptionOwner::Warping, "Method");
   table.add("Scheme", [](All& all) { return &all.flattening.scheme; })
     .words({ { "progressive", "Progressive" }, { "global", "Global" }, { "isometric", "Isometric" },
@@ -206,10 +207,18 @@ void addMethod(Table& table)
           "least), global (all angles together, Eq. 13 of the paper), progressive (wire-patch by "
           "wire-patch, Algorithm 2), lscm (least squares conformal, for comparison: keeps no "
           "length).");
+  table.add("BoundaryMode", [](All& all) { return &all.flattening.boundary; })
+    .spelled("boundary")
+    .words({ { "exact", "Exact" }, { "free", "Free" } })
+    .where(isometric)
+    .help("Which lengths are kept: exact (those of the boundary, of the sides of cuts and of all "
+          "curves), or free (those of accessory and key curves alone, also along the boundary, so "
+          "that the surface distorts least).");
   table.add("Interior", [](All& all) { return &all.flattening.interior.method; })
     .words({ { "laplacian", "Laplacian" }, { "relaxation", "Relaxation" },
       { "arap", "AsRigidAsPossible" } })
     .where(keepsLengths)
+    .where(exact)
     .help("How points between wires are placed: arap (as rigid as possible), laplacian (Eq. 11), "
           "relaxation (the paper's iteration for it, Eq. 12). The isometric scheme only starts "
           "there.");
@@ -221,18 +230,21 @@ void addMethod(Table& table)
     .words({ { "free", "Free" }, { "straight", "Straight" }, { "mirrored", "Mirrored" } })
     .byDefault("mirrored") // as darts are sewn, leg on leg
     .where(keepsLengths)
+    .where(exact)
     .help("How the legs of a dart lie: free (as the piece distorts least; sewn they fit, folded "
           "they may miss each other), straight, or mirrored (both the mean of free ones). Legs "
           "that are not free fold on each other exactly, which costs distortion.");
   table.add("Solver", [](All& all) { return &all.flattening.angles.method; })
     .words({ { "newton", "Newton" }, { "sequential", "Sequential" } })
     .where(keepsLengths)
+    .where(exact)
     .expert()
     .help("How the angles are solved for: newton (exact steps) or sequential (the paper's "
           "sequential linearly constrained programming, Eq. 15). The isometric scheme only starts "
           "from that solution.");
   table.add("ReleaseTrials", [](All& all) { return &all.flattening.tryReleases; })
     .where({ "Scheme", { "global", "isometric" } })
+    .where(exact)
     .expert()
     .off("Rank the curves to release by their sensitivity alone, without trial flattenings of "
          "pieces that lie poorly.")
@@ -242,17 +254,20 @@ void addMethod(Table& table)
   const OptionCondition withoutThreads{ "Material", { "", "isotropic" } };
   table.add("DistortionEnergy", [](All& all) { return &all.flattening.isometric.energy.kind; })
     .spelled("energy")
-    .words({ { "rigid", "Rigid" }, { "dirichlet", "SymmetricDirichlet" } })
+    .words(
+      { { "rigid", "Rigid" }, { "dirichlet", "SymmetricDirichlet" }, { "automatic", "Automatic" } })
+    .byDefault("automatic")
     .where(isometric)
     .where(withoutThreads)
     .expert()
-    .help("What deforming the sheet costs: rigid (as rigid as possible) or dirichlet (symmetric "
-          "Dirichlet, which forbids flipped triangles).");
+    .help("What deforming the sheet costs: rigid (as rigid as possible), dirichlet (symmetric "
+          "Dirichlet, which forbids flipped triangles), or automatic (dirichlet where the boundary "
+          "is free, else rigid).");
   table.add("AreaBias", [](All& all) { return &all.flattening.isometric.energy.bias; })
     .range(-0.99, 0.99)
     .where(isometric)
     .where(withoutThreads)
-    .where({ "DistortionEnergy", { "rigid" } })
+    .where({ "DistortionEnergy", { "automatic", "rigid" } })
     .expert()
     .help("Above 0 a change of area costs more than one of angle (stiff sheet), below 0 less "
           "(stretchy sheet).");
@@ -319,6 +334,7 @@ void addSolver(Table& table)
 {
   const OptionCondition keepsLengths{ "Scheme", { "progressive", "global", "isometric" } };
   const OptionCondition isometric{ "Scheme", { "isometric" } };
+  const OptionCondition exact{ "BoundaryMode", { "exact" } };
   const OptionCondition rigid{ "Interior", { "arap" } };
   const OptionCondition relaxes{ "Interior", { "relaxation" } };
   const auto tolerance = [](Row row) {
@@ -331,15 +347,18 @@ void addSolver(Table& table)
   count(table.add(
           "MaximumIterations", [](All& all) { return &all.flattening.angles.maximumIterations; }))
     .where(keepsLengths)
+    .where(exact)
     .help("Maximum iterations of the solver of the angles, per piece.");
   tolerance(
     table.add("ClosureTolerance", [](All& all) { return &all.flattening.angles.closureTolerance; }))
     .where(keepsLengths)
+    .where(exact)
     .help("The solver stops when no loop of wires is open by more than this fraction of the "
           "perimeter.");
   tolerance(table.add("OptimalityTolerance",
               [](All& all) { return &all.flattening.angles.optimalityTolerance; }))
     .where(keepsLengths)
+    .where(exact)
     .help("The solver stops when no entry of the gradient of the Lagrangian is larger.");
   count(table.add("IsometricMaximumIterations",
           [](All& all) { return &all.flattening.isometric.maximumIterations; }))
@@ -354,18 +373,21 @@ void addSolver(Table& table)
               [](All& all) { return &all.flattening.interior.energyTolerance; }))
     .spelled("rigid-tolerance")
     .where(keepsLengths)
+    .where(exact)
     .where(rigid)
     .help("Interior arap stops when the energy falls by less than this fraction of itself.");
   count(table.add("RigidMaximumIterations",
           [](All& all) { return &all.flattening.interior.maximumRigidIterations; }))
     .spelled("rigid-iterations")
     .where(keepsLengths)
+    .where(exact)
     .where(rigid)
     .help("Maximum iterations of interior arap.");
   table.add("RelaxationFactor", [](All& all) { return &all.flattening.interior.relaxation; })
     .within(0.0, 2.0)
     .slider(0.01, 1.99)
     .where(keepsLengths)
+    .where(exact)
     .where(relaxes)
     .expert()
     .help("Factor tau of interior relaxation (Eq. 12).");
@@ -373,6 +395,7 @@ void addSolver(Table& table)
     table.add("RelaxationMovement", [](All& all) { return &all.flattening.interior.movement; }))
     .slider(0.0, 0.1)
     .where(keepsLengths)
+    .where(exact)
     .where(relaxes)
     .help("Interior relaxation stops when no point moves farther, as a fraction of the mean wire "
           "edge.");
@@ -380,11 +403,13 @@ void addSolver(Table& table)
           [](All& all) { return &all.flattening.interior.minimumIterations; }),
     0.0)
     .where(keepsLengths)
+    .where(exact)
     .where(relaxes)
     .help("Minimum iterations of interior relaxation; more than the maximum is an error.");
   count(table.add("RelaxationMaximumIterations",
           [](All& all) { return &all.flattening.interior.maximumIterations; }))
     .where(keepsLengths)
+    .where(exact)
     .where(relaxes)
     .help("Maximum iterations of interior relaxation.");
   tolerance(

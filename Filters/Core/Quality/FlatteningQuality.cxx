@@ -155,16 +155,29 @@ FlatteningQuality measureFlattening(const TriangleMesh& mesh, const SurfaceMeasu
     [&](Index t) { quality.triangles[t] = measureTriangle(mesh, surface, positions, t); });
   // Sums in the order of the triangles do not depend on the threads.
   summarizeTriangles(surface.frames, quality.triangles, quality.summary);
-  for (Index h : edges)
-  {
+  const auto lengthError = [&](Index h) {
     const double length = mesh.length(h);
     const double flat = (positions[mesh.to(h)] - positions[mesh.from(h)]).norm();
-    const double error = length > 0.0 ? std::abs(flat - length) / length : 0.0;
+    return length > 0.0 ? std::abs(flat - length) / length : 0.0;
+  };
+  for (Index h : edges)
+  {
+    const double error = lengthError(h);
     quality.summary.edgeLengthError += error;
     quality.summary.maximumEdgeLengthError =
       std::max(quality.summary.maximumEdgeLengthError, error);
   }
   quality.summary.edgeLengthError /= static_cast<double>(std::max<std::size_t>(edges.size(), 1));
+  Index count = 0;
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    if (mesh.twin(h) < h) // none is, too
+    {
+      quality.summary.edgeLengthErrorAll += lengthError(h);
+      ++count;
+    }
+  }
+  quality.summary.edgeLengthErrorAll /= std::max<Index>(count, 1);
   return quality;
 }
 

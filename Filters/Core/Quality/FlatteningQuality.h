@@ -13,6 +13,7 @@ struct QualitySummary
 {
   double edgeLengthError = 0.0;        ///< E_len, Eq. 26, over the given edges
   double maximumEdgeLengthError = 0.0; ///< largest |l - l0| / l0
+  double edgeLengthErrorAll = 0.0;     ///< mean of the same over all edges of the mesh
   double angleError = 0.0;             ///< E_ang, Eq. 27
   double globalHomogeneity = 0.0; ///< E_h = min a / max a, not positive where a triangle is flipped
   double globalAspectRatio = 0.0; ///< E_r = min s / max S

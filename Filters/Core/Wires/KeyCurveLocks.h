@@ -37,6 +37,8 @@ struct CurveRules
   /// By curve, of darts whose legs are to be mirror images of each other: by vertex the angle by
   /// which either leg turns to the side of its cloth. Empty where none is.
   std::vector<std::vector<double>> legTurns;
+  /// The boundary and the sides of cuts are no wires: see holdsLength().
+  bool freeBoundary = false;
 
   bool releases(Index curve) const
   {
@@ -47,6 +49,14 @@ struct CurveRules
     return this->stretch.empty() ? std::nullopt : this->stretch[curve];
   }
 };
+
+/// Whether an edge keeps its length: not on connectors, and where the boundary is free only on
+/// accessory and key curves.
+inline bool holdsLength(
+  const WireEdge& edge, const std::vector<FeatureCurve>& curves, bool freeBoundary)
+{
+  return !edge.connector && (!freeBoundary || (edge.curve != none && !curves[edge.curve].opens()));
+}
 
 /// A wire-node's angle where a key curve prescribes it.
 struct NodeLocks

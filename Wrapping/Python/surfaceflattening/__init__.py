@@ -69,12 +69,12 @@ from ._resewing import Resewn, ResewnShape, resew
 from ._result import Flattening, Wire
 from ._suggestion import LeftOutLine, MirrorAxis, MirrorPlane, SuggestedCut, Suggestion
 from ._types import (
-    ClothReport, CoincidentPoints, Coloring, CurveReport, CurveType, CutChoice, DartLegs, Energy, Interior,
-    KeyShape, Options, Paper, Part, PieceReport, Report, Scheme, SeamSource, SewingTest, Solver, Unit, WireType)
+    BoundaryMode, ClothReport, CoincidentPoints, Coloring, CurveReport, CurveType, CutChoice, DartLegs, Energy,
+    Interior, KeyShape, Options, Paper, Part, PieceReport, Report, Scheme, SeamSource, SewingTest, Solver, Unit, WireType)
 
 # Without the filters, of whose methods help() would print 31,000 lines.
 __all__ = [
-    "ArgumentError", "ArgumentTypeError", "ClothReport", "CoincidentPoints", "Coloring", "Curve", "CurveReport",
+    "ArgumentError", "ArgumentTypeError", "BoundaryMode", "ClothReport", "CoincidentPoints", "Coloring", "Curve", "CurveReport",
     "CurveType", "CutChoice", "DartLegs", "Energy", "FileError", "Flattenable", "Flattening", "FlatteningError", "FlatteningWarning",
     "GarmentPattern", "GradeRule", "Grading", "Interior", "KeyPrice", "KeyPrices", "KeyShape", "KeyTrial",
     "LeftOutLine", "MirrorAxis", "MirrorPlane", "MissingFileError", "Options", "OutOfMemoryError", "Panel",

@@ -3,6 +3,7 @@
 
 from typing import List, Literal, Optional, TypedDict
 
+from ._option_table import BoundaryMode as BoundaryMode
 from ._option_table import CoincidentPoints as CoincidentPoints
 from ._option_table import DartLegs as DartLegs
 from ._option_table import DistortionEnergy as Energy
@@ -13,7 +14,8 @@ from ._option_table import Solver as Solver
 from ._option_table import SuggestedCuts as CutChoice
 from ._option_table import Test as SewingTest
 
-__all__ = ["CoincidentPoints", "CutChoice", "DartLegs", "Energy", "Interior", "Options", "Scheme", "SewingTest", "Solver"]
+__all__ = [
+    "BoundaryMode", "CoincidentPoints", "CutChoice", "DartLegs", "Energy", "Interior", "Options", "Scheme", "SewingTest", "Solver"]
 
 CurveType = Literal["accessory", "key", "dart", "seam"]
 KeyShape = Literal["surface", "straight"]
@@ -144,8 +146,9 @@ class PieceReport(TypedDict):
         remedies: the ways out.
         triangles, vertices, wire_patches, wire_nodes, free_wire_nodes, constraints: counts.
         iterations: of the wires' angles.
-        E_len: mean relative error of the wires' edges (Eq. 26), without connectors and elastic curves.
+        E_len: mean relative error of the wires' edges (Eq. 26), without connectors, elastic curves and a free boundary.
         E_len_max: the largest such error.
+        E_len_all: mean relative error of all edges of the mesh.
         E_ang: mean relative error of the triangles' angles (Eq. 27); 0 is ideal.
         E_h: homogeneity, min a / max a, a = flat area / area on the surface of a triangle; 1 is ideal.
         E_r: aspect ratio, min s / max S, the singular values of the triangles' maps; 1 is ideal.
@@ -189,6 +192,7 @@ class PieceReport(TypedDict):
     iterations: int
     E_len: float
     E_len_max: float
+    E_len_all: float
     E_ang: float
     E_h: float
     E_r: float

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A free boundary: the least energy that an independent minimizer finds, named lengths exact.
+#include "Embedding/ConvexEmbedding.h"
+#include "Flattened.h"
+#include "SphereCap.h"
+#include "StatusTesting.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <utility>
+#include <vector>
+
+using namespace flattening;
+using namespace testmeshes;
+
+namespace
+{
+FlatteningOptions freeBoundary()
+{
+  FlatteningOptions options;
+  options.boundary = BoundaryMode::Free;
+  options.isometric.energy.kind = DistortionEnergyKind::Automatic;
+  return options;
+}
+
+/// Mean of |J|^2 + |J^-1|^2 - 4 by the metrics of triangles, |J|^2 = tr(G^-1 g) and det J =
+/// sqrt(det g / det G), and mu times the squared relative errors of edges: written without the
+/// library, and minimized by the method of limited memory from a convex map.
+class IndependentMinimum
+{
+public:
+  IndependentMinimum(const Surface& surface, double penalty)
+    : Mesh(surface.mesh)
+    , Penalty(penalty)
+  {
+    for (const FeatureCurve& curve : surface.curves)
+    {
+      for (std::size_t k = 0; k + 1 < curve.vertices.size(); ++k)
+      {
+        this->Edges.push_back({ curve.vertices[k], curve.vertices[k + 1] });
+      }
+    }
+    for (const Triangle& c : this->Mesh.triangles())
+    {
+      Eigen::Matrix<double, 3, 2> space;
+      space << this->Mesh.point(c[1]) - this->Mesh.point(c[0]),
+        this->Mesh.point(c[2]) - this->Mesh.point(c[0]);
+      const Eigen::Matrix2d metric = space.transpose() * space;
+      this->Roots.push_back(std::sqrt(metric.determinant()));
+      this->Inverses.push_back(metric.inverse());
+      this->Area += 0.5 * this->Roots.back();
+    }
+    this->X.resize(2 * this->Mesh.vertexCount());
+    const Points2 start = embedConvexly(this->Mesh, {});
+    for (Index v = 0; v < this->Mesh.vertexCount(); ++v)
+    {
+      this->X.segment<2>(2 * v) = start[v];
+    }
+    this->minimize();
+  }
+
+  /// Of the triangles alone.
+  double energy() const { return this->Triangles; }
+
+private:
+  Eigen::Vector2d at(const Eigen::VectorXd& x, Index v) const { return x.segment<2>(2 * v); }
+
+  double evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& gradient)
+  {
+    gradient = Eigen::VectorXd::Zero(x.size());
+    double sum = 0.0;
+    for (Index t = 0; t < this->Mesh.triangleCount(); ++t)
+    {
+      const Triangle& c = this->Mesh.triangle(t);
+      Eigen::Matrix2d flat;
+      flat << this->at(x, c[1]) - this->at(x, c[0]), this->at(x, c[2]) - this->at(x, c[0]);
+      const double root = this->Roots[t];
+      const double det = flat.determinant() / root;
+      if (!(det > 0.0))
+      {
+        return std::numeric_limits<double>::infinity();
+      }
+      const double weight = 0.5 * root / this->Area;
+      const Eigen::Matrix2d byNorm = flat * this->Inverses[t];
+      const double norm = (byNorm.transpose() * flat).trace();
+      Eigen::Matrix2d cofactor;
+      cofactor << flat(1, 1), -flat(1, 0), -flat(0, 1), flat(0, 0);
+      sum += weight * (norm + norm / (det * det) - 4.0);
+      const Eigen::Matrix2d slope = weight *
+        (2.0 * (1.0 + 1.0 / (det * det)) * byNorm -
+          2.0 * norm / (det * det * det * root) * cofactor);
+      gradient.segment<2>(2 * c[1]) += slope.col(0);
+      gradient.segment<2>(2 * c[2]) += slope.col(1);
+      gradient.segment<2>(2 * c[0]) -= slope.rowwise().sum();
+    }
+    this->Triangles = sum;
+    for (const auto& [a, b] : this->Edges)
+    {
+      const double rest = (this->Mesh.point(b) - this->Mesh.point(a)).norm();
+      const Eigen::Vector2d d = this->at(x, b) - this->at(x, a);
+      const double error = d.norm() / rest - 1.0;
+      sum += this->Penalty * error * error;
+      const Eigen::Vector2d slope = 2.0 * this->Penalty * error / (rest * d.norm()) * d;
+      gradient.segment<2>(2 * b) += slope;
+      gradient.segment<2>(2 * a) -= slope;
+    }
+    return sum;
+  }
+
+  void minimize()
+  {
+    constexpr std::size_t memory = 50;
+    std::deque<std::pair<Eigen::VectorXd, Eigen::VectorXd>> pairs;
+    Eigen::VectorXd gradient;
+    double value = this->evaluate(this->X, gradient);
+    for (int step = 0; step < 20000 && gradient.norm() > 1e-8; ++step)
+    {
+      Eigen::VectorXd direction = -gradient;
+      std::vector<double> factors;
+      for (const auto& [s, y] : pairs)
+      {
+        factors.push_back(s.dot(direction) / s.dot(y));
+        direction -= factors.back() * y;
+      }
+      direction *= pairs.empty()
+        ? 1e-2 / gradient.norm()
+        : pairs.front().first.dot(pairs.front().second) / pairs.front().second.squaredNorm();
+      for (std::size_t k = pairs.size(); k-- > 0;)
+      {
+        const auto& [s, y] = pairs[k];
+        direction += (factors[k] - y.dot(direction) / s.dot(y)) * s;
+      }
+      const double slope = gradient.dot(direction);
+      double scale = 1.0;
+      Eigen::VectorXd next;
+      double there = this->evaluate(this->X + scale * direction, next);
+      while (!(there <= value + 1e-4 * scale * slope) && scale > 1e-16)
+      {
+        scale *= 0.5;
+        there = this->evaluate(this->X + scale * direction, next);
+      }
+      if (scale <= 1e-16 || value - there < 1e-13 * value)
+      {
+        break;
+      }
+      if ((next - gradient).dot(direction) > 0.0)
+      {
+        pairs.emplace_front(scale * direction, next - gradient);
+        pairs.resize(std::min(pairs.size(), memory));
+      }
+      this->X += scale * direction;
+      gradient = next;
+      value = there;
+    }
+    this->evaluate(this->X, gradient);
+  }
+
+  const TriangleMesh& Mesh;
+  double Penalty;
+  std::vector<std::array<Index, 2>> Edges;
+  std::vector<double> Roots; ///< per triangle, of det G
+  std::vector<Eigen::Matrix2d> Inverses;
+  double Area = 0.0;
+  Eigen::VectorXd X;
+  double Triangles = 0.0;
+};
+
+Surface foldedSheet()
+{
+  return patch(12, 8, [](double i, double j) -> Point3 {
+    return { 0.3 * i, 0.4 * std::sin(1.1 * i) + 0.02 * i * std::sin(0.4 * j), 0.25 * j };
+  });
+}
+
+Surface spiral()
+{
+  return patch(16, 6, [](double i, double j) -> Point3 {
+    const double turn = 1.0 + 0.5 * i;
+    const double radius = 0.1 * turn * (1.0 + 0.004 * j * j);
+    return { radius * std::cos(turn), radius * std::sin(turn), 0.15 * j };
+  });
+}
+
+/// Sheets and cups, some with a curve along a row or a diameter.
+std::vector<Surface> formulas(bool curves)
+{
+  std::vector<Surface> all{ foldedSheet(), spiral(), cushion(9, 8, 0.4) };
+  if (curves)
+  {
+    all[0].curves = { rowCurve(12, 4) };
+    all[1].curves = { rowCurve(16, 3) };
+    all[2].curves = { rowCurve(9, 4) };
+  }
+  for (const double degrees : { 50.0, 90.0, 130.0 })
+  {
+    all.push_back(sphereCap(degrees * pi / 180.0, 6, curves && degrees < 100.0 ? 1 : 0));
+  }
+  return all;
+}
+
+/// Of the triangles, over the area.
+double energyOf(const FlatteningResult& result)
+{
+  return result.pieces[0].distortionEnergy / result.pieces[0].triangles;
+}
+
+/// Largest relative error of the edges of a curve in the plane.
+double errorOf(const FlatteningResult& result, Index curve)
+{
+  return result.curves[curve].error;
+}
+}
+
+TEST(FreeBoundary, HasTheLeastEnergyThatAnotherMinimizerFinds)
+{
+  for (const Surface& surface : formulas(false))
+  {
+    const FlatteningResult result = flatten(surface, freeBoundary());
+    ASSERT_TRUE(result.status.ok()) << result.status.message;
+    EXPECT_TRUE(result.pieces[0].quality.flipped.empty());
+    EXPECT_EQ(result.pieces[0].energyUsed, DistortionEnergyKind::SymmetricDirichlet);
+    const double least = IndependentMinimum(surface, 0.0).energy();
+    EXPECT_NEAR(energyOf(result), least, 1e-4 * least + 1e-10);
+    EXPECT_LE(result.pieces[0].iterations, 15);
+  }
+}
+
+TEST(FreeBoundary, HasTheLeastEnergyWithTheLengthsOfItsCurves)
+{
+  FlatteningOptions options = freeBoundary();
+  options.isometric.angleWeight = 0.0;
+  for (const Surface& surface : formulas(true))
+  {
+    const FlatteningResult result = flatten(surface, options);
+    ASSERT_TRUE(result.status.ok()) << result.status.message;
+    EXPECT_TRUE(result.pieces[0].quality.flipped.empty());
+    EXPECT_LT(result.pieces[0].quality.maximumEdgeLengthError, 1e-12);
+    const double least = IndependentMinimum(surface, 1e3).energy();
+    EXPECT_NEAR(energyOf(result), least, 0.01 * least + 1e-10);
+  }
+}
+
+TEST(FreeBoundary, MeasuresAllEdgesBesideThoseThatKeepTheirLength)
+{
+  Surface surface = cushion(9, 8, 0.4);
+  surface.curves = { rowCurve(9, 4) };
+  const FlatteningResult exact = flatten(surface);
+  const FlatteningResult result = flatten(surface, freeBoundary());
+  double sum = 0.0;
+  double count = 0.0;
+  for (Index h = 0; h < surface.mesh.halfedgeCount(); ++h)
+  {
+    const double weight = surface.mesh.twin(h) == none ? 1.0 : 0.5;
+    const double flat =
+      (result.positions[surface.mesh.to(h)] - result.positions[surface.mesh.from(h)]).norm();
+    sum += weight * std::abs(flat / surface.mesh.length(h) - 1.0);
+    count += weight;
+  }
+  const QualitySummary& quality = result.pieces[0].quality;
+  EXPECT_NEAR(quality.edgeLengthErrorAll, sum / count, 1e-13);
+  EXPECT_LT(quality.edgeLengthErrorAll, exact.pieces[0].quality.edgeLengthErrorAll);
+  EXPECT_LT(quality.maximumEdgeLengthError, 1e-12);
+  EXPECT_GT(worstLength(result), 1e-3); // of the boundary
+}
+
+TEST(FreeBoundary, KeepsTheStretchesThatCurvesName)
+{
+  Surface surface = cushion(9, 8, 0.4);
+  const double without = energyOf(flatten(surface, freeBoundary()));
+  surface.curves = { accessory("hem", { 0, 1, 2, 3, 4, 5, 6 }), rowCurve(9, 4, CurveType::Key) };
+  surface.curves[1].keyShape = KeyShape::Straight;
+  const FlatteningResult result = flatten(surface, freeBoundary());
+  ASSERT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_LT(errorOf(result, 0), 1e-12);
+  EXPECT_LT(errorOf(result, 1), 1e-12);
+  EXPECT_GT(energyOf(result), without);
+  const Indices& key = surface.curves[1].vertices;
+  const Point2 along = result.positions[key.back()] - result.positions[key.front()];
+  EXPECT_NEAR(along.norm(), result.curves[1].restLength, 1e-9);
+
+  surface.curves[0].tolerance = 0.02;
+  const FlatteningResult elastic = flatten(surface, freeBoundary());
+  ASSERT_TRUE(elastic.status.ok()) << elastic.status.message;
+  EXPECT_LT(energyOf(elastic), energyOf(result));
+  EXPECT_LE(errorOf(elastic, 0), 0.02 + 1e-12);
+}
+
+TEST(FreeBoundary, LeavesTheSidesOfCutsAndHolesFree)
+{
+  Surface surface = cushion(10, 8, 0.4);
+  surface.curves = { curveOf(CurveType::Dart, "dart", { 5, 16, 27 }), columnCurve(10, 8, 8) };
+  surface.curves[1].type = CurveType::Seam;
+  FlatteningOptions options = freeBoundary();
+  options.dartLegs = DartLegs::Mirrored; // without an effect
+  const FlatteningResult result = flatten(surface, options);
+  ASSERT_FALSE(result.status.refused()) << result.status.message;
+  EXPECT_EQ(result.pieces.size(), 2u);
+  EXPECT_GT(errorOf(result, 0), 1e-4);
+  EXPECT_EQ(result.pieces[0].quality.maximumEdgeLengthError, 0.0);
+
+  const Surface whole = cushion(10, 8, 0.4);
+  Surface holed;
+  const PreparedSurface part = partWhere(
+    whole.mesh, [](const Point3& p) { return std::hypot(p.x() - 0.4, p.y() - 0.4) > 0.2; });
+  holed.mesh = part.mesh;
+  const FlatteningResult around = flatten(holed, freeBoundary());
+  ASSERT_TRUE(around.status.ok()) << around.status.message;
+  EXPECT_EQ(around.pieces[0].boundaryLoops, 2);
+  EXPECT_TRUE(around.pieces[0].quality.flipped.empty());
+  const double least = IndependentMinimum(holed, 0.0).energy();
+  EXPECT_NEAR(energyOf(around), least, 1e-4 * least);
+}
+
+TEST(FreeBoundary, TakesTheRigidEnergyOnRequestWhereItDoesNotFold)
+{
+  FlatteningOptions rigid = freeBoundary();
+  rigid.isometric.energy.kind = DistortionEnergyKind::AsRigidAsPossible;
+  const Surface shallow = cushion(9, 8, 0.4);
+  const FlatteningResult result = flatten(shallow, rigid);
+  ASSERT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_EQ(result.pieces[0].energyUsed, DistortionEnergyKind::AsRigidAsPossible);
+  EXPECT_LT(result.pieces[0].quality.rigidEnergy,
+    flatten(shallow, freeBoundary()).pieces[0].quality.rigidEnergy);
+  const FlatteningResult deep = flatten(sphereCap(170.0 * pi / 180.0, 12, 0), rigid);
+  EXPECT_EQ(deep.pieces[0].energyUsed, DistortionEnergyKind::SymmetricDirichlet);
+  EXPECT_TRUE(deep.pieces[0].quality.flipped.empty());
+}
+
+TEST(FreeBoundary, RefusesWhatHasNoEffect)
+{
+  Surface surface = cushion(9, 8, 0.4);
+  surface.curves = { columnCurve(9, 8, 5) };
+  surface.curves[0].type = CurveType::Seam;
+  FlatteningOptions options = freeBoundary();
+  const auto refusal = [&] { return statustesting::codeOf(flatten(surface, options).status); };
+  for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::LeastSquaresConformal })
+  {
+    options.scheme = scheme;
+    EXPECT_EQ(refusal(), StatusCode::InvalidOption);
+  }
+  options = freeBoundary();
+  options.isometric.energy.bias = 0.5;
+  EXPECT_EQ(refusal(), StatusCode::InvalidOption);
+  options = freeBoundary();
+  options.eases = { { surface.curves[0].name, none, 0.01 } };
+  EXPECT_EQ(refusal(), StatusCode::InvalidOption);
+  options = freeBoundary();
+  surface.curves[0].tolerance = 0.01;
+  EXPECT_EQ(refusal(), StatusCode::InvalidOption);
+  surface.curves[0].tolerance = 0.0;
+  EXPECT_NE(refusal(), StatusCode::InvalidOption);
+}
