@@ -34,6 +34,9 @@ constexpr Index mostMeasured = 12;
 constexpr Index mostAdded = 8;
 /// A surface with more strain than this many times the bound takes charts rather than single cuts.
 constexpr double chartStrain = 4.0;
+/// Charts that leave more of the strain than this, and more than the above times the bound, are
+/// given up: that is noise.
+constexpr double noiseShare = 0.5;
 /// Charts are given up that take as many times the most cuts, or as many cuts where the number is
 /// not limited.
 constexpr double farTooManyCuts = 4.0;
@@ -333,7 +336,8 @@ private:
       }
     }
     if (uncut.outcome.valid && wanted.bound > 0.0 &&
-      set.outcome.strainP95 > chartStrain * wanted.bound)
+      set.outcome.strainP95 >
+        std::max(chartStrain * wanted.bound, noiseShare * uncut.outcome.strainP95))
     {
       return rejected(SearchEnd::GivenUp, needed); // noise is hardly nearer to flat with few cuts
     }
@@ -402,6 +406,7 @@ private:
     }
     const Index wanted =
       std::max<Index>(0, options.pieces - std::count(done.begin(), done.end(), 1));
+    const VertexMarks marks = markVertices(surface, this->Options.search);
     std::vector<SuggestedCurve> cuts;
     for (std::size_t p = 0; p < pieces.size(); ++p)
     {
@@ -414,8 +419,21 @@ private:
         options.pieces = std::max<Index>(1, std::lround(wanted * pieces[p].mesh.area() / area));
       }
       const auto before = static_cast<Index>(cuts.size());
-      for (SuggestedCurve& one : chartCuts(
-             pieces[p].mesh, plane ? mirror->plane() : std::nullopt, options, budget, this->Run))
+      // The rest of the work is for all pieces that follow.
+      double triangles = 0.0;
+      for (std::size_t q = p; q < pieces.size(); ++q)
+      {
+        triangles += done[q] ? 0.0 : pieces[q].mesh.triangleCount();
+      }
+      TrialBudget share(budget.left() * pieces[p].mesh.triangleCount() / triangles);
+      std::vector<SuggestedCurve> here = chartCuts(
+        pieces[p].mesh, plane ? mirror->plane() : std::nullopt, options, share, this->Run);
+      budget.add(share);
+      if (here.empty() && findDefect(pieces[p]))
+      {
+        here = this->opened(pieces[p], cut, marks);
+      }
+      for (SuggestedCurve& one : here)
       {
         one.mirrorOf += one.mirrorOf == none ? 0 : before;
         cuts.push_back(std::move(one));
@@ -437,20 +455,32 @@ private:
     const VertexMarks marks = markVertices(surface, this->Options.search);
     for (const Piece& piece : extractPieces(cutAlready))
     {
-      std::vector<char> barred;
-      for (Index v : piece.vertices)
+      for (SuggestedCurve& cut : this->opened(piece, cutAlready, marks))
       {
-        barred.push_back(marks.barred[cutAlready.originalVertex[v]]);
-      }
-      const bool plane = this->Result.mirror && this->Result.mirror->plane();
-      for (Polyline& line :
-        openingCuts(piece.mesh, plane ? this->Result.mirror->plane() : std::nullopt, barred))
-      {
-        SuggestedCurve cut;
-        cut.length = lengthOf(line.points);
-        cut.curve = std::move(line);
         cuts.push_back(std::move(cut));
       }
+    }
+    return cuts;
+  }
+
+  /// Cuts without which one piece cannot be laid flat.
+  std::vector<SuggestedCurve> opened(
+    const Piece& piece, const CutSurface& surface, const VertexMarks& marks) const
+  {
+    std::vector<char> barred;
+    for (Index v : piece.vertices)
+    {
+      barred.push_back(marks.barred[surface.originalVertex[v]]);
+    }
+    const bool plane = this->Result.mirror && this->Result.mirror->plane();
+    std::vector<SuggestedCurve> cuts;
+    for (Polyline& line :
+      openingCuts(piece.mesh, plane ? this->Result.mirror->plane() : std::nullopt, barred))
+    {
+      SuggestedCurve cut;
+      cut.length = lengthOf(line.points);
+      cut.curve = std::move(line);
+      cuts.push_back(std::move(cut));
     }
     return cuts;
   }
