@@ -37,8 +37,8 @@ constexpr double chartStrain = 4.0;
 /// Charts that leave more of the strain than this, and more than the above times the bound, are
 /// given up: that is noise.
 constexpr double noiseShare = 0.5;
-/// Charts are given up that take as many times the most cuts, or as many cuts where the number is
-/// not limited.
+/// Charts are given up that take as many times the most cuts, or as many cuts in each part of the
+/// surface where the number is not limited.
 constexpr double farTooManyCuts = 4.0;
 constexpr double mostChartCuts = 250.0;
 /// The bound of charts where none is given.
@@ -315,7 +315,7 @@ private:
     double bound = wanted.bound > 0.0 ? wanted.bound : chartBound;
     const double most = wanted.maximumCuts > 0
       ? farTooManyCuts * static_cast<double>(wanted.maximumCuts)
-      : mostChartCuts;
+      : mostChartCuts * cutSurface(surface.mesh, surface.curves).pieceCount;
     for (int k = 0; k < mostLooser; ++k, bound *= looserBound)
     {
       TrialBudget budget(shareOfCharts * (this->Budget.left() - this->MostMeasuring));
