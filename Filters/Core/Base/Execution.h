@@ -28,8 +28,8 @@ struct Execution
   /// Bytes that the factors of one linear system may take; more ends the run with
   /// StatusCode::OutOfMemory.
   std::size_t factorMemory = std::numeric_limits<std::size_t>::max();
-  /// Where given, the unknowns of each linear system that is factorized are added: what a run
-  /// takes, counted alike on all machines and any number of threads.
+  /// Where given, the factorizationWork() of each linear system that is factorized is added: what a
+  /// run takes, counted alike on all machines and for any number of threads.
   std::atomic<std::int64_t>* factorized = nullptr;
 
   void report(double fraction, const char* phase) const

@@ -282,6 +282,14 @@ bool LinearSolver::analyze(const SparseMatrix& matrix)
   return true;
 }
 
+double factorizationWork(double unknowns)
+{
+  // Up to here assembly and what is linear otherwise take more; with nested dissection operations
+  // grow as the power 3/2.
+  constexpr double linearUntil = 2000.0;
+  return unknowns * std::sqrt(std::max(1.0, unknowns / linearUntil));
+}
+
 bool LinearSolver::factorize(const SparseMatrix& matrix, const Execution& execution)
 {
   this->Factorized = false;
@@ -295,7 +303,7 @@ bool LinearSolver::factorize(const SparseMatrix& matrix, const Execution& execut
   }
   if (execution.factorized)
   {
-    *execution.factorized += this->Size;
+    *execution.factorized += std::llround(factorizationWork(static_cast<double>(this->Size)));
   }
   this->Factorized = this->Size == 0 || this->Solver->factorize(matrix, execution);
   return this->Factorized;

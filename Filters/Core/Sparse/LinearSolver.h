@@ -25,6 +25,9 @@ struct LeadingColumns
   Index count = 0;
 };
 
+/// What factorizing a system of a planar mesh takes, in what it takes per unknown of a small one.
+double factorizationWork(double unknowns);
+
 /// L D L^T without pivoting of sparse symmetric matrices that are definite or quasi-definite.
 ///
 /// Only the lower triangle of a matrix is read. analyze() is the symbolic part, which one sparsity

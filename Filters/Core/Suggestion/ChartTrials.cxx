@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/ChartTrials.h"
 
+#include "Sparse/LinearSolver.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -45,7 +47,8 @@ ChartTrials::Key ChartTrials::keyOf(const TriangleMesh& chart)
 ChartTrials::Result ChartTrials::flattened(
   const TriangleMesh& chart, const Execution& execution) const
 {
-  TrialBudget budget(this->MostSteps * static_cast<double>(chart.triangleCount()));
+  TrialBudget budget(
+    this->MostSteps * factorizationWork(static_cast<double>(chart.triangleCount())));
   const TrialOutcome outcome =
     CutTrials(chart, {}, {}, this->Flattening).run({}, budget, execution);
   Result result;

@@ -57,8 +57,9 @@ struct SearchOptions
   double leastLength = 0.12;
   /// Real flattenings to choose each cut from, after the forecast has ranked them.
   Index trials = 24;
-  /// Of all real flattenings, in millions of steps of an iteration on one triangle (the unknowns of
-  /// the systems that are factorized), whatever the size of the surface. The best cuts that are found by then are proposed. 0: no limit.
+  /// Of all real flattenings, in millions of steps of an iteration on one triangle (see
+  /// factorizationWork()), whatever the size of the surface. The best cuts that are
+  /// found by then are proposed. 0: no limit.
   double maximumWork = 60.0;
 };
 

@@ -5,9 +5,12 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
 #include "Quality/StrainMeasures.h"
+#include "Sparse/LinearSolver.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace flattening
@@ -267,7 +270,7 @@ CutTrials::Trial CutTrials::tried(
     const double steps = cuts.empty() ? std::numeric_limits<double>::infinity()
       : fromStart                     ? startShare * this->MostSteps
                                       : this->MostSteps;
-    limit = std::min(most, static_cast<double>(factorized) + triangles * steps);
+    limit = std::min(most, static_cast<double>(factorized) + factorizationWork(triangles) * steps);
     trial.flat = this->flattened(trial.surface, fromStart, counting);
     if (!trial.flat.status.refused())
     {
