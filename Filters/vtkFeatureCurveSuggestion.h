@@ -162,7 +162,7 @@ public:
    * The most work that the search may take, in millions of steps of an iteration on one triangle;
    * 0: no limit. A million takes about half a second of one processor. The best cuts that
    * are found by then are proposed, and a warning names it. Work is counted, not timed: cuts are
-   * the same on every machine. Default: 60.
+   * the same on every machine. Default: 90.
    */
   vtkSetClampMacro(MaximumWork, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumWork, double);

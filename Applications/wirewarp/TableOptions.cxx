@@ -398,7 +398,7 @@ void setOptions(const Options& options, vtkFlatPieceAlgorithm* filter)
 
 namespace
 {
-/// Of the default of MaximumWork, which takes some 30 s of one processor.
+/// Of the default of MaximumWork, which takes some 45 s of one processor.
 const std::map<std::string, double> shareOfEffort{ { "quick", 0.25 }, { "normal", 1.0 },
   { "long", 4.0 } };
 }

@@ -60,7 +60,7 @@ struct SearchOptions
   /// Of all real flattenings, in millions of steps of an iteration on one triangle (see
   /// factorizationWork()), whatever the size of the surface. The best cuts that are
   /// found by then are proposed. 0: no limit.
-  double maximumWork = 60.0;
+  double maximumWork = 90.0;
 };
 
 struct SuggestionOptions
