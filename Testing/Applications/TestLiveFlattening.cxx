@@ -21,7 +21,7 @@ using editor::LiveFlattening;
 
 namespace
 {
-constexpr int large = 100; // squares on a side: 20,000 triangles
+constexpr int large = 200; // squares on a side: 80,000 triangles
 constexpr int small = 20;
 
 double bulge(double x, double y)
