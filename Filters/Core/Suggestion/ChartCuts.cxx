@@ -52,6 +52,10 @@ constexpr Index settledTriangles = 30000;
 constexpr int mostDrawings = 24;
 /// Pieces with more strain than this many times the bound are parted again; darts do for others.
 constexpr double partedShare = 1.5;
+/// Of the work that is left then, what drawing them straighter may take.
+constexpr double relaxingShare = 0.5;
+/// Of the bound, up to where: the flattening to come may have a few triangles otherwise.
+constexpr double relaxedShare = 0.95;
 /// What drawing them takes, in steps of a flattening.
 constexpr double drawingSteps = 5.0;
 /// The flattening of a chart is given up after these steps; those of charts that keep the bound
@@ -462,6 +466,7 @@ private:
     bool dart = false;
     bool crosses = false; ///< the mirror plane, in which the chain ends
     bool paired = false;
+    int least = 0;  ///< level, that of a straight line where there is one
     int level = 0;  ///< of SeamDrawing
     Points3 points; ///< none: to be drawn
     Points3 image;
@@ -595,20 +600,74 @@ private:
         }
         seam.paired = this->Plane && !seam.crosses && inside;
         const bool closed = arc.vertices.front() == arc.vertices.back();
-        seam.level = !inside ? SeamDrawing::levels - 1 : closed ? 1 : 0;
+        seam.least = seam.level = !inside ? SeamDrawing::levels - 1 : closed ? 1 : 0;
         seams.push_back(std::move(seam));
       }
     }
     return seams;
   }
 
+  /// What seams are drawn with on the surface.
+  struct Settling
+  {
+    SeamDrawing drawing;
+    ImprintOptions imprint;
+    ChartTrials trials;
+  };
+
+  /// Seams as they are drawn at some levels, and what they do.
+  struct Drawn
+  {
+    std::vector<SuggestedCurve> cuts;
+    Indices seamOf;           ///< by cut
+    std::vector<Indices> bad; ///< sets of cuts that meet, or each beside a piece that fails
+    bool laid = false;        ///< whether they can be laid into the surface
+    Index pieces = 0;
+    double worst = std::numeric_limits<double>::infinity();
+  };
+
+  Drawn drawn(Settling& settling, const std::vector<int>& levels, std::vector<Seam>& seams) const
+  {
+    Drawn result;
+    this->draw(settling.drawing, levels, seams);
+    this->Budget.pay(drawingSteps * static_cast<double>(this->Surface.triangleCount()));
+    result.cuts = cutsOf(seams, result.seamOf);
+    const std::vector<Polyline> lines = linesOf(result.cuts);
+    const ImprintedSurface imprinted = imprintCurves(this->Surface, lines, settling.imprint);
+    result.bad = failingLines(imprinted, lines.size());
+    if (result.bad.empty())
+    {
+      result.bad = dividingDarts(cutSurface(imprinted.mesh, imprinted.curves), result.cuts);
+    }
+    result.laid = result.bad.empty();
+    if (result.laid)
+    {
+      const DrawnPieces pieces(imprinted, settling.trials, this->Budget, this->Run);
+      result.bad = this->aroundBad(pieces, lines.size());
+      result.pieces = static_cast<Index>(pieces.pieces.size());
+      if (!this->Run.cancelled() && !this->Budget.spent())
+      {
+        result.worst = pieces.worst();
+      }
+    }
+    return result;
+  }
+
+  void keep(const Drawn& drawn)
+  {
+    this->Best = drawn.cuts;
+    this->BestCuts = drawn.cuts.size();
+    this->BestPieces = drawn.pieces;
+    this->Worst = drawn.worst;
+  }
+
   /// As straight as charts that keep the bound and cuts that do not meet allow.
   void settle(std::vector<Seam> seams)
   {
-    const SeamDrawing drawing(this->Surface);
     ImprintOptions imprint;
     imprint.snap = surfaceSnap;
-    ChartTrials trials(this->Options.flattening, mostDrawnSteps);
+    Settling settling{ SeamDrawing(this->Surface), imprint,
+      ChartTrials(this->Options.flattening, mostDrawnSteps) };
     std::vector<int> levels;
     for (const Seam& seam : seams)
     {
@@ -622,35 +681,51 @@ private:
       {
         levels.assign(levels.size(), SeamDrawing::levels - 1);
       }
-      this->draw(drawing, levels, seams);
-      this->Budget.pay(drawingSteps * static_cast<double>(this->Surface.triangleCount()));
-      Indices seamOf;
-      const std::vector<SuggestedCurve> cuts = cutsOf(seams, seamOf);
-      const std::vector<Polyline> lines = linesOf(cuts);
-      const ImprintedSurface imprinted = imprintCurves(this->Surface, lines, imprint);
-      std::vector<Indices> bad = failingLines(imprinted, lines.size());
-      if (bad.empty())
+      const Drawn now = this->drawn(settling, levels, seams);
+      if (now.worst < this->Worst)
       {
-        bad = dividingDarts(cutSurface(imprinted.mesh, imprinted.curves), cuts);
+        this->keep(now);
       }
-      const bool drawn = bad.empty();
-      if (drawn)
-      {
-        const DrawnPieces pieces(imprinted, trials, this->Budget, this->Run);
-        bad = this->aroundBad(pieces, lines.size());
-        if (pieces.worst() < this->Worst && !this->Run.cancelled() && !this->Budget.spent())
-        {
-          this->Best = cuts;
-          this->BestCuts = cuts.size();
-          this->BestPieces = static_cast<Index>(pieces.pieces.size());
-          this->Worst = pieces.worst();
-        }
-      }
-      changed = raiseLevels(bad, seamOf, levels);
-      if (!changed && !drawn)
+      changed = raiseLevels(now.bad, now.seamOf, levels);
+      if (!changed && !now.laid)
       {
         // What cannot be drawn in any way is left out: of seams on each other the shortest.
-        changed = this->leaveOut(bad.front(), seamOf, cuts, seams, levels);
+        changed = this->leaveOut(now.bad.front(), now.seamOf, now.cuts, seams, levels);
+      }
+      if (now.bad.empty() && now.worst <= this->Worst)
+      {
+        this->relax(settling, std::move(levels), std::move(seams));
+        return;
+      }
+    }
+  }
+
+  /// Draws seams straighter that were drawn anew beside others, where charts still keep the bound,
+  /// the longest first.
+  void relax(Settling& settling, std::vector<int> levels, std::vector<Seam> seams)
+  {
+    const double end = this->Budget.left() * (1.0 - relaxingShare);
+    const double most = std::max(this->Worst, relaxedShare * this->Bound);
+    Indices order = numbersTo(static_cast<Index>(seams.size()));
+    std::stable_sort(order.begin(), order.end(),
+      [&seams](Index a, Index b) { return lengthOf(seams[a].points) > lengthOf(seams[b].points); });
+    for (Index s : order)
+    {
+      const int before = levels[s];
+      for (int level = seams[s].least; level < before && levels[s] == before; ++level)
+      {
+        if (this->Run.cancelled() || this->Budget.left() < end)
+        {
+          return;
+        }
+        levels[s] = level;
+        const Drawn now = this->drawn(settling, levels, seams);
+        if (now.bad.empty() && now.worst <= most)
+        {
+          this->keep(now);
+          break;
+        }
+        levels[s] = before;
       }
     }
   }
