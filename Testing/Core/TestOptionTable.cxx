@@ -136,7 +136,8 @@ TEST(OptionTable, AnOptionWithoutEffectIsNamedWithWhatItIsFor)
   EXPECT_EQ(idle({ { "Scheme", global }, { "AngleWeight", 1.0 } }),
     "--angle-weight is for --scheme isometric, not for --scheme global; leave one of them out");
   EXPECT_EQ(idle({ { "AreaBias", 0.5 }, { "DistortionEnergy", 1.0 } }),
-    "--area-bias is for --energy automatic or rigid, not for --energy dirichlet; leave one of them out");
+    "--area-bias is for --energy automatic or rigid, not for --energy dirichlet; leave one of them "
+    "out");
   EXPECT_EQ(idle({ { "AreaBias", 0.5 }, { "Material", std::string("twill") } }),
     "--area-bias is for a sheet without --material or with --material isotropic, not for "
     "--material twill; leave one of them out");
