@@ -20,11 +20,12 @@
  * Other edges with a label are accessory curves of that name, so that hems have allowances of their
  * own.
  *
- * The field data of port 1 says what the file said, a row a panel of `PanelNames`, `PanelLabels`
- * and `PanelPlacements` (translation; degrees about x, y and z), a row an edge of `PanelEdges`
+ * The field data of port 1 says what the file said, one row for each panel in `PanelNames`,
+ * `PanelLabels` and `PanelPlacements` (translation; degrees about x, y and z), for each edge in
+ * `PanelEdges`
  * (piece, first and last point, shape: 0 straight, 1 quadratic, 2 cubic, 3 circle),
  * `PanelEdgeParameters` (control points in the frame of the chord; radius, larger arc,
- * counter-clockwise) and `PanelEdgeLabels`, a row a stitch of `PanelStitches` (two edges, and 1
+ * counter-clockwise) and `PanelEdgeLabels`, for each stitch in `PanelStitches` (two edges, and 1
  * where it runs from start to start). vtkPatternWriter writes these again: panels, edges and
  * stitches of the new file are equal to those of the old. Parameters of a design are not kept.
  *

@@ -14,12 +14,12 @@
  * **Output**: the wires of all sizes as polylines, in **millimetres**, each piece with the point at
  * which its sizes are laid on each other as its origin and its grain along y. The points are those
  * of port 0, size after size. Cell arrays: `SizeId` (int), `PieceId` (id), `CurveName` (string).
- * Field data: `SizeName` (string, a row a size), `BaseSize` (int, 1 row), `GrainDirection` (double,
- * 1 row, 2 components a piece: the grain of the base as it lies on port 0), and a row a rule:
- * `RulePiece` (id), `RulePoint` (id of a point of port 0), `RuleName` (string: the curves that meet
- * there), `RuleDelta` (double, mm, 2 components a size: from the base size across the grain to the
- * right and along it), and those of vtkFlatteningAlgorithm. Points with rules are the ends of
- * curves on the border, and corners of the boundary that turn by more than 30 degrees.
+ * Field data: `SizeName` (string, one row for each size), `BaseSize` (int, 1 row), `GrainDirection`
+ * (double, 1 row, 2 components a piece: the grain of the base as it lies on port 0), and one row
+ * for each rule: `RulePiece` (id), `RulePoint` (id of a point of port 0), `RuleName` (string: the
+ * curves that meet there), `RuleDelta` (double, mm, 2 components a size: from the base size across
+ * the grain to the right and along it), and those of vtkFlatteningAlgorithm. Points with rules are
+ * the ends of curves on the border, and corners of the boundary that turn by more than 30 degrees.
  *
  * vtkPatternWriter takes the output on port 3 and writes the nest, the list of rules and the rule
  * table.

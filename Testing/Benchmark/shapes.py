@@ -5,7 +5,7 @@ each as a regular and an irregular mesh in three resolutions, with no, one or tw
 
     Testing/Benchmark/shapes.py [--wirewarp build/bin/wirewarp] [--sizes 16 32 64] [--only NAME] [--untimed]
 
-Prints a row a run and fails where a triangle is turned over, where a shape that the plane has room for
+Prints a row for each run and fails where a triangle is turned over, where a shape that the plane has room for
 (see `verdict` in Documentation/choosing.md) does not end Ok, or where a run takes more processor time than its
 number of triangles allows: 3 s at 5,000, 30 s at 70,000 on two cores.
 """

@@ -17,7 +17,7 @@ using namespace hostile;
 
 namespace
 {
-/// About so many triangles, where two functions of (0..1, 0..1) put them.
+/// About this many triangles, where two functions of (0..1, 0..1) put them.
 template <class Place>
 Specimen sheetOf(const char* name, Index triangles, double aspect, const Place& place)
 {

@@ -3,6 +3,7 @@
 
 #include "Base/Types.h"
 #include "Flattening/PieceWires.h"
+#include "Wires/KeyCurveLocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -229,7 +230,7 @@ Status wrongLengths(const CutSurface& cut, const std::vector<FeatureCurve>& curv
   {
     const double error = wire.maximumEdgeError;
     const bool elastic = wire.curve != none && curves[wire.curve].tolerance > 0.0;
-    const bool held = !free || (wire.curve != none && !curves[wire.curve].opens());
+    const bool held = holdsLength(wire.curve, curves, free);
     if (wire.piece == piece && held && !wire.connector && !elastic &&
       !(error <= options.lengthTolerance))
     {

@@ -8,14 +8,13 @@
 #include "Suggestion/OpeningCuts.h"
 #include "Suggestion/PieceSurface.h"
 #include "Suggestion/SeamDrawing.h"
+#include "Suggestion/SeamSettling.h"
 #include "Suggestion/SurfaceCoarsening.h"
 #include "Suggestion/SurfaceMirror.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
-#include <set>
 #include <tuple>
 
 namespace flattening
@@ -40,28 +39,17 @@ constexpr double roughWork = 0.4;
 /// Where seams are laid into the version with few triangles, see ImprintOptions: slivers are worse
 /// than a seam that is not quite straight.
 constexpr double workingSnap = 0.15;
-/// On the surface itself: more than the default, so that what is far enough apart here is so there.
-constexpr double surfaceSnap = 1e-2;
 /// Of the budget, for charts on few triangles; the rest is for drawing seams on the surface.
 constexpr double mergingShare = 0.5;
 /// Of what is left then, for sewing seams from their ends on.
 constexpr double sewingShare = 0.2;
 /// Larger surfaces are parted on a version of half as many, to which their cuts are moved.
 constexpr Index settledTriangles = 30000;
-/// Seams are drawn anew this often at most.
-constexpr int mostDrawings = 24;
 /// Pieces with more strain than this many times the bound are parted again; darts do for others.
 constexpr double partedShare = 1.5;
-/// Of the work that is left then, what drawing them straighter may take.
-constexpr double relaxingShare = 0.5;
-/// Of the bound, up to where: the flattening to come may have a few triangles otherwise.
-constexpr double relaxedShare = 0.95;
-/// What drawing them takes, in steps of a flattening.
-constexpr double drawingSteps = 5.0;
 /// The flattening of a chart is given up after these steps; those of charts that keep the bound
-/// take 55 at most with few triangles, and 126 beside the narrow triangles of seams that are drawn.
+/// take 55 at most.
 constexpr double mostChartSteps = 50.0;
-constexpr double mostDrawnSteps = 130.0;
 /// Charts are parted again this often at most.
 constexpr int mostPartings = 3;
 /// Where the mirror is worse than this, in sqrt(area / pi), cuts are tried from either side.
@@ -111,25 +99,6 @@ std::vector<char> firstCuts(const TriangleMesh& mesh, double bound)
     cut[h] = twin != none && chart[h / 3] != chart[twin / 3] ? 1 : 0;
   }
   return cut;
-}
-
-/// Sets of lines that cannot be laid into a surface together.
-std::vector<Indices> failingLines(const ImprintedSurface& imprinted, std::size_t count)
-{
-  if (imprinted.status.ok())
-  {
-    return meetingCurves(imprinted);
-  }
-  if (imprinted.status.curve != none)
-  {
-    return { { imprinted.status.curve } };
-  }
-  std::vector<Indices> bad;
-  for (Index k = 0; k < static_cast<Index>(count); ++k)
-  {
-    bad.push_back({ k });
-  }
-  return bad;
 }
 
 /// The mesh cut along imprinted curves.
@@ -208,7 +177,7 @@ CutMesh straightened(const TriangleMesh& mesh, const std::vector<Charts::Arc>& a
     ImprintOptions imprint;
     imprint.snap = workingSnap;
     const ImprintedSurface imprinted = imprintCurves(mesh, lines, imprint);
-    budget.pay(drawingSteps * static_cast<double>(mesh.triangleCount()));
+    budget.pay(SeamDrawing::steps * static_cast<double>(mesh.triangleCount()));
     std::vector<Indices> bad = failingLines(imprinted, lines.size());
     if (bad.empty())
     {
@@ -292,70 +261,6 @@ std::vector<SuggestedCurve> joined(std::vector<SuggestedCurve> cuts)
   return cuts;
 }
 
-/// The pieces of a surface with its cuts, and what they are like flat.
-struct DrawnPieces
-{
-  CutSurface cut;
-  std::vector<Piece> pieces;
-  std::vector<ChartTrials::Result> results;
-
-  DrawnPieces(const ImprintedSurface& surface, ChartTrials& trials, TrialBudget& budget,
-    const Execution& execution)
-    : cut(cutSurface(surface.mesh, surface.curves))
-    , pieces(extractPieces(this->cut))
-  {
-    std::vector<std::vector<TriangleMesh>> meshes;
-    for (const Piece& piece : this->pieces)
-    {
-      meshes.push_back({ piece.mesh });
-    }
-    this->results = trials.run(meshes, std::numeric_limits<double>::infinity(), budget, execution);
-  }
-
-  /// How much is wrong with one: its strain, and one more where it is folded, lies over itself, or
-  /// has no flattening.
-  double fault(std::size_t piece) const
-  {
-    const ChartTrials::Result& result = this->results[piece];
-    return (result.sound ? 0.0 : 1.0) + (std::isinf(result.strain) ? 0.0 : result.strain);
-  }
-
-  /// How many are wrong, and the largest strain.
-  double worst() const
-  {
-    double count = 0.0;
-    double strain = 0.0;
-    for (const ChartTrials::Result& result : this->results)
-    {
-      count += result.sound ? 0.0 : 1.0;
-      strain = std::max(strain, std::isinf(result.strain) ? 0.0 : result.strain);
-    }
-    return count + strain;
-  }
-};
-
-/// Each dart that has different pieces at its sides.
-std::vector<Indices> dividingDarts(const CutSurface& cut, const std::vector<SuggestedCurve>& cuts)
-{
-  std::vector<std::set<Index>> beside(cuts.size());
-  for (Index h = 0; h < cut.mesh.halfedgeCount(); ++h)
-  {
-    if (cut.curveOfHalfedge[h] != none)
-    {
-      beside[cut.curveOfHalfedge[h]].insert(cut.pieceOfTriangle[h / 3]);
-    }
-  }
-  std::vector<Indices> sets;
-  for (std::size_t c = 0; c < cuts.size(); ++c)
-  {
-    if (cuts[c].curve.type == CurveType::Dart && beside[c].size() > 1)
-    {
-      sets.push_back({ static_cast<Index>(c) });
-    }
-  }
-  return sets;
-}
-
 class ChartSearch
 {
 public:
@@ -364,16 +269,19 @@ public:
   ChartSearch(const TriangleMesh& mesh, const std::optional<SymmetryPlane>& plane, bool straight,
     const ChartOptions& options, TrialBudget& budget, const Execution& execution)
     : Surface(mesh)
-    , Plane(plane)
     , Straight(straight)
     , Options(options)
     , Bound(options.bound)
     , Budget(budget)
     , Run(execution)
     , Size(std::sqrt(mesh.area() / pi))
-    , InPlane(inPlaneShare * SnapDistance(mesh, ImprintOptions().snap).greatest())
     , Trials(roughly(options.flattening), mostChartSteps)
   {
+    if (plane)
+    {
+      this->Mirror = MirrorSection{ *plane,
+        inPlaneShare * SnapDistance(mesh, ImprintOptions().snap).greatest() };
+    }
     this->Options.bound *= straight ? coarseShare : ruggedShare;
     this->Options.bound /= options.pieces > 0 ? finerBound : 1.0;
   }
@@ -381,7 +289,7 @@ public:
   std::vector<SuggestedCurve> run()
   {
     const TriangleMesh half =
-      fewTriangles(this->side(), this->Plane ? chartTriangles / 2 : chartTriangles);
+      fewTriangles(this->side(), this->Mirror ? chartTriangles / 2 : chartTriangles);
     if (half.triangleCount() == 0 || this->Budget.spent())
     {
       return {};
@@ -399,7 +307,7 @@ public:
       parted = straighten(half, first.arcs());
       ChartOptions rough = this->Options;
       rough.bound *= roughShare;
-      rough.pieces = this->Plane ? (rough.pieces + 1) / 2 : rough.pieces;
+      rough.pieces = this->Mirror ? (rough.pieces + 1) / 2 : rough.pieces;
       Charts merged(parted.mesh, parted.cut, numbersTo(parted.mesh.halfedgeCount()), rough,
         this->Size, this->Trials);
       TrialBudget some(roughWork * budget.left());
@@ -431,23 +339,28 @@ public:
       charts.shorten(sewing, this->Run);
       this->Budget.add(sewing);
     }
-    this->settle(
-      this->seams(whole.mesh, parted.mesh.vertexCount(), charts.arcs(this->Plane.has_value())));
-    return joined(std::move(this->Best));
+    this->Settled = settleSeams(this->Surface, this->Mirror,
+      this->seams(whole.mesh, parted.mesh.vertexCount(), charts.arcs(this->Mirror.has_value())),
+      this->Bound, this->Options.flattening, this->Budget, this->Run);
+    return joined(this->Settled.cuts);
   }
 
   /// How many pieces are folded, or lie over themselves, and the largest strain.
-  double worst() const { return this->Worst; }
+  double worst() const { return this->Settled.worst; }
   /// Whether it is far from what it was to reach.
-  bool fails() const { return this->excess() > 0 || this->Worst > partedShare * this->Bound; }
+  bool fails() const
+  {
+    return this->excess() > 0 || this->Settled.worst > partedShare * this->Bound;
+  }
   /// Whether its cuts are better than another's: fewer pieces beyond the number that is wanted;
   /// then within the bound, or nearer to it; then fewer.
   bool betterThan(const ChartSearch& other, double bound) const
   {
     const auto merit = [bound](const ChartSearch& search) {
       const bool counted = search.Options.pieces > 0;
-      return std::tuple(
-        search.excess(), counted ? search.Worst : std::max(search.Worst, bound), search.BestCuts);
+      return std::tuple(search.excess(),
+        counted ? search.Settled.worst : std::max(search.Settled.worst, bound),
+        search.Settled.cuts.size());
     };
     return merit(*this) < merit(other);
   }
@@ -455,33 +368,21 @@ public:
 private:
   Index excess() const
   {
-    return this->Options.pieces > 0 ? std::max<Index>(0, this->BestPieces - this->Options.pieces)
-                                    : 0;
+    return this->Options.pieces > 0
+      ? std::max<Index>(0, this->Settled.pieces - this->Options.pieces)
+      : 0;
   }
-
-  /// A seam or dart to be drawn, the first of each pair of images.
-  struct Seam
-  {
-    Points3 chain;
-    bool dart = false;
-    bool crosses = false; ///< the mirror plane, in which the chain ends
-    bool paired = false;
-    int least = 0;  ///< level, that of a straight line where there is one
-    int level = 0;  ///< of SeamDrawing
-    Points3 points; ///< none: to be drawn
-    Points3 image;
-  };
 
   /// The surface on one side of the plane, if there is one.
   TriangleMesh side()
   {
-    if (!this->Plane)
+    if (!this->Mirror)
     {
       return this->Surface;
     }
     std::vector<Polyline> seams;
-    for (const PlaneSection& section :
-      planeSections(this->Surface, this->Plane->offset * this->Plane->normal, this->Plane->normal))
+    for (const PlaneSection& section : planeSections(this->Surface,
+           this->Mirror->plane.offset * this->Mirror->plane.normal, this->Mirror->plane.normal))
     {
       Polyline seam;
       seam.type = CurveType::Seam;
@@ -504,7 +405,7 @@ private:
     {
       open[h] = cut.mesh.twin(h) == none ? 1 : 0;
       side[cut.pieceOfTriangle[h / 3]] +=
-        cut.mesh.area(h / 3) * this->Plane->side(cut.mesh.point(cut.mesh.from(h)));
+        cut.mesh.area(h / 3) * this->Mirror->plane.side(cut.mesh.point(cut.mesh.from(h)));
     }
     Indices triangles;
     for (Index t = 0; t < cut.mesh.triangleCount(); ++t)
@@ -517,18 +418,13 @@ private:
     return openedPart(this->Surface, triangles, open).mesh;
   }
 
-  bool inPlane(const Point3& point) const
-  {
-    return this->Plane && std::abs(this->Plane->side(point)) < this->InPlane;
-  }
-
   /// Both sides of the plane together, cut along it as well. Empty where edges inside lie in it.
   CutMesh withMirrored(const CutMesh& half) const
   {
     CutMesh whole = half;
     const Index count = half.mesh.halfedgeCount();
     whole.images = numbersTo(count);
-    if (!this->Plane)
+    if (!this->Mirror)
     {
       return whole;
     }
@@ -536,11 +432,11 @@ private:
     Indices image;
     for (Index v = 0; v < half.mesh.vertexCount(); ++v)
     {
-      const bool shared = half.mesh.onBoundary(v) && this->inPlane(points[v]);
+      const bool shared = half.mesh.onBoundary(v) && this->Mirror->has(points[v]);
       image.push_back(shared ? v : static_cast<Index>(points.size()));
       if (!shared)
       {
-        points.push_back(this->Plane->mirrored(points[v]));
+        points.push_back(this->Mirror->plane.mirrored(points[v]));
       }
     }
     for (Index h = 0; h < count; ++h)
@@ -570,15 +466,15 @@ private:
   }
 
   /// \param half how many vertices are on one side of the plane
-  std::vector<Seam> seams(
+  std::vector<ChartSeam> seams(
     const TriangleMesh& mesh, Index half, const std::vector<Charts::Arc>& arcs) const
   {
-    std::vector<Seam> seams;
+    std::vector<ChartSeam> seams;
     for (bool darts : { false, true })
     {
       for (const Charts::Arc& arc : arcs)
       {
-        Seam seam;
+        ChartSeam seam;
         seam.dart = arc.dart;
         bool inside = false;
         for (Index v : arc.vertices)
@@ -586,7 +482,7 @@ private:
           if (v < half)
           {
             seam.chain.push_back(mesh.point(v));
-            inside = inside || !this->inPlane(mesh.point(v));
+            inside = inside || !(this->Mirror && this->Mirror->has(mesh.point(v)));
           }
         }
         seam.crosses = seam.chain.size() < arc.vertices.size();
@@ -598,7 +494,7 @@ private:
         {
           std::reverse(seam.chain.begin(), seam.chain.end());
         }
-        seam.paired = this->Plane && !seam.crosses && inside;
+        seam.paired = this->Mirror && !seam.crosses && inside;
         const bool closed = arc.vertices.front() == arc.vertices.back();
         seam.least = seam.level = !inside ? SeamDrawing::levels - 1 : closed ? 1 : 0;
         seams.push_back(std::move(seam));
@@ -607,247 +503,16 @@ private:
     return seams;
   }
 
-  /// What seams are drawn with on the surface.
-  struct Settling
-  {
-    SeamDrawing drawing;
-    ImprintOptions imprint;
-    ChartTrials trials;
-  };
-
-  /// Seams as they are drawn at some levels, and what they do.
-  struct Drawn
-  {
-    std::vector<SuggestedCurve> cuts;
-    Indices seamOf;           ///< by cut
-    std::vector<Indices> bad; ///< sets of cuts that meet, or each beside a piece that fails
-    bool laid = false;        ///< whether they can be laid into the surface
-    Index pieces = 0;
-    double worst = std::numeric_limits<double>::infinity();
-  };
-
-  Drawn drawn(Settling& settling, const std::vector<int>& levels, std::vector<Seam>& seams) const
-  {
-    Drawn result;
-    this->draw(settling.drawing, levels, seams);
-    this->Budget.pay(drawingSteps * static_cast<double>(this->Surface.triangleCount()));
-    result.cuts = cutsOf(seams, result.seamOf);
-    const std::vector<Polyline> lines = linesOf(result.cuts);
-    const ImprintedSurface imprinted = imprintCurves(this->Surface, lines, settling.imprint);
-    result.bad = failingLines(imprinted, lines.size());
-    if (result.bad.empty())
-    {
-      result.bad = dividingDarts(cutSurface(imprinted.mesh, imprinted.curves), result.cuts);
-    }
-    result.laid = result.bad.empty();
-    if (result.laid)
-    {
-      const DrawnPieces pieces(imprinted, settling.trials, this->Budget, this->Run);
-      result.bad = this->aroundBad(pieces, lines.size());
-      result.pieces = static_cast<Index>(pieces.pieces.size());
-      if (!this->Run.cancelled() && !this->Budget.spent())
-      {
-        result.worst = pieces.worst();
-      }
-    }
-    return result;
-  }
-
-  void keep(const Drawn& drawn)
-  {
-    this->Best = drawn.cuts;
-    this->BestCuts = drawn.cuts.size();
-    this->BestPieces = drawn.pieces;
-    this->Worst = drawn.worst;
-  }
-
-  /// As straight as charts that keep the bound and cuts that do not meet allow.
-  void settle(std::vector<Seam> seams)
-  {
-    ImprintOptions imprint;
-    imprint.snap = surfaceSnap;
-    Settling settling{ SeamDrawing(this->Surface), imprint,
-      ChartTrials(this->Options.flattening, mostDrawnSteps) };
-    std::vector<int> levels;
-    for (const Seam& seam : seams)
-    {
-      levels.push_back(seam.level);
-    }
-    bool changed = true;
-    for (int k = 0; k <= mostDrawings && changed && !this->Run.cancelled() && !this->Budget.spent();
-         ++k)
-    {
-      if (k == mostDrawings && this->Best.empty())
-      {
-        levels.assign(levels.size(), SeamDrawing::levels - 1);
-      }
-      const Drawn now = this->drawn(settling, levels, seams);
-      if (now.worst < this->Worst)
-      {
-        this->keep(now);
-      }
-      changed = raiseLevels(now.bad, now.seamOf, levels);
-      if (!changed && !now.laid)
-      {
-        // What cannot be drawn in any way is left out: of seams on each other the shortest.
-        changed = this->leaveOut(now.bad.front(), now.seamOf, now.cuts, seams, levels);
-      }
-      if (now.bad.empty() && now.worst <= this->Worst)
-      {
-        this->relax(settling, std::move(levels), std::move(seams));
-        return;
-      }
-    }
-  }
-
-  /// Draws seams straighter that were drawn anew beside others, where charts still keep the bound,
-  /// the longest first.
-  void relax(Settling& settling, std::vector<int> levels, std::vector<Seam> seams)
-  {
-    const double end = this->Budget.left() * (1.0 - relaxingShare);
-    const double most = std::max(this->Worst, relaxedShare * this->Bound);
-    Indices order = numbersTo(static_cast<Index>(seams.size()));
-    std::stable_sort(order.begin(), order.end(),
-      [&seams](Index a, Index b) { return lengthOf(seams[a].points) > lengthOf(seams[b].points); });
-    for (Index s : order)
-    {
-      const int before = levels[s];
-      for (int level = seams[s].least; level < before && levels[s] == before; ++level)
-      {
-        if (this->Run.cancelled() || this->Budget.left() < end)
-        {
-          return;
-        }
-        levels[s] = level;
-        const Drawn now = this->drawn(settling, levels, seams);
-        if (now.bad.empty() && now.worst <= most)
-        {
-          this->keep(now);
-          break;
-        }
-        levels[s] = before;
-      }
-    }
-  }
-
-  /// The shortest of the cuts, and its image.
-  bool leaveOut(const Indices& set, const Indices& seamOf, const std::vector<SuggestedCurve>& cuts,
-    std::vector<Seam>& seams, std::vector<int>& levels) const
-  {
-    const Index shortest = *std::min_element(
-      set.begin(), set.end(), [&](Index a, Index b) { return cuts[a].length < cuts[b].length; });
-    seams.erase(seams.begin() + seamOf[shortest]);
-    levels.erase(levels.begin() + seamOf[shortest]);
-    return !seams.empty();
-  }
-
-  void draw(
-    const SeamDrawing& drawing, const std::vector<int>& levels, std::vector<Seam>& seams) const
-  {
-    for (std::size_t s = 0; s < seams.size(); ++s)
-    {
-      Seam& seam = seams[s];
-      if (!seam.points.empty() && seam.level == levels[s])
-      {
-        continue;
-      }
-      seam.level = levels[s];
-      std::vector<SurfacePoint> chain;
-      std::vector<SurfacePoint> image;
-      for (const Point3& point : seam.chain)
-      {
-        chain.push_back(drawing.place(point));
-        if (seam.paired || seam.crosses)
-        {
-          image.push_back(
-            this->inPlane(point) ? chain.back() : drawing.place(this->Plane->mirrored(point)));
-        }
-      }
-      seam.points = drawing.draw(chain, seam.level);
-      seam.image.clear();
-      if (image.empty())
-      {
-        continue;
-      }
-      if (this->Plane->error > SurfaceMirror::exact)
-      {
-        seam.image = drawing.draw(image, seam.level);
-        continue;
-      }
-      for (const Point3& point : seam.points)
-      {
-        seam.image.push_back(this->inPlane(point) ? point : this->Plane->mirrored(point));
-      }
-    }
-  }
-
-  /// The seams and their images.
-  static std::vector<SuggestedCurve> cutsOf(const std::vector<Seam>& seams, Indices& seamOf)
-  {
-    std::vector<SuggestedCurve> cuts;
-    const auto add = [&](Points3 points, std::size_t s, Index mirrorOf) {
-      SuggestedCurve cut;
-      cut.curve.type = seams[s].dart ? CurveType::Dart : CurveType::Seam;
-      cut.length = lengthOf(points);
-      cut.curve.points = std::move(points);
-      cut.mirrorOf = mirrorOf;
-      cuts.push_back(std::move(cut));
-      seamOf.push_back(static_cast<Index>(s));
-    };
-    for (std::size_t s = 0; s < seams.size(); ++s)
-    {
-      Points3 points = seams[s].points;
-      const Points3& image = seams[s].image;
-      if (seams[s].crosses)
-      {
-        points.insert(points.end(), image.rbegin() + 1, image.rend());
-      }
-      add(std::move(points), s, none);
-      if (seams[s].paired)
-      {
-        add(image, s, static_cast<Index>(cuts.size()) - 1);
-      }
-    }
-    return cuts;
-  }
-
-  /// Each curve that bounds a piece which does not keep the bound.
-  std::vector<Indices> aroundBad(const DrawnPieces& pieces, std::size_t curves) const
-  {
-    std::vector<char> bad(curves, 0);
-    for (Index h = 0; h < pieces.cut.mesh.halfedgeCount(); ++h)
-    {
-      const Index curve = pieces.cut.curveOfHalfedge[h];
-      if (curve != none && !pieces.results[pieces.cut.pieceOfTriangle[h / 3]].keeps(this->Bound))
-      {
-        bad[curve] = 1;
-      }
-    }
-    std::vector<Indices> sets;
-    for (std::size_t k = 0; k < bad.size(); ++k)
-    {
-      if (bad[k])
-      {
-        sets.push_back({ static_cast<Index>(k) });
-      }
-    }
-    return sets;
-  }
-
   TriangleMesh Surface; ///< with the section of the plane
-  std::optional<SymmetryPlane> Plane;
+  std::optional<MirrorSection> Mirror;
   bool Straight;
   ChartOptions Options; ///< on few triangles
   double Bound;
   TrialBudget& Budget;
   const Execution& Run;
   double Size;        ///< sqrt(area / pi)
-  double InPlane;     ///< the distance within which points are
   ChartTrials Trials; ///< on few triangles
-  std::vector<SuggestedCurve> Best;
-  std::size_t BestCuts = 0;
-  Index BestPieces = 0;
-  double Worst = std::numeric_limits<double>::infinity(); ///< of the best
+  SettledSeams Settled;
 };
 
 /// The cuts of a version with fewer triangles on the surface itself.
@@ -889,7 +554,7 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
   {
     return false;
   }
-  const DrawnPieces drawn(surface, trials, budget, execution);
+  const DrawnPieces drawn(cutSurface(surface.mesh, surface.curves), trials, budget, execution);
   const std::vector<Piece>& pieces = drawn.pieces;
   const Indices images =
     pieceImages(pieceSurfaces(surface, drawn.cut), mirror, std::sqrt(mesh.area() / pi));

@@ -23,6 +23,49 @@ constexpr double leastStep = 0.02;
 /// By level, how far lines go from their chains, in the longest steps of these.
 constexpr std::array<double, SeamDrawing::levels> farthest{ std::numeric_limits<double>::infinity(),
   3.0, 1.0, 0.4, 0.0 };
+
+/// Sets of curves that meet elsewhere than at ends of all of them, that run along the boundary, or
+/// of which one is a dart whose tip, its last point, is on others.
+std::vector<Indices> meetingCurves(const ImprintedSurface& surface)
+{
+  std::set<Indices> sets;
+  std::vector<Indices> through(surface.mesh.vertexCount());
+  std::vector<char> inside(surface.mesh.vertexCount(), 0);
+  std::map<Indices, Index> owner; // by the ends of an edge
+  for (std::size_t c = 0; c < surface.curves.size(); ++c)
+  {
+    const Indices& vertices = surface.curves[c].vertices;
+    for (std::size_t k = 1; k < vertices.size(); ++k)
+    {
+      const auto [a, b] = std::minmax(vertices[k - 1], vertices[k]);
+      const auto entry = owner.emplace(Indices{ a, b }, static_cast<Index>(c));
+      const Index h = surface.mesh.find(a, b);
+      if (!entry.second || h == none || surface.mesh.twin(h) == none)
+      {
+        sets.insert({ entry.first->second, static_cast<Index>(c) });
+      }
+    }
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+    {
+      const bool tip = k + 1 == vertices.size() && surface.curves[c].type == CurveType::Dart;
+      const bool inner = (k > 0 && k + 1 < vertices.size()) || tip;
+      through[vertices[k]].push_back(static_cast<Index>(c));
+      inside[vertices[k]] = inside[vertices[k]] || inner ? 1 : 0;
+      if (inner && surface.mesh.onBoundary(vertices[k]))
+      {
+        sets.insert({ static_cast<Index>(c) });
+      }
+    }
+  }
+  for (std::size_t v = 0; v < through.size(); ++v)
+  {
+    if (inside[v] && through[v].size() > 1)
+    {
+      sets.insert(through[v]);
+    }
+  }
+  return { sets.begin(), sets.end() };
+}
 }
 
 bool isCrease(const TriangleMesh& mesh, Index halfedge)
@@ -134,45 +177,22 @@ Points3 SeamDrawing::draw(const std::vector<SurfacePoint>& chain, int level) con
   return positions;
 }
 
-std::vector<Indices> meetingCurves(const ImprintedSurface& surface)
+std::vector<Indices> failingLines(const ImprintedSurface& imprinted, std::size_t count)
 {
-  std::set<Indices> sets;
-  std::vector<Indices> through(surface.mesh.vertexCount());
-  std::vector<char> inside(surface.mesh.vertexCount(), 0);
-  std::map<Indices, Index> owner; // by the ends of an edge
-  for (std::size_t c = 0; c < surface.curves.size(); ++c)
+  if (imprinted.status.ok())
   {
-    const Indices& vertices = surface.curves[c].vertices;
-    for (std::size_t k = 1; k < vertices.size(); ++k)
-    {
-      const auto [a, b] = std::minmax(vertices[k - 1], vertices[k]);
-      const auto entry = owner.emplace(Indices{ a, b }, static_cast<Index>(c));
-      const Index h = surface.mesh.find(a, b);
-      if (!entry.second || h == none || surface.mesh.twin(h) == none)
-      {
-        sets.insert({ entry.first->second, static_cast<Index>(c) });
-      }
-    }
-    for (std::size_t k = 0; k < vertices.size(); ++k)
-    {
-      const bool tip = k + 1 == vertices.size() && surface.curves[c].type == CurveType::Dart;
-      const bool inner = (k > 0 && k + 1 < vertices.size()) || tip;
-      through[vertices[k]].push_back(static_cast<Index>(c));
-      inside[vertices[k]] = inside[vertices[k]] || inner ? 1 : 0;
-      if (inner && surface.mesh.onBoundary(vertices[k]))
-      {
-        sets.insert({ static_cast<Index>(c) });
-      }
-    }
+    return meetingCurves(imprinted);
   }
-  for (std::size_t v = 0; v < through.size(); ++v)
+  if (imprinted.status.curve != none)
   {
-    if (inside[v] && through[v].size() > 1)
-    {
-      sets.insert(through[v]);
-    }
+    return { { imprinted.status.curve } };
   }
-  return { sets.begin(), sets.end() };
+  std::vector<Indices> bad;
+  for (Index k = 0; k < static_cast<Index>(count); ++k)
+  {
+    bad.push_back({ k });
+  }
+  return bad;
 }
 
 bool raiseLevels(const std::vector<Indices>& sets, const Indices& ownerOf, std::vector<int>& levels)

@@ -18,6 +18,8 @@ public:
   /// How near to its chain a line stays: drawn tight; within some steps of the chain; not
   /// smoothed at all.
   static constexpr int levels = 5;
+  /// What drawing and imprinting takes, in steps of a flattening.
+  static constexpr double steps = 5.0;
 
   /// The mesh must outlive it.
   explicit SeamDrawing(const TriangleMesh& mesh);
@@ -36,9 +38,10 @@ private:
   SnapDistance Snap;
 };
 
-/// Sets of curves that meet elsewhere than at ends of all of them, that run along the boundary, or
-/// of which one is a dart whose tip, its last point, is on others.
-std::vector<Indices> meetingCurves(const ImprintedSurface& surface);
+/// Sets of lines that cannot be laid into a surface together: that meet elsewhere than at ends of
+/// all of them, run along the boundary, or end as a dart on others. All of them, each alone, where
+/// it is not known which. \param count of lines
+std::vector<Indices> failingLines(const ImprintedSurface& imprinted, std::size_t count);
 
 /// Raises the lowest level in each set, of equal ones that of the last. False where all are
 /// highest.

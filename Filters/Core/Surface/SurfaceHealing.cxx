@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surface/SurfaceHealing.h"
 
+#include "Base/CompressedRows.h"
 #include "Base/Memory.h"
 #include "Surface/HalfedgeKey.h"
 #include "Surface/TriangleMesh.h"
@@ -29,35 +30,6 @@ constexpr double singleFinArea = 1e-1;
 constexpr double largestBend = 60.0 * degree;
 constexpr double clearBend = 30.0 * degree;
 constexpr int mostRounds = 64;
-
-/// Sets of numbers that are united; the least of each stands for it.
-class UnitedSets
-{
-public:
-  explicit UnitedSets(std::size_t count)
-    : Parent(count)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
-  }
-  Index root(Index i)
-  {
-    while (this->Parent[i] != i)
-    {
-      this->Parent[i] = this->Parent[this->Parent[i]];
-      i = this->Parent[i];
-    }
-    return i;
-  }
-  void unite(Index a, Index b)
-  {
-    const Index first = this->root(a);
-    const Index second = this->root(b);
-    this->Parent[std::max(first, second)] = std::min(first, second);
-  }
-
-private:
-  Indices Parent;
-};
 
 /// The surface while it is mended: triangles over the input's points, and over those behind them,
 /// which are copies.
@@ -95,16 +67,16 @@ Indices takeOut(Draft& draft, const Predicate& isTaken)
   return taken;
 }
 
-void joinCorners(Draft& draft, UnitedSets& places)
+void joinCorners(Draft& draft, JoinedSets& places)
 {
   for (Triangle& t : draft.triangles)
   {
-    t = { places.root(t[0]), places.root(t[1]), places.root(t[2]) };
+    t = { places.find(t[0]), places.find(t[1]), places.find(t[2]) };
   }
 }
 
 /// Unites the ends of edges that are none. \return the points that were joined to another
-Indices joinCollapsed(const Draft& draft, UnitedSets& places)
+Indices joinCollapsed(const Draft& draft, JoinedSets& places)
 {
   std::vector<double> length(draft.points.size(), 0.0);
   Indices count(draft.points.size(), 0);
@@ -133,14 +105,14 @@ Indices joinCollapsed(const Draft& draft, UnitedSets& places)
   forEachEdge([&](Index a, Index b, double edge) {
     if (edge <= collapsedEdge * std::max(length[a] / count[a], length[b] / count[b]))
     {
-      places.unite(a, b);
+      places.join(a, b);
       joined.insert(joined.end(), { a, b });
     }
   });
   std::sort(joined.begin(), joined.end());
   joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
   joined.erase(std::remove_if(
-                 joined.begin(), joined.end(), [&places](Index p) { return places.root(p) == p; }),
+                 joined.begin(), joined.end(), [&places](Index p) { return places.find(p) == p; }),
     joined.end());
   return joined;
 }
@@ -315,38 +287,32 @@ struct Parts
   double largest = 0.0;
 
   Parts(const Draft& draft, const Indices& partner)
-    : ofTriangle(draft.triangles.size(), none)
   {
-    Indices stack;
-    for (std::size_t seed = 0; seed < draft.triangles.size(); ++seed)
+    JoinedSets sets(static_cast<Index>(draft.triangles.size()));
+    for (std::size_t h = 0; h < partner.size(); ++h)
     {
-      if (this->ofTriangle[seed] != none)
+      if (partner[h] != none)
       {
-        continue;
+        sets.join(static_cast<Index>(h / 3), partner[h] / 3);
       }
-      const Index part = static_cast<Index>(this->area.size());
-      this->area.push_back(0.0);
-      this->triangleCount.push_back(0);
-      this->ofTriangle[seed] = part;
-      stack.push_back(static_cast<Index>(seed));
-      while (!stack.empty())
+    }
+    for (const Triangle& c : draft.triangles)
+    {
+      const auto t = static_cast<Index>(this->ofTriangle.size());
+      const Index first = sets.find(t);
+      if (first == t)
       {
-        const Index t = stack.back();
-        stack.pop_back();
-        const Triangle& c = draft.triangles[t];
-        this->area[part] +=
-          0.5 * areaVector(draft.points[c[0]], draft.points[c[1]], draft.points[c[2]]).norm();
-        ++this->triangleCount[part];
-        for (Index h = 3 * t; h < 3 * t + 3; ++h)
-        {
-          const Index other = partner[h] == none ? none : partner[h] / 3;
-          if (other != none && this->ofTriangle[other] == none)
-          {
-            this->ofTriangle[other] = part;
-            stack.push_back(other);
-          }
-        }
+        this->ofTriangle.push_back(static_cast<Index>(this->area.size()));
+        this->area.push_back(0.0);
+        this->triangleCount.push_back(0);
       }
+      else
+      {
+        this->ofTriangle.push_back(this->ofTriangle[first]);
+      }
+      this->area[this->ofTriangle[t]] +=
+        0.5 * areaVector(draft.points[c[0]], draft.points[c[1]], draft.points[c[2]]).norm();
+      ++this->triangleCount[this->ofTriangle[t]];
     }
     this->largest = *std::max_element(this->area.begin(), this->area.end());
   }
@@ -495,7 +461,7 @@ std::pair<Index, Index> endsOf(const Draft& draft, Index h)
 Indices splitFans(Draft& draft, const Indices& partner)
 {
   Triangles& triangles = draft.triangles;
-  UnitedSets corners(3 * triangles.size());
+  JoinedSets corners(static_cast<Index>(3 * triangles.size()));
   const auto next = [](Index h) { return TriangleMesh::next(h); };
   const auto start = [&triangles](Index h) { return triangles[h / 3][h % 3]; };
   for (std::size_t k = 0; k < partner.size(); ++k)
@@ -505,8 +471,8 @@ Indices splitFans(Draft& draft, const Indices& partner)
     if (g != none)
     {
       const bool alike = start(h) != start(g); // neighbors may still be oriented differently
-      corners.unite(h, alike ? next(g) : g);
-      corners.unite(next(h), alike ? g : next(g));
+      corners.join(h, alike ? next(g) : g);
+      corners.join(next(h), alike ? g : next(g));
     }
   }
   Indices fanOf(draft.points.size(), none); // the first
@@ -514,8 +480,8 @@ Indices splitFans(Draft& draft, const Indices& partner)
   for (Index h = 0; h < static_cast<Index>(partner.size()); ++h)
   {
     Index& fan = fanOf[start(h)];
-    fan = fan == none ? corners.root(h) : fan;
-    if (fan != corners.root(h))
+    fan = fan == none ? corners.find(h) : fan;
+    if (fan != corners.find(h))
     {
       pinched.push_back(start(h));
     }
@@ -531,7 +497,7 @@ Indices splitFans(Draft& draft, const Indices& partner)
   {
     if (std::binary_search(pinched.begin(), pinched.end(), start(h)))
     {
-      fans[start(h)][corners.root(h)].push_back(h);
+      fans[start(h)][corners.find(h)].push_back(h);
     }
   }
   for (const auto& [point, ofPoint] : fans)
@@ -747,11 +713,11 @@ HealedSurface heal(
   Draft draft{ points, Indices(points.size()), triangles, Indices(triangles.size()) };
   std::iota(draft.source.begin(), draft.source.end(), 0);
   std::iota(draft.origin.begin(), draft.origin.end(), 0);
-  UnitedSets places(points.size());
+  JoinedSets places(static_cast<Index>(points.size()));
   const Indices first = firstInPlace(points, triangles, coincident);
   for (std::size_t p = 0; p < points.size(); ++p)
   {
-    places.unite(static_cast<Index>(p), first[p]);
+    places.join(static_cast<Index>(p), first[p]);
   }
   joinCorners(draft, places);
   HealedSurface result;
@@ -783,7 +749,7 @@ HealedSurface heal(
   result.vertexOfPoint.resize(points.size(), none);
   for (std::size_t p = 0; p < points.size(); ++p)
   {
-    result.vertexOfPoint[p] = result.vertexOfPoint[places.root(static_cast<Index>(p))];
+    result.vertexOfPoint[p] = result.vertexOfPoint[places.find(static_cast<Index>(p))];
   }
   Indices& joined = result.joinedPoints; // to a point that is left
   joined.erase(std::remove_if(joined.begin(), joined.end(),

@@ -50,12 +50,18 @@ struct CurveRules
   }
 };
 
-/// Whether an edge keeps its length: not on connectors, and where the boundary is free only on
-/// accessory and key curves.
+/// Whether the length of a curve, or of the boundary beside all curves (none), is kept: where the
+/// boundary is free only that of accessory and key curves.
+inline bool holdsLength(Index curve, const std::vector<FeatureCurve>& curves, bool freeBoundary)
+{
+  return !freeBoundary || (curve != none && !curves[curve].opens());
+}
+
+/// The same for an edge; those of connectors are not kept.
 inline bool holdsLength(
   const WireEdge& edge, const std::vector<FeatureCurve>& curves, bool freeBoundary)
 {
-  return !edge.connector && (!freeBoundary || (edge.curve != none && !curves[edge.curve].opens()));
+  return !edge.connector && holdsLength(edge.curve, curves, freeBoundary);
 }
 
 /// A wire-node's angle where a key curve prescribes it.

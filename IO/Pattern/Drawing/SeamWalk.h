@@ -37,10 +37,10 @@ struct WalkInterval
 Status walkSeams(const PatternSource& source, const PatternOptions& given,
   std::vector<WalkInterval>& walk, FairCache* cache = nullptr);
 
-/// The walk as a table of comma-separated values: a head, and a row an interval.
+/// The walk as a table of comma-separated values: a head, and one row for each interval.
 std::string makeWalkTable(const std::vector<WalkInterval>& walk, const Pattern& pattern);
 
-/// The same for people to read: a head and a row an interval.
+/// The same for people to read: a head and one row for each interval.
 std::vector<std::vector<std::string>> walkRows(
   const std::vector<WalkInterval>& walk, const Pattern& pattern);
 }

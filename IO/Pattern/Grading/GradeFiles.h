@@ -8,8 +8,8 @@ namespace flattening::pattern
 /// An SVG at true scale with the sew lines of all sizes on each other, a layer and a colour a size.
 std::string makeNest(const Grading& grading, const std::string& name);
 
-/// Comma-separated values, a row a rule: piece (from 1), point, name, and dx and dy of each size,
-/// millimetres across the grain and along it.
+/// Comma-separated values, one row for each rule: piece (from 1), point, name, and dx and dy of
+/// each size, millimetres across the grain and along it.
 std::string makeRuleList(const Grading& grading);
 
 /// The rule table after ASTM D6673, to the texts "# 1", "# 2", ... beside the points of a DXF of

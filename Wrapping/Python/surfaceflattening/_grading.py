@@ -43,7 +43,7 @@ class Grading:
         base: the one that rules count from.
         positions: by size, points in mm from the point of their piece at which sizes are laid on each other, y
             along the grain; float64, shape (n, 2).
-        rules: a row a grade point: ends of curves on the border, and corners of the boundary.
+        rules: one row for each grade point: ends of curves on the border, and corners of the boundary.
         nest: the same as a vtkPolyData, the output of vtkPatternGrading.
     """
 

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/SeamSettling.h"
+
+#include "Imprint/CurveImprint.h"
+#include "Suggestion/CutThinning.h"
+#include "Suggestion/SeamDrawing.h"
+#include "Suggestion/SurfaceMirror.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace flattening
+{
+namespace
+{
+/// On the surface itself: more than the default, so that what is far enough apart here is so there.
+constexpr double surfaceSnap = 1e-2;
+/// Seams are drawn anew this often at most.
+constexpr int mostDrawings = 24;
+/// Of the work that is left then, what drawing them straighter may take.
+constexpr double relaxingShare = 0.5;
+/// Of the bound, up to where: the flattening to come may have a few triangles otherwise.
+constexpr double relaxedShare = 0.95;
+
+/// Each dart that has different pieces at its sides.
+std::vector<Indices> dividingDarts(const CutSurface& cut, const std::vector<SuggestedCurve>& cuts)
+{
+  std::vector<std::set<Index>> beside(cuts.size());
+  for (Index h = 0; h < cut.mesh.halfedgeCount(); ++h)
+  {
+    if (cut.curveOfHalfedge[h] != none)
+    {
+      beside[cut.curveOfHalfedge[h]].insert(cut.pieceOfTriangle[h / 3]);
+    }
+  }
+  std::vector<Indices> sets;
+  for (std::size_t c = 0; c < cuts.size(); ++c)
+  {
+    if (cuts[c].curve.type == CurveType::Dart && beside[c].size() > 1)
+    {
+      sets.push_back({ static_cast<Index>(c) });
+    }
+  }
+  return sets;
+}
+
+class SeamSettling
+{
+public:
+  SeamSettling(const TriangleMesh& surface, const std::optional<MirrorSection>& mirror,
+    double bound, const FlatteningOptions& flattening, TrialBudget& budget,
+    const Execution& execution)
+    : Surface(surface)
+    , Mirror(mirror)
+    , Bound(bound)
+    , Budget(budget)
+    , Run(execution)
+    , Drawing(surface)
+    , Trials(flattening, mostDrawnSteps)
+  {
+    this->Imprint.snap = surfaceSnap;
+  }
+
+  SettledSeams run(std::vector<ChartSeam> seams)
+  {
+    std::vector<int> levels;
+    for (const ChartSeam& seam : seams)
+    {
+      levels.push_back(seam.level);
+    }
+    bool changed = true;
+    for (int k = 0; k <= mostDrawings && changed && !this->Run.cancelled() && !this->Budget.spent();
+         ++k)
+    {
+      if (k == mostDrawings && this->Best.cuts.empty())
+      {
+        levels.assign(levels.size(), SeamDrawing::levels - 1);
+      }
+      const Drawn now = this->drawn(levels, seams);
+      if (now.worst < this->Best.worst)
+      {
+        this->keep(now);
+      }
+      changed = raiseLevels(now.bad, now.seamOf, levels);
+      if (!changed && !now.laid)
+      {
+        // What cannot be drawn in any way is left out: of seams on each other the shortest.
+        changed = this->leaveOut(now.bad.front(), now.seamOf, now.cuts, seams, levels);
+      }
+      if (now.bad.empty() && now.worst <= this->Best.worst)
+      {
+        this->relax(std::move(levels), std::move(seams));
+        break;
+      }
+    }
+    return std::move(this->Best);
+  }
+
+private:
+  /// Seams as they are drawn at some levels, and what they do.
+  struct Drawn
+  {
+    std::vector<SuggestedCurve> cuts;
+    Indices seamOf;           ///< by cut
+    std::vector<Indices> bad; ///< sets of cuts that meet, or each beside a piece that fails
+    bool laid = false;        ///< whether they can be laid into the surface
+    Index pieces = 0;
+    double worst = std::numeric_limits<double>::infinity();
+  };
+
+  Drawn drawn(const std::vector<int>& levels, std::vector<ChartSeam>& seams)
+  {
+    Drawn result;
+    this->draw(levels, seams);
+    this->Budget.pay(SeamDrawing::steps * static_cast<double>(this->Surface.triangleCount()));
+    result.cuts = cutsOf(seams, result.seamOf);
+    const std::vector<Polyline> lines = linesOf(result.cuts);
+    const ImprintedSurface imprinted = imprintCurves(this->Surface, lines, this->Imprint);
+    result.bad = failingLines(imprinted, lines.size());
+    if (!result.bad.empty())
+    {
+      return result;
+    }
+    CutSurface cut = cutSurface(imprinted.mesh, imprinted.curves);
+    result.bad = dividingDarts(cut, result.cuts);
+    result.laid = result.bad.empty();
+    if (result.laid)
+    {
+      const DrawnPieces pieces(std::move(cut), this->Trials, this->Budget, this->Run);
+      result.bad = this->aroundBad(pieces, lines.size());
+      result.pieces = static_cast<Index>(pieces.pieces.size());
+      if (!this->Run.cancelled() && !this->Budget.spent())
+      {
+        result.worst = pieces.worst();
+      }
+    }
+    return result;
+  }
+
+  void keep(const Drawn& drawn) { this->Best = { drawn.cuts, drawn.pieces, drawn.worst }; }
+
+  /// Draws seams straighter that were drawn anew beside others, where charts still keep the bound,
+  /// the longest first.
+  void relax(std::vector<int> levels, std::vector<ChartSeam> seams)
+  {
+    const double end = this->Budget.left() * (1.0 - relaxingShare);
+    const double most = std::max(this->Best.worst, relaxedShare * this->Bound);
+    Indices order(seams.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+      [&seams](Index a, Index b) { return lengthOf(seams[a].points) > lengthOf(seams[b].points); });
+    for (Index s : order)
+    {
+      const int before = levels[s];
+      for (int level = seams[s].least; level < before; ++level)
+      {
+        if (this->Run.cancelled() || this->Budget.left() < end)
+        {
+          return;
+        }
+        levels[s] = level;
+        const Drawn now = this->drawn(levels, seams);
+        if (now.bad.empty() && now.worst <= most)
+        {
+          this->keep(now);
+          break;
+        }
+        levels[s] = before;
+      }
+    }
+  }
+
+  /// The shortest of the cuts, and its image.
+  bool leaveOut(const Indices& set, const Indices& seamOf, const std::vector<SuggestedCurve>& cuts,
+    std::vector<ChartSeam>& seams, std::vector<int>& levels) const
+  {
+    const Index shortest = *std::min_element(
+      set.begin(), set.end(), [&](Index a, Index b) { return cuts[a].length < cuts[b].length; });
+    seams.erase(seams.begin() + seamOf[shortest]);
+    levels.erase(levels.begin() + seamOf[shortest]);
+    return !seams.empty();
+  }
+
+  void draw(const std::vector<int>& levels, std::vector<ChartSeam>& seams) const
+  {
+    for (std::size_t s = 0; s < seams.size(); ++s)
+    {
+      ChartSeam& seam = seams[s];
+      if (!seam.points.empty() && seam.level == levels[s])
+      {
+        continue;
+      }
+      seam.level = levels[s];
+      std::vector<SurfacePoint> chain;
+      std::vector<SurfacePoint> image;
+      for (const Point3& point : seam.chain)
+      {
+        chain.push_back(this->Drawing.place(point));
+        if (seam.paired || seam.crosses)
+        {
+          image.push_back(this->Mirror->has(point)
+              ? chain.back()
+              : this->Drawing.place(this->Mirror->plane.mirrored(point)));
+        }
+      }
+      seam.points = this->Drawing.draw(chain, seam.level);
+      seam.image.clear();
+      if (image.empty())
+      {
+        continue;
+      }
+      if (this->Mirror->plane.error > SurfaceMirror::exact)
+      {
+        seam.image = this->Drawing.draw(image, seam.level);
+        continue;
+      }
+      for (const Point3& point : seam.points)
+      {
+        seam.image.push_back(
+          this->Mirror->has(point) ? point : this->Mirror->plane.mirrored(point));
+      }
+    }
+  }
+
+  /// The seams and their images.
+  static std::vector<SuggestedCurve> cutsOf(const std::vector<ChartSeam>& seams, Indices& seamOf)
+  {
+    std::vector<SuggestedCurve> cuts;
+    const auto add = [&](Points3 points, std::size_t s, Index mirrorOf) {
+      SuggestedCurve cut;
+      cut.curve.type = seams[s].dart ? CurveType::Dart : CurveType::Seam;
+      cut.length = lengthOf(points);
+      cut.curve.points = std::move(points);
+      cut.mirrorOf = mirrorOf;
+      cuts.push_back(std::move(cut));
+      seamOf.push_back(static_cast<Index>(s));
+    };
+    for (std::size_t s = 0; s < seams.size(); ++s)
+    {
+      Points3 points = seams[s].points;
+      const Points3& image = seams[s].image;
+      if (seams[s].crosses)
+      {
+        points.insert(points.end(), image.rbegin() + 1, image.rend());
+      }
+      add(std::move(points), s, none);
+      if (seams[s].paired)
+      {
+        add(image, s, static_cast<Index>(cuts.size()) - 1);
+      }
+    }
+    return cuts;
+  }
+
+  /// Each curve that bounds a piece which does not keep the bound.
+  std::vector<Indices> aroundBad(const DrawnPieces& pieces, std::size_t curves) const
+  {
+    std::vector<char> bad(curves, 0);
+    for (Index h = 0; h < pieces.cut.mesh.halfedgeCount(); ++h)
+    {
+      const Index curve = pieces.cut.curveOfHalfedge[h];
+      if (curve != none && !pieces.results[pieces.cut.pieceOfTriangle[h / 3]].keeps(this->Bound))
+      {
+        bad[curve] = 1;
+      }
+    }
+    std::vector<Indices> sets;
+    for (std::size_t k = 0; k < bad.size(); ++k)
+    {
+      if (bad[k])
+      {
+        sets.push_back({ static_cast<Index>(k) });
+      }
+    }
+    return sets;
+  }
+
+  const TriangleMesh& Surface;
+  const std::optional<MirrorSection>& Mirror;
+  double Bound;
+  TrialBudget& Budget;
+  const Execution& Run;
+  SeamDrawing Drawing;
+  ImprintOptions Imprint;
+  ChartTrials Trials;
+  SettledSeams Best;
+};
+}
+
+SettledSeams settleSeams(const TriangleMesh& surface, const std::optional<MirrorSection>& mirror,
+  std::vector<ChartSeam> seams, double bound, const FlatteningOptions& flattening,
+  TrialBudget& budget, const Execution& execution)
+{
+  return SeamSettling(surface, mirror, bound, flattening, budget, execution).run(std::move(seams));
+}
+}
