@@ -621,6 +621,7 @@ flattening::pattern::FileOptions vtkPatternWriter::MakeOptions(int format) const
   options.pattern.notchCorners = this->NotchCorners;
   options.pattern.notchCurveEnds = this->NotchCurveEnds;
   options.pattern.notchLength = this->NotchLength;
+  options.pattern.joinMarks = this->JoinMarks;
   options.pattern.cutOnFold = this->CutOnFold;
   options.pattern.foldsAlong = this->Folds;
   options.pattern.dartTip = this->DartTip;
@@ -639,6 +640,7 @@ flattening::pattern::FileOptions vtkPatternWriter::MakeOptions(int format) const
   options.fabric.nap = this->FabricNap;
   options.fabric.gap = this->FabricGap;
   options.laserColours = this->LaserColors;
+  options.cutterStyle = this->CutterStyle;
   return options;
 }
 
@@ -649,6 +651,7 @@ void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "FileFormat: " << this->GetFileFormatAsString() << "\n";
   os << indent << "LaserColors: " << (this->LaserColors ? "On" : "Off") << "\n";
+  os << indent << "CutterStyle: " << (this->CutterStyle ? "On" : "Off") << "\n";
   os << indent << "Paper: " << this->GetPaperAsString() << "\n";
   os << indent << "PageOverlap: " << this->PageOverlap << "\n";
   os << indent << "MaximumPages: " << this->MaximumPages << "\n";
@@ -675,6 +678,7 @@ void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MitreLimit: " << this->MitreLimit << "\n";
   os << indent << "NotchSpacing: " << this->NotchSpacing << "\n";
   os << indent << "NotchLength: " << this->NotchLength << "\n";
+  os << indent << "JoinMarks: " << (this->JoinMarks ? "On" : "Off") << "\n";
   os << indent << "CutDartsOut: " << (this->CutDartsOut ? "On" : "Off") << "\n";
   for (const auto& [curve, distances] : this->CurveNotches)
   {

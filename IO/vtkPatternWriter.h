@@ -47,7 +47,8 @@
  * `to_mm` (along the curve, on the surface), `length_a_mm`, `length_b_mm` (of the two sides,
  * measured on what is drawn), `difference_mm`, `ease_percent` (of side a over side b),
  * `angle_sum_start_deg`, `angle_sum_end_deg` (of the cloth of both sides there: 180 where it runs
- * on smoothly over the seam; 360 within an edge; at a dart's tip that of one point).
+ * on smoothly over the seam; 360 within an edge; at a dart's tip that of one point), `join` (its
+ * mark; empty for folded darts).
  *
  * - **Nest**, **GradeList**, **RuleTable**: of the sizes on port 3, an SVG with the sew lines of all
  *   sizes on each other, a layer a size; comma-separated values with a row for each point that has
@@ -182,6 +183,18 @@ public:
   vtkSetMacro(LaserColors, bool);
   vtkGetMacro(LaserColors, bool);
   vtkBooleanMacro(LaserColors, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Draw a DXF for laser, knife and router in the place of one for pattern systems: model space
+   * alone, the layers CUT (outlines and holes, once each), MARK (sew lines off the outline, darts,
+   * curves, notches, drill holes, grain) and TEXT, polylines with arcs that are within 0.03 mm of
+   * the drawing, no points; sheet materials have no grainline. Default: off.
+   */
+  vtkSetMacro(CutterStyle, bool);
+  vtkGetMacro(CutterStyle, bool);
+  vtkBooleanMacro(CutterStyle, bool);
   ///@}
 
   /**
@@ -369,7 +382,9 @@ public:
   /**
    * Notches lie at multiples of this length on the surface from the start of each stretch of a seam
    * or dart, on both sides, but not within a quarter of it before the end; in the middle of a
-   * stretch where there is none of these. In millimetres; 0: only the mouths of darts are notched.
+   * stretch where there is none of these. Where the notches of a seam would be the same from either
+   * end, the first one moves towards the start, by a quarter of this or a tenth of the stretch. In
+   * millimetres; 0: only the mouths of darts are notched.
    * -1: about a sixth of the largest piece. Default: -1. Range: from 0, or -1; so small that a
    * stretch would get 10000 notches is refused.
    */
@@ -429,6 +444,18 @@ public:
    */
   vtkSetClampMacro(NotchLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NotchLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Mark both sides of each stretch that is sewn to another with the same letters, A, B, ..., AA,
+   * in the middle and, where there is room, near both ends. A PDF on A4, letter or A3 lists them
+   * with their pieces and lengths after the pattern, and a walk has them in its column `join`.
+   * Folded darts have none. Default: on.
+   */
+  vtkSetMacro(JoinMarks, bool);
+  vtkGetMacro(JoinMarks, bool);
+  vtkBooleanMacro(JoinMarks, bool);
   ///@}
 
   ///@{
@@ -671,6 +698,7 @@ private:
   int FileFormat = AUTOMATIC;
   // These are first as pattern::FileOptions has them.
   bool LaserColors = false;
+  bool CutterStyle = false;
   int Paper = 0;
   double PageOverlap = 0.0;
   int MaximumPages = 0;
@@ -690,6 +718,7 @@ private:
   bool NotchCorners = false;
   bool NotchCurveEnds = false;
   double NotchLength = 0.0;
+  bool JoinMarks = true;
   bool CutDartsOut = false;
   bool CutOnFold = false;
   std::set<std::string> Folds;

@@ -48,6 +48,9 @@ PatternDialog::PatternDialog(vtkPatternWriter* writer, const PieceEases& eases,
   this->addChoice("NotchCurveEnds", "Notches at ends of curves",
     "Where curves end on the border, and opposite on what is sewn to it.",
     writer->GetNotchCurveEnds(), [writer](bool on) { writer->SetNotchCurveEnds(on); });
+  this->addChoice("JoinMarks", "Marks of joins",
+    "The same letters along both sides of what is sewn together.", writer->GetJoinMarks(),
+    [writer](bool on) { writer->SetJoinMarks(on); });
   this->addLength("FairTolerance", "Smooth outlines within",
     "Borders and curves as splines of the same lengths, at most this far from the points of the "
     "mesh. 0: as the mesh has them.",

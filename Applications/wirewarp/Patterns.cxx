@@ -322,6 +322,9 @@ void addDrawing(CLI::App& app, PatternRequest& request)
   addFlag("--notch-curve-ends", &vtkPatternWriter::SetNotchCurveEnds,
     "Notch the border where feature curves and edges end on it, and opposite on what is sewn to "
     "it");
+  app.add_flag_callback(
+    "--no-join-marks", [writer] { writer->SetJoinMarks(false); },
+    "No letters along the two sides of what is sewn together");
   addLengths(app, "--smooth", set(&vtkPatternWriter::SetFairTolerance),
     setOfCurve(&vtkPatternWriter::SetCurveFairTolerance),
     "Draw borders as smooth splines at most this far from the mesh. They keep their lengths and "
@@ -373,9 +376,17 @@ void addDrawing(CLI::App& app, PatternRequest& request)
     ->default_str(papers[static_cast<std::size_t>(writer->GetPaper())]);
   app
     .add_option_function<std::string>(
-      "--style", [writer](const std::string& style) { writer->SetLaserColors(style == "laser"); },
-      "Lines of the SVG: sewing, or laser (thin lines, a color for each role)")
-    ->transform(CLI::IsMember({ "sewing", "laser" }, CLI::ignore_case).description(""))
+      "--style",
+      [writer](const std::string& style) {
+        writer->SetLaserColors(style == "laser");
+        writer->SetCutterStyle(style != "sewing");
+      },
+      "What the files are for: sewing, laser or cutter. Laser and cutter: a DXF with the layers "
+      "CUT, "
+      "MARK and TEXT, each line once, with arcs; laser: thin lines in SVG as well, a color for "
+      "each "
+      "role")
+    ->transform(CLI::IsMember({ "sewing", "laser", "cutter" }, CLI::ignore_case).description(""))
     ->type_name("STYLE");
   addFlag("--seam-table", &vtkPatternWriter::SetWalkTable,
     "Append the lengths of both sides of seams to the PDF");

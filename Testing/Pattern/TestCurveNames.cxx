@@ -151,7 +151,7 @@ TEST(CurveNames, ATitleIsCutWhereThePieceHasNoRoomForItAndOtherwiseWhole)
     PatternText title;
     title.text = name;
     piece.texts = { title };
-    placeTexts(boundaryOf(piece), piece);
+    placeTexts(boundaryOf(piece), {}, piece);
     const std::string& written = piece.texts.front().text;
     EXPECT_EQ(written == name, name.size() <= ordinary.size());
     EXPECT_LT(written.size(), 400u);

@@ -102,10 +102,39 @@ TEST(Notches, DoubleOnesLieOppositeEachOtherOnBothSidesOfASeam)
   ASSERT_EQ(pattern.pieces.size(), 2U);
   for (const PatternPiece& piece : pattern.pieces)
   {
-    // One at 100 mm of 200, the other would be at the end.
+    // One for each 100 mm of 200, but off the middle, the other would be at the end.
     ASSERT_EQ(piece.notches.size(), 2U);
-    EXPECT_NEAR(piece.notches[0].foot.y(), 10.0 + 100.0 - 25.4 / 8.0, 1e-3);
-    EXPECT_NEAR(piece.notches[1].foot.y(), 10.0 + 100.0 + 25.4 / 8.0, 1e-3);
+    EXPECT_NEAR(piece.notches[0].foot.y(), 10.0 + 80.0 - 25.4 / 8.0, 1e-3);
+    EXPECT_NEAR(piece.notches[1].foot.y(), 10.0 + 80.0 + 25.4 / 8.0, 1e-3);
+  }
+}
+
+TEST(Notches, TellWhichEndOfASeamIsWhich)
+{
+  // 200 mm: the notches at each of these would be the same from either end but for the last one.
+  for (const double spacing : { 300.0, 100.0, 50.0, 70.0 })
+  {
+    PatternOptions options = inMillimetres();
+    options.notchSpacing = spacing;
+    Pattern pattern;
+    ASSERT_TRUE(buildPattern(sewnSquares(), options, pattern).ok());
+    std::vector<std::vector<double>> places;
+    for (const PatternPiece& piece : pattern.pieces)
+    {
+      std::vector<double>& own = places.emplace_back();
+      for (const Notch& notch : piece.notches)
+      {
+        own.push_back(notch.foot.y() - 10.0);
+      }
+      std::sort(own.begin(), own.end());
+      ASSERT_FALSE(own.empty());
+      EXPECT_GT(std::abs(own.front() - (200.0 - own.back())), 9.9) << spacing;
+    }
+    ASSERT_EQ(places[0].size(), places[1].size());
+    for (std::size_t k = 0; k < places[0].size(); ++k)
+    {
+      EXPECT_NEAR(places[0][k], places[1][k], 1e-9);
+    }
   }
 }
 

@@ -60,6 +60,25 @@ class Layers(pattern.PatternTest):
             (cut,) = pattern.block_lines(block, "1")
             self.assertTrue(cut[1], "the boundary is not closed")
 
+    def test_for_a_cutter_each_line_is_there_once_in_model_space(self):
+        self.make("tshirt", "-o", "out/pattern.dxf", "--style", "cutter", "--allowance", "0")
+        document, audit = pattern.read_dxf(self.path("out", "pattern.dxf"))
+        self.assertEqual(audit, [])
+        self.assertEqual((document.header["$INSUNITS"], document.header["$MEASUREMENT"]), (4, 1))
+        space = document.modelspace()
+        self.assertEqual({entity.dxf.layer for entity in space}, {"CUT", "MARK", "TEXT"})
+        self.assertEqual(len(space.query("INSERT POINT")), 0)
+        cuts = [line for line in space.query("POLYLINE") if line.dxf.layer == "CUT"]
+        self.assertEqual(len(cuts), 4)
+        self.assertTrue(all(line.is_closed for line in cuts))
+        self.assertTrue(any(vertex.dxf.bulge for line in cuts for vertex in line.vertices))
+        self.assertLess(sum(len(line) for line in cuts), 250)
+        self.assertTrue({"A", "B"} <= {text.dxf.text for text in space.query("TEXT")})
+        outlines = {tuple(vertex.dxf.location) for line in cuts for vertex in line.vertices}
+        for line in space.query("POLYLINE"):
+            if line.dxf.layer != "CUT":
+                self.assertGreater(len({tuple(v.dxf.location) for v in line.vertices} - outlines), 0)
+
     def test_corners_are_turn_points_and_all_other_vertices_curve_points(self):
         self.make("tshirt", "-o", "out/pattern.dxf")
         _, blocks = self.blocks()

@@ -23,7 +23,7 @@ OTHER_DEFAULTS = {"BesideSurface": (1.0,), "Distributed": (1.0,), "FollowPipelin
 # Those of the writer that are of some formats alone, or are given by name, or twice.
 FABRIC = {"SetFabricWidth", "SetFabricNap", "SetFabricGap"}
 OF_FORMATS = {"pdf": {"SetPaper", "SetPageOverlap", "SetMaximumPages", "SetWalkTable", *FABRIC},
-              "svg": {"SetLaserColors", *FABRIC}, "plt": FABRIC}
+              "svg": {"SetLaserColors", *FABRIC}, "plt": FABRIC, "dxf": {"SetCutterStyle"}}
 BY_NAME = {"SetPieceName", "SetPieceQuantity", "SetCurveAllowance", "SetCurveDartTip",
            "SetCurveFairTolerance", "SetUnitByName"}
 

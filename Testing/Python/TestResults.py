@@ -452,7 +452,7 @@ class Patterns(unittest.TestCase):
             ("cut_darts_out", "CutDartsOut"), ("cut_pairs", "CutPairs"), ("laser_colors", "LaserColors"),
             ("fair", "FairTolerance"), ("symmetrize", "Symmetrize"), ("fabric_width", "FabricWidth"), ("nap", "FabricNap"),
             ("fabric_gap", "FabricGap"), ("cut_on_fold", "CutOnFold"), ("walk_table", "WalkTable"),
-            ("notch_corners", "NotchCorners"), ("dart_tip", "DartTip"), ("notch_curve_ends", "NotchCurveEnds"),
+            ("join_marks", "JoinMarks"), ("cutter_style", "CutterStyle"), ("notch_corners", "NotchCorners"), ("dart_tip", "DartTip"), ("notch_curve_ends", "NotchCurveEnds"),
         ):
             default = parameters[option].default  # None: by the pieces
             self.assertEqual(-1.0 if default is None else default, getattr(writer, "Get" + property_)(), option)

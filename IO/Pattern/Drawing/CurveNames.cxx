@@ -55,15 +55,19 @@ void placeTitle(const Segments& boundary, PatternPiece& piece)
 }
 }
 
-void placeTexts(const Segments& boundary, PatternPiece& piece)
+void placeTexts(const Segments& boundary, const std::vector<JoinSide>& joins, PatternPiece& piece)
 {
   placeTitle(boundary, piece);
+  placeJoinMarks(boundary, joins, piece);
   placeCurveNames(boundary, piece);
 }
 
 namespace
 {
 constexpr double largestName = 3.0; // mm
+constexpr double largestMark = 5.0;
+constexpr double shortestMarked = 30.0; // of a join with marks at its ends, mm
+constexpr double farthestMarks = 400.0; // of a join with one mark between its ends, mm
 constexpr double leastReadable = 1.5;
 constexpr double gap = 0.5;   // between name and line, in heights of the name
 constexpr int outside = 1000; // as bad as so many crossed lines
@@ -155,36 +159,85 @@ public:
     {
       boxOf(text).addTo(this->Obstacles);
     }
+    Box box;
+    for (const Segment& segment : boundary)
+    {
+      box.add(segment.from);
+    }
+    this->Size = boundary.empty() ? 0.0 : box.extent().minCoeff();
   }
 
   /// \param preferred where on the line to try first, as a fraction of its length
   /// \param onCloth within the sew lines
-  void place(const std::string& name, const Points2& line, double preferred, bool onCloth = true)
+  void place(const std::string& name, const Points2& line, double preferred, bool onCloth = true,
+    TextRole role = TextRole::Curve)
   {
     const double length = polylineLength(line);
     PatternText text;
-    text.role = TextRole::Curve;
+    text.role = role;
     text.text = name;
     text.height = std::min(largestName, 0.5 * length / textWidth(name, 1.0));
-    if (text.height < leastReadable)
+    if (text.height >= leastReadable)
+    {
+      this->placeAt(text, line, preferred * length, 0.4 * length, onCloth);
+    }
+  }
+
+  void placeMarks(const JoinSide& join)
+  {
+    const double length = polylineLength(join.line);
+    PatternText text;
+    text.role = TextRole::Join;
+    text.text = join.mark;
+    // A mark that is small is better than none.
+    text.height =
+      std::clamp(std::min(largestMark, 0.03 * this->Size + 1.0), leastReadable, largestMark);
+    text.height = std::min(text.height, 0.7 * length / textWidth(join.mark, 1.0));
+    if (!(text.height > 0.0))
     {
       return;
     }
+    // In the middle, and of a long one in some places beside it.
+    const int count = 1 + 2 * static_cast<int>(length / farthestMarks);
+    for (int k = 0; k < count; ++k)
+    {
+      this->placeAt(text, join.line, (k + 0.5) / count * length, 0.25 * length / count, true);
+    }
+    if (length < shortestMarked)
+    {
+      return;
+    }
+    const double end = std::min(0.15 * length, 3.0 * text.height);
+    for (const double at : { end, length - end })
+    {
+      this->placeAt(text, join.line, at, 0.5 * end, true, true);
+    }
+  }
+
+private:
+  /// \param reach how far the text may be from the preferred place, along the line
+  /// \param ifFree it is left out where it would lie on something
+  void placeAt(PatternText text, const Points2& line, double preferred, double reach, bool onCloth,
+    bool ifFree = false)
+  {
     int best = std::numeric_limits<int>::max();
     for (int step = 0; step <= 20 && best > 0; ++step)
     {
       const int steps = (step + 1) / 2; // alternately before and behind
-      const double where = preferred + 0.04 * (step % 2 == 0 ? steps : -steps);
+      const double where = preferred + 0.1 * reach * (step % 2 == 0 ? steps : -steps);
       for (const double side : { 1.0, -1.0 })
       {
-        this->tryAt(line, where * length, side, onCloth, text, best);
+        this->tryAt(line, where, side, onCloth, text, best);
       }
+    }
+    if (best == std::numeric_limits<int>::max() || (ifFree && best > 0))
+    {
+      return;
     }
     boxOf(text).addTo(this->Obstacles);
     this->Piece.texts.push_back(std::move(text));
   }
 
-private:
   /// Takes the place where it crosses fewer lines than the best so far.
   void tryAt(
     const Points2& line, double arc, double side, bool onCloth, PatternText& text, int& best) const
@@ -229,7 +282,19 @@ private:
   const Segments& Boundary;
   PatternPiece& Piece;
   Segments Obstacles;
+  double Size = 0.0; ///< the smaller extent of the piece
 };
+}
+
+//------------------------------------------------------------------------------
+void placeJoinMarks(
+  const Segments& boundary, const std::vector<JoinSide>& joins, PatternPiece& piece)
+{
+  NamePlacer placer(boundary, piece);
+  for (const JoinSide& join : joins)
+  {
+    placer.placeMarks(join);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -250,7 +315,8 @@ void placeCurveNames(const Segments& boundary, PatternPiece& piece)
   const Grainline& grain = piece.grain;
   if (grain.from != grain.to)
   {
-    placer.place(grain.known ? "grain" : "upright", { grain.from, grain.to }, 0.15);
+    placer.place(
+      grain.known ? "grain" : "upright", { grain.from, grain.to }, 0.15, true, TextRole::Grain);
   }
 }
 }

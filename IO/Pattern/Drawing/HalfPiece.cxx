@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace flattening::pattern
 {
@@ -195,6 +196,38 @@ Points2 rightHalf(const Points2& polygon, const MirrorAxis& axis)
     {
       half.push_back(crossingOf(a, b, atA, atB));
     }
+  }
+  return half;
+}
+
+std::vector<JoinSide> rightHalf(const std::vector<JoinSide>& sides, const MirrorAxis& axis)
+{
+  const auto middleOf = [](const JoinSide& side) {
+    const Point2 sum = std::accumulate(side.line.begin(), side.line.end(), Point2(Point2::Zero()));
+    return Point2(sum / static_cast<double>(side.line.size()));
+  };
+  std::vector<JoinSide> half;
+  for (const JoinSide& side : sides)
+  {
+    PatternLine line;
+    line.points = side.line;
+    std::vector<PatternLine> parts = rightParts(line, axis);
+    const auto longest = std::max_element(parts.begin(), parts.end(),
+      [](const PatternLine& a, const PatternLine& b) { return lengthOf(a) < lengthOf(b); });
+    if (longest == parts.end() || lengthOf(*longest) < 2.0 * mirrorTolerance)
+    {
+      continue;
+    }
+    const auto other =
+      std::min_element(sides.begin(), sides.end(), [&](const JoinSide& a, const JoinSide& b) {
+        const Point2 image = imageOf(middleOf(side), axis);
+        return (middleOf(a) - image).norm() < (middleOf(b) - image).norm();
+      });
+    const auto [first, second] =
+      std::minmax(side.mark, other->mark, [](const std::string& a, const std::string& b) {
+        return a.size() != b.size() ? a.size() < b.size() : a < b;
+      });
+    half.push_back({ first == second ? first : first + "/" + second, longest->points });
   }
   return half;
 }

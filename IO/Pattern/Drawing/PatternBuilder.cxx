@@ -376,6 +376,7 @@ Status buildPattern(
 
   pattern.name = cleanText(options.name);
   pattern.unit = options.unit;
+  pattern.isSheet = source.isSheet;
   const std::vector<PieceShape> shapes = shapesOf(all);
   const std::vector<std::size_t> mirrored = findMirrorPairs(shapes, mirrorTolerance);
   pattern.pieces.clear();

@@ -8,6 +8,7 @@
 #include "Drawing/SeamAllowance.h"
 #include "Fairing/FairBorders.h"
 #include "Outlines/Grainlines.h"
+#include "Outlines/Joins.h"
 #include "Outlines/Pattern.h"
 #include "Outlines/PatternText.h"
 #include "Outlines/PlaneGeometry.h"
@@ -92,7 +93,8 @@ public:
       addSegments(half ? rightHalf(outline, fold->axis) : outline, true, this->Boundary);
     }
     drawGrainline(this->Boundary, this->All.source.onCloth, this->Drawing);
-    placeTexts(this->Boundary, this->Drawing);
+    const std::vector<JoinSide> joins = this->joinSides();
+    placeTexts(this->Boundary, half ? rightHalf(joins, fold->axis) : joins, this->Drawing);
     // A cutter would cut twice.
     std::vector<PatternLine>& lines = this->Drawing.lines;
     lines.erase(std::remove_if(
@@ -365,6 +367,30 @@ private:
       this->Marks.addAcross(
         placed, (dart.at(foot + outward) - placed).normalized(), arcLength, name);
     }
+  }
+
+  std::vector<JoinSide> joinSides() const
+  {
+    std::vector<JoinSide> sides;
+    for (const Join& join : this->All.joins)
+    {
+      for (std::size_t s = 0; s < 2; ++s)
+      {
+        if (!this->All.options.joinMarks || join.mark.empty() || join.piece[s] != this->Piece)
+        {
+          continue;
+        }
+        const Indices& points = join.points[s];
+        JoinSide& side = sides.emplace_back();
+        side.mark = join.mark;
+        for (std::size_t k = 0; k + 1 < points.size(); ++k)
+        {
+          addDrawnEdge(this->All, points[k], points[k + 1], side.line);
+        }
+        side.line.push_back(this->All.at(points.back()));
+      }
+    }
+    return sides;
   }
 
   void addGradePoints()

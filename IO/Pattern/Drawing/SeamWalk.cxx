@@ -5,13 +5,12 @@
 #include "Drawing/ClothOutline.h"
 #include "Drawing/PatternBuilder.h"
 #include "Fairing/FairBorders.h"
+#include "Outlines/Joins.h"
 #include "Outlines/Notches.h"
-#include "Outlines/Outline.h"
 #include "Outlines/PatternText.h"
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
 
 namespace flattening::pattern
 {
@@ -135,65 +134,50 @@ public:
     }
   }
 
-  Status walk(const SourceWire& wire, const PatternOptions& options)
+  Status walk(const Join& join)
   {
+    const SourceWire& wire = this->Source.wires[join.wire];
     const std::vector<double> arc = arcsOnSurface(this->Source, wire.points);
     std::vector<double> stops;
-    Status status = stationsOf(wire, arc.back(), options, this->Scale, stops);
+    Status status = stationsOf(
+      this->Source, join.wire, arc.back(), this->All.joins, this->All.options, this->Scale, stops);
     if (!status.ok())
     {
       return status;
     }
     stops.push_back(arc.back());
-    auto stop = stops.begin();
-    int number = 0;
-    bool going = false;
-    for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
+    auto stop = std::upper_bound(stops.begin(), std::prev(stops.end()), join.from);
+    int number = 1;
+    if (!this->Walk.empty() && this->WireOfLast == join.wire)
     {
-      const Side one{ wire.points[k], wire.points[k + 1] };
-      const auto partner = this->All.partners.find(edgeKey(one[0], one[1]));
-      const bool sewn =
-        partner != this->All.partners.end() && this->Done.insert(edgeOf(one)).second;
-      if (!sewn)
+      number = this->Walk.back().number + 1;
+    }
+    this->WireOfLast = join.wire;
+    for (std::size_t e = 0; e + 1 < join.points[0].size(); ++e)
+    {
+      const std::array<Side, 2> sides{ Side{ join.points[0][e], join.points[0][e + 1] },
+        Side{ join.points[1][e], join.points[1][e + 1] } };
+      if (e == 0)
       {
-        going = false;
-        continue;
+        this->start(join, number, join.from, this->angleAt(sides, 0));
       }
-      const std::array<Side, 2> sides{ one, partner->second };
-      this->Done.insert(edgeOf(sides[1]));
-      const std::array<std::size_t, 2> pieces{ this->pieceOf(sides[0]), this->pieceOf(sides[1]) };
-      if (!going || this->Walk.back().piece != pieces)
+      double at = arc[join.firstEdge + e];
+      const double begin = at;
+      const double end = arc[join.firstEdge + e + 1];
+      for (; *stop < end; ++stop)
       {
-        stop = std::upper_bound(stops.begin(), std::prev(stops.end()), arc[k]);
-        this->start(wire, pieces, ++number, arc[k], this->angleAt(sides, 0));
-        going = true;
-      }
-      double at = arc[k];
-      for (; *stop < arc[k + 1]; ++stop)
-      {
-        this->add(
-          sides, (at - arc[k]) / (arc[k + 1] - arc[k]), (*stop - arc[k]) / (arc[k + 1] - arc[k]));
+        this->add(sides, (at - begin) / (end - begin), (*stop - begin) / (end - begin));
         at = *stop;
         this->end(at, withinEdge);
-        this->start(wire, pieces, ++number, at, withinEdge);
+        this->start(join, ++number, at, withinEdge);
       }
-      this->add(sides, (at - arc[k]) / (arc[k + 1] - arc[k]), 1.0);
-      this->end(arc[k + 1], this->angleAt(sides, 1));
+      this->add(sides, (at - begin) / (end - begin), 1.0);
+      this->end(end, this->angleAt(sides, 1));
     }
     return {};
   }
 
 private:
-  static std::uint64_t edgeOf(const Side& side) { return undirectedKey(side[0], side[1]); }
-
-  std::size_t pieceOf(const Side& side) const
-  {
-    auto found = this->All.border.find(edgeKey(side[0], side[1]));
-    found =
-      found != this->All.border.end() ? found : this->All.border.find(edgeKey(side[1], side[0]));
-    return found != this->All.border.end() ? static_cast<std::size_t>(found->second) : 0;
-  }
-
   double angleAt(const std::array<Side, 2>& sides, std::size_t end) const
   {
     const Index a = sides[0][end];
@@ -201,13 +185,14 @@ private:
     return degreesPerRadian * (this->Angle[a] + (a == b ? 0.0 : this->Angle[b]));
   }
 
-  void start(const SourceWire& wire, const std::array<std::size_t, 2>& pieces, int number,
-    double from, double angle)
+  void start(const Join& join, int number, double from, double angle)
   {
+    const SourceWire& wire = this->Source.wires[join.wire];
     WalkInterval interval;
+    interval.join = join.mark;
     interval.curve = wire.name;
     interval.type = wire.type;
-    interval.piece = pieces;
+    interval.piece = join.piece;
     interval.number = number;
     interval.from = interval.to = this->Scale * from;
     interval.angleSum = { angle, angle };
@@ -233,8 +218,8 @@ private:
   const PatternSource& Source;
   const double Scale;
   const DrawnBorders Drawn;
-  std::vector<double> Angle; ///< of the cloth around each point
-  std::unordered_set<std::uint64_t> Done;
+  std::vector<double> Angle;  ///< of the cloth around each point
+  std::size_t WireOfLast = 0; ///< of the interval
   std::vector<WalkInterval>& Walk;
 };
 
@@ -252,13 +237,9 @@ Status walkSeams(const PatternSource& source, const PatternOptions& given,
   }
   drawFair(all, cache);
   SeamWalker walker(all, walk);
-  for (const SourceWire& wire : all.source.wires)
+  for (const Join& join : all.joins)
   {
-    if (wire.type != WireType::Seam && wire.type != WireType::Dart)
-    {
-      continue;
-    }
-    status = walker.walk(wire, all.options);
+    status = walker.walk(join);
     if (!status.ok())
     {
       return status;
@@ -270,7 +251,7 @@ Status walkSeams(const PatternSource& source, const PatternOptions& given,
 std::string makeWalkTable(const std::vector<WalkInterval>& walk, const Pattern& pattern)
 {
   std::string table = "curve,type,piece_a,piece_b,interval,from_mm,to_mm,length_a_mm,length_b_mm,"
-                      "difference_mm,ease_percent,angle_sum_start_deg,angle_sum_end_deg\n";
+                      "difference_mm,ease_percent,angle_sum_start_deg,angle_sum_end_deg,join\n";
   for (const WalkInterval& row : walk)
   {
     table += csvField(cleanText(row.curve)) + (row.type == WireType::Dart ? ",dart," : ",seam,") +
@@ -286,23 +267,60 @@ std::string makeWalkTable(const std::vector<WalkInterval>& walk, const Pattern& 
     {
       table += "," + formatNumber(angle, 3);
     }
-    table += "\n";
+    table += "," + row.join + "\n";
   }
   return table;
 }
 
-std::vector<std::vector<std::string>> walkRows(
-  const std::vector<WalkInterval>& walk, const Pattern& pattern)
+PatternTable walkRows(const std::vector<WalkInterval>& walk, const Pattern& pattern)
 {
-  std::vector<std::vector<std::string>> rows{ { "Curve", "Side A", "Side B", "No.", "A mm", "B mm",
-    "A - B mm", "Ease %", "Angles" } };
+  PatternTable table;
+  table.title = "Walk of the seams";
+  table.columns = { 0.0, 33.0, 59.0, 85.0, 93.0, 111.0, 129.0, 147.0, 163.0 };
+  table.rows.push_back(
+    { "Curve", "Side A", "Side B", "No.", "A mm", "B mm", "A - B mm", "Ease %", "Angles" });
   for (const WalkInterval& row : walk)
   {
-    rows.push_back({ cleanText(row.curve), pattern.names[row.piece[0]], pattern.names[row.piece[1]],
-      std::to_string(row.number), formatNumber(row.length[0], 1), formatNumber(row.length[1], 1),
-      formatNumber(row.length[0] - row.length[1], 2), formatNumber(row.ease(), 2),
-      formatNumber(row.angleSum[0], 0) + " / " + formatNumber(row.angleSum[1], 0) });
+    table.rows.push_back(
+      { cleanText(row.curve), pattern.names[row.piece[0]], pattern.names[row.piece[1]],
+        std::to_string(row.number), formatNumber(row.length[0], 1), formatNumber(row.length[1], 1),
+        formatNumber(row.length[0] - row.length[1], 2), formatNumber(row.ease(), 2),
+        formatNumber(row.angleSum[0], 0) + " / " + formatNumber(row.angleSum[1], 0) });
   }
-  return rows;
+  return table;
+}
+
+PatternTable joinRows(const std::vector<WalkInterval>& walk, const Pattern& pattern)
+{
+  PatternTable table;
+  table.title = "Joins";
+  table.columns = { 0.0, 14.0, 59.0, 99.0, 139.0, 157.0 };
+  std::vector<WalkInterval> joins; // each with the lengths of its intervals
+  for (const WalkInterval& interval : walk)
+  {
+    if (interval.join.empty())
+    {
+      continue;
+    }
+    if (joins.empty() || joins.back().join != interval.join)
+    {
+      joins.push_back(interval);
+      continue;
+    }
+    joins.back().length[0] += interval.length[0];
+    joins.back().length[1] += interval.length[1];
+  }
+  if (!joins.empty())
+  {
+    table.rows.push_back({ "Join", "Curve", "Side 1", "Side 2", "1 mm", "2 mm" });
+  }
+  const auto piece = [&pattern](
+                       std::size_t p) { return std::to_string(p + 1) + ": " + pattern.names[p]; };
+  for (const WalkInterval& join : joins)
+  {
+    table.rows.push_back({ join.join, cleanText(join.curve), piece(join.piece[0]),
+      piece(join.piece[1]), formatNumber(join.length[0], 1), formatNumber(join.length[1], 1) });
+  }
+  return table;
 }
 }

@@ -13,6 +13,7 @@ class FairCache;
 /// two sides along each other measures them. Lengths in millimetres, angles in degrees.
 struct WalkInterval
 {
+  std::string join; ///< its mark; empty: the legs of a folded dart
   std::string curve;
   WireType type = WireType::Seam;
   std::array<std::size_t, 2> piece{}; ///< of the two sides
@@ -40,7 +41,9 @@ Status walkSeams(const PatternSource& source, const PatternOptions& given,
 /// The walk as a table of comma-separated values: a head, and one row for each interval.
 std::string makeWalkTable(const std::vector<WalkInterval>& walk, const Pattern& pattern);
 
-/// The same for people to read: a head and one row for each interval.
-std::vector<std::vector<std::string>> walkRows(
-  const std::vector<WalkInterval>& walk, const Pattern& pattern);
+/// The same for people to read: one row for each interval.
+PatternTable walkRows(const std::vector<WalkInterval>& walk, const Pattern& pattern);
+
+/// The joins of a walk by their marks, with their pieces and the lengths of both sides.
+PatternTable joinRows(const std::vector<WalkInterval>& walk, const Pattern& pattern);
 }

@@ -2,6 +2,7 @@
 #include "Formats/DxfWriter.h"
 
 #include "Base/Types.h"
+#include "Formats/ArcPolyline.h"
 #include "Formats/SheetLayout.h"
 #include "Outlines/Grainlines.h"
 #include "Outlines/PatternText.h"
@@ -34,10 +35,17 @@ enum class DxfLayer
   Annotation = 15,
 };
 
+struct NamedLayer
+{
+  std::string name;
+  int colour; ///< AutoCAD's color index
+  bool dashed = false;
+};
+
 struct LayerColour
 {
   DxfLayer layer;
-  int colour; ///< AutoCAD's colour index
+  int colour;
 };
 /// Colours that can be read on black and on white alike.
 constexpr LayerColour layerColours[] = { { DxfLayer::Boundary, 7 }, { DxfLayer::TurnPoints, 8 },
@@ -65,6 +73,24 @@ bool isDashed(DxfLayer layer)
 {
   return layer == DxfLayer::SewLines;
 }
+
+std::vector<NamedLayer> layersOfPatterns()
+{
+  std::vector<NamedLayer> layers;
+  for (const LayerColour& layer : layerColours)
+  {
+    layers.push_back(
+      { std::to_string(static_cast<int>(layer.layer)), layer.colour, isDashed(layer.layer) });
+  }
+  return layers;
+}
+
+// Of drawings for cutting machines.
+const char* const cutLayer = "CUT";
+const char* const markLayer = "MARK";
+const char* const textLayer = "TEXT";
+
+constexpr std::size_t longestText = 250;
 
 /// The text of a DXF file as it grows, in pairs of a group code and a value. Each entity and each
 /// entry of a table gets a handle: R12 can do without, but FreeCAD takes a layer without one for a
@@ -120,14 +146,67 @@ public:
     this->addHandle();
     this->add(2, name);
   }
-  void begin(const char* entity, DxfLayer layer)
+  void begin(const char* entity, const std::string& layer)
   {
     this->add(0, entity);
     this->addHandle();
-    this->add(8, static_cast<int>(layer));
+    this->add(8, layer);
+  }
+  void begin(const char* entity, DxfLayer layer)
+  {
+    this->begin(entity, std::to_string(static_cast<int>(layer)));
+  }
+  template <typename Layer>
+  void addLine(const Layer& layer, const Point2& from, const Point2& to)
+  {
+    this->begin("LINE", layer);
+    this->addPoint(from);
+    this->addPoint(to, 1);
+  }
+  template <typename Layer>
+  void addCircle(const Layer& layer, const Point2& center, double radius)
+  {
+    this->begin("CIRCLE", layer);
+    this->addPoint(center);
+    this->addLength(40, radius);
+  }
+  /// \param at where the text begins on its base line
+  template <typename Layer>
+  void addText(
+    const Layer& layer, const Point2& at, double height, double angle, const std::string& text)
+  {
+    // Cutting an escape in two would leave a broken one.
+    std::string escaped = escapeDxf(text);
+    if (escaped.size() > longestText)
+    {
+      escaped = escaped.substr(0, longestText);
+      const std::size_t escape = escaped.rfind("\\U+");
+      if (escape != std::string::npos && escape + 7 > escaped.size())
+      {
+        escaped.erase(escape);
+      }
+    }
+    this->begin("TEXT", layer);
+    this->addPoint(at);
+    this->addLength(40, height);
+    this->add(1, escaped);
+    if (angle != 0.0)
+    {
+      this->addNumber(50, angle * 180.0 / pi);
+    }
+  }
+  /// A text around a point.
+  template <typename Layer>
+  void addTextAround(
+    const Layer& layer, const Point2& center, double height, double angle, const std::string& text)
+  {
+    const Point2 along(std::cos(angle), std::sin(angle));
+    const Point2 up(-along.y(), along.x());
+    this->addText(layer, center - textWidth(text, height) / 2.0 * along - 0.5 * height * up, height,
+      angle, text);
   }
   /// Header and tables of a drawing with these corners.
-  void addHead(const Point2& low, const Point2& high)
+  void addHead(const Point2& low, const Point2& high, const std::vector<NamedLayer>& layers)
   {
     this->beginSection("HEADER");
     this->add(9, "$ACADVER");
@@ -153,13 +232,13 @@ public:
     this->addLineType(solid, "Solid line", {});
     this->addLineType(dashed, "Dashed __ __ __ __", { dashLength, -gapLength });
     this->add(0, "ENDTAB");
-    this->beginTable("LAYER", static_cast<int>(std::size(layerColours)));
-    for (const LayerColour& layer : layerColours)
+    this->beginTable("LAYER", static_cast<int>(layers.size()));
+    for (const NamedLayer& layer : layers)
     {
-      this->beginEntry("LAYER", std::to_string(static_cast<int>(layer.layer)));
+      this->beginEntry("LAYER", layer.name);
       this->add(70, 0);
       this->add(62, layer.colour);
-      this->add(6, isDashed(layer.layer) ? dashed : solid);
+      this->add(6, layer.dashed ? dashed : solid);
     }
     this->add(0, "ENDTAB");
     this->beginTable("STYLE", 1);
@@ -220,7 +299,6 @@ private:
 
 /// A corner turns by more than this, in radians; a lesser turn belongs to a curve.
 constexpr double turnAngle = 0.3;
-constexpr std::size_t longestText = 250;
 constexpr std::size_t longestSymbol = 31; // R12's limit
 constexpr double drillRadius = 1.5;
 // Of a polyline.
@@ -278,7 +356,8 @@ public:
 
   std::string make()
   {
-    this->Records.addHead({ 0.0, -this->Layout.extent.y() }, { this->Layout.extent.x(), 0.0 });
+    this->Records.addHead(
+      { 0.0, -this->Layout.extent.y() }, { this->Layout.extent.x(), 0.0 }, layersOfPatterns());
     this->Records.beginSection("BLOCKS");
     for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
     {
@@ -300,41 +379,10 @@ public:
   }
 
 private:
-  void addText(
-    DxfLayer layer, const Point2& at, double height, double angle, const std::string& text)
-  {
-    // Cutting an escape in two would leave a broken one.
-    std::string escaped = escapeDxf(text);
-    if (escaped.size() > longestText)
-    {
-      escaped = escaped.substr(0, longestText);
-      const std::size_t escape = escaped.rfind("\\U+");
-      if (escape != std::string::npos && escape + 7 > escaped.size())
-      {
-        escaped.erase(escape);
-      }
-    }
-    this->Records.begin("TEXT", layer);
-    this->Records.addPoint(at);
-    this->Records.addLength(40, height);
-    this->Records.add(1, escaped);
-    if (angle != 0.0)
-    {
-      this->Records.addNumber(50, angle * 180.0 / pi);
-    }
-  }
-
   void addMark(DxfLayer layer, const Point2& at)
   {
     this->Records.begin("POINT", layer);
     this->Records.addPoint(at);
-  }
-
-  void addLine(DxfLayer layer, const Point2& from, const Point2& to)
-  {
-    this->Records.begin("LINE", layer);
-    this->Records.addPoint(from);
-    this->Records.addPoint(to, 1);
   }
 
   void addPolyline(const PatternLine& line)
@@ -409,7 +457,7 @@ private:
     {
       if (line.kind == LineKind::DartFold || line.kind == LineKind::Fold)
       {
-        this->addLine(layerOf(line.kind), line.points.front(), line.points.back());
+        this->Records.addLine(layerOf(line.kind), line.points.front(), line.points.back());
       }
       else
       {
@@ -424,23 +472,21 @@ private:
         const Point2 way = notch.to - notch.from;
         this->Records.addNumber(50, std::atan2(way.y(), way.x()) * 180.0 / pi);
         // A point is all that pattern systems want, and too little to be seen in others.
-        this->addLine(DxfLayer::Notches, notch.from, notch.to);
+        this->Records.addLine(DxfLayer::Notches, notch.from, notch.to);
       }
       else
       {
-        this->addLine(DxfLayer::InternalLines, notch.from, notch.to);
+        this->Records.addLine(DxfLayer::InternalLines, notch.from, notch.to);
       }
     }
     for (const Point2& hole : piece.drillHoles)
     {
       this->addMark(DxfLayer::DrillHoles, hole);
-      this->Records.begin("CIRCLE", DxfLayer::DrillHoles);
-      this->Records.addPoint(hole);
-      this->Records.addLength(40, drillRadius);
+      this->Records.addCircle(DxfLayer::DrillHoles, hole, drillRadius);
     }
     for (const GradePoint& point : piece.gradePoints)
     {
-      this->addText(
+      this->Records.addText(
         DxfLayer::TurnPoints, point.place, gradeTextHeight, 0.0, "# " + std::to_string(point.rule));
     }
     this->addGrain(piece.grain);
@@ -451,7 +497,7 @@ private:
   /// Pattern systems want one line; its heads, which plain CAD shows, are none.
   void addGrain(const Grainline& grain)
   {
-    this->addLine(DxfLayer::GrainLine, grain.from, grain.to);
+    this->Records.addLine(DxfLayer::GrainLine, grain.from, grain.to);
     for (const std::array<Point2, 3>& head : arrowHeads(grain))
     {
       this->Records.begin("SOLID", DxfLayer::GrainLine);
@@ -475,14 +521,12 @@ private:
     {
       // The system texts stand where the drawing has name, size and quantity; the rest is
       // annotation.
-      const bool isSystem = text.role != TextRole::Curve && next < system.size();
+      const bool isOfPiece = text.role == TextRole::Title || text.role == TextRole::Label;
+      const bool isSystem = isOfPiece && next < system.size();
       const std::string& content = isSystem ? system[next++] : text.text;
       const double height = text.role == TextRole::Title ? 0.7 * text.height : text.height;
-      const double half = textWidth(content, height) / 2.0;
-      const Point2 along(std::cos(text.angle), std::sin(text.angle));
-      const Point2 up(-along.y(), along.x());
-      this->addText(isSystem ? DxfLayer::Boundary : DxfLayer::Annotation,
-        text.position - half * along - 0.5 * height * up, height, text.angle, content);
+      this->Records.addTextAround(isSystem ? DxfLayer::Boundary : DxfLayer::Annotation,
+        text.position, height, text.angle, content);
     }
   }
 
@@ -505,7 +549,7 @@ private:
     double y = 10.0 * static_cast<double>(texts.size());
     for (const std::string& text : texts)
     {
-      this->addText(DxfLayer::Boundary, { 0.0, y }, 5.0, 0.0, text);
+      this->Records.addText(DxfLayer::Boundary, Point2(0.0, y), 5.0, 0.0, text);
       y -= 10.0;
     }
   }
@@ -520,5 +564,132 @@ private:
 std::string makeDxf(const Pattern& pattern)
 {
   return DxfDrawing(pattern).make();
+}
+
+namespace
+{
+/// Of the arcs of a cut line from what is drawn otherwise, millimetres: less than machines miss.
+constexpr double arcTolerance = 0.03;
+
+/// Pieces in model space for laser, knife and router: what is cut, what is marked, and texts.
+class CutterDrawing
+{
+public:
+  explicit CutterDrawing(const Pattern& pattern)
+    : Drawn(pattern)
+    , Layout(layOut(pattern, squareWidth(pattern), 0.0))
+    , Records(pattern.unit == Unit::Inch)
+  {
+  }
+
+  std::string make()
+  {
+    this->Records.addHead({ 0.0, -this->Layout.extent.y() }, { this->Layout.extent.x(), 0.0 },
+      { { cutLayer, 7 }, { markLayer, 150 }, { textLayer, 94 } });
+    this->Records.beginSection("ENTITIES");
+    for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
+    {
+      const PatternPiece& piece = this->Drawn.pieces[p];
+      // Rows from the top of the drawing, y up.
+      this->Corner = { this->Layout.corners[p].x(),
+        -this->Layout.corners[p].y() - piece.extent.y() };
+      this->addMarks(piece);
+      this->addTexts(piece);
+      this->addCuts(piece); // last, as a part that is cut out may move
+    }
+    this->Records.add(0, "ENDSEC");
+    return this->Records.finish();
+  }
+
+private:
+  static bool isCutLine(const PatternLine& line)
+  {
+    return line.kind == LineKind::CutLine || line.kind == LineKind::CutOut;
+  }
+
+  void addCuts(const PatternPiece& piece)
+  {
+    for (const LineKind kind : { LineKind::CutOut, LineKind::CutLine })
+    {
+      for (const PatternLine& line : piece.lines)
+      {
+        if (line.kind == kind)
+        {
+          this->addPolyline(cutLayer, line);
+        }
+      }
+    }
+  }
+
+  void addMarks(const PatternPiece& piece)
+  {
+    for (const PatternLine& line : piece.lines)
+    {
+      if (!isCutLine(line))
+      {
+        this->addPolyline(markLayer, line);
+      }
+    }
+    for (const Notch& notch : piece.notches)
+    {
+      this->Records.addLine(markLayer, this->at(notch.from), this->at(notch.to));
+    }
+    for (const Point2& hole : piece.drillHoles)
+    {
+      this->Records.addCircle(markLayer, this->at(hole), drillRadius);
+    }
+    if (!this->Drawn.isSheet && piece.grain.from != piece.grain.to)
+    {
+      this->Records.addLine(markLayer, this->at(piece.grain.from), this->at(piece.grain.to));
+    }
+  }
+
+  void addTexts(const PatternPiece& piece)
+  {
+    for (const PatternText& text : piece.texts)
+    {
+      if (!this->Drawn.isSheet || text.role != TextRole::Grain)
+      {
+        this->Records.addTextAround(
+          textLayer, this->at(text.position), text.height, text.angle, text.text);
+      }
+    }
+  }
+
+  void addPolyline(const char* layer, const PatternLine& line)
+  {
+    const std::vector<ArcVertex> vertices = arcPolyline(line.points, line.closed, arcTolerance);
+    if (vertices.size() < 2)
+    {
+      return;
+    }
+    this->Records.begin("POLYLINE", layer);
+    this->Records.add(66, 1);
+    this->Records.addPoint(Point2::Zero());
+    this->Records.add(70, line.closed ? closedLine : 0);
+    for (const ArcVertex& vertex : vertices)
+    {
+      this->Records.begin("VERTEX", layer);
+      this->Records.addPoint(this->at(vertex.at));
+      if (vertex.bulge != 0.0)
+      {
+        this->Records.addNumber(42, vertex.bulge);
+      }
+    }
+    this->Records.begin("SEQEND", layer);
+  }
+
+  Point2 at(const Point2& p) const { return this->Corner + p; }
+
+  const Pattern& Drawn;
+  SheetLayout Layout;
+  DxfRecords Records;
+  Point2 Corner = Point2::Zero(); ///< lower left one of the piece
+};
+}
+
+std::string makeCutterDxf(const Pattern& pattern)
+{
+  return CutterDrawing(pattern).make();
 }
 }

@@ -13,4 +13,9 @@ namespace flattening::pattern
 /// entities have handles. Coordinates are millimetres with the text "Units: METRIC", or, where the
 /// surface was in inches, inches with "Units: ENGLISH".
 std::string makeDxf(const Pattern& pattern);
+
+/// The same for laser, knife and router: model space alone, with the layers CUT, MARK and TEXT,
+/// each line once as a polyline with arcs, nothing that a machine would cut twice, no points, and
+/// no grainline on sheets.
+std::string makeCutterDxf(const Pattern& pattern);
 }

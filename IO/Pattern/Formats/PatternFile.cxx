@@ -60,6 +60,13 @@ Status addGradePoints(const Grading& grading, PatternSource& source)
   }
   return {};
 }
+
+/// Not with paper for plotters, of which a page is one roll.
+bool hasJoinTable(const FileOptions& options)
+{
+  const PaperSize paper = options.pages.paper;
+  return options.pattern.joinMarks && paper != PaperSize::A0 && paper != PaperSize::Sheet;
+}
 }
 
 const char* formatName(FileFormat format)
@@ -124,15 +131,23 @@ Status makePatternFile(
   switch (options.format)
   {
     case FileFormat::Pdf:
-      if (options.walkTable)
+      drawing.tables.clear();
+      if (options.walkTable || hasJoinTable(options))
       {
         std::vector<WalkInterval> walk;
         status = walkSeams(source, options.pattern, walk, fair);
-        drawing.walk = walkRows(walk, drawing);
+        if (hasJoinTable(options))
+        {
+          drawing.tables.push_back(joinRows(walk, drawing));
+        }
+        if (options.walkTable)
+        {
+          drawing.tables.push_back(walkRows(walk, drawing));
+        }
       }
       return status.ok() ? makePdf(drawing, options.pages, content) : status;
     case FileFormat::Dxf:
-      content = makeDxf(drawing);
+      content = options.cutterStyle ? makeCutterDxf(drawing) : makeDxf(drawing);
       return {};
     case FileFormat::Walk:
     {

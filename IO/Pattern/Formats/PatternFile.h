@@ -44,6 +44,7 @@ struct FileOptions
   FabricOptions fabric;      ///< of SVG, PDF and HPGL: lay the pieces on cloth
   bool walkTable = false;    ///< of PDF: on pages after the pattern
   bool laserColours = false; ///< of SVG
+  bool cutterStyle = false;  ///< of DXF
   const Grading* grading =
     nullptr;                 ///< of a pattern of several sizes, of which the source is the base
   FairCache* fair = nullptr; ///< smooth borders are kept there for other files; null: for this one

@@ -23,19 +23,15 @@ namespace
 /// What of a pattern is drawn on its pages.
 struct PdfSelection
 {
-  bool pages = false; ///< frames, crosses and legend, and the pages of the walk
+  bool pages = false; ///< frames, crosses and legend, and the pages of tables
   bool texts = false; ///< of the pieces
   std::set<StrokeRole> roles;
 };
 
-constexpr std::array<double, 2> walkPaper{ 210.0, 297.0 };
-constexpr double walkMargin = 15.0;
+constexpr std::array<double, 2> tablePaper{ 210.0, 297.0 };
+constexpr double tableMargin = 15.0;
 constexpr double letters = 3.0;
 constexpr double lineFeed = 5.0;
-/// Where columns start; texts to the left of the fourth are cut to fit.
-constexpr std::array<double, 10> columns{ 15.0, 48.0, 74.0, 100.0, 108.0, 126.0, 144.0, 162.0,
-  178.0, 197.0 };
-
 /// Nothing is thrown through cairo, which is C.
 cairo_status_t append(void* closure, const unsigned char* data, unsigned int length)
 {
@@ -134,7 +130,10 @@ public:
     }
     if (this->Selected.pages)
     {
-      this->drawWalkPages();
+      for (const PatternTable& table : this->Drawn.tables)
+      {
+        this->drawTable(table);
+      }
     }
     return closePdf(this->Surface, this->Context);
   }
@@ -221,32 +220,33 @@ private:
     cairo_scale(this->Context, pointsPerMillimetre, pointsPerMillimetre);
   }
 
-  /// Draws the table of Pattern::walk on as many A4 pages as it takes.
-  void drawWalkPages()
+  /// Draws a table on as many A4 pages as it takes.
+  void drawTable(const PatternTable& table)
   {
-    const auto writeRow = [this](const std::vector<std::string>& row, double y) {
-      for (std::size_t k = 0; k < row.size() && k + 1 < columns.size(); ++k)
+    const double width = tablePaper[0] - 2.0 * tableMargin;
+    const auto writeRow = [&](const std::vector<std::string>& row, double y) {
+      for (std::size_t k = 0; k < row.size(); ++k)
       {
-        this->text(fitText(row[k], letters, columns[k + 1] - columns[k] - 1.0),
-          { columns[k], y - 0.35 * letters }, letters, Anchor::Start);
+        const double end = k + 1 < row.size() ? table.columns[k + 1] - 1.0 : width;
+        this->text(fitText(row[k], letters, end - table.columns[k]),
+          { tableMargin + table.columns[k], y - 0.35 * letters }, letters, Anchor::Start);
       }
     };
     cairo_pdf_surface_set_size(
-      this->Surface, pointsPerMillimetre * walkPaper[0], pointsPerMillimetre * walkPaper[1]);
-    const double top = walkMargin + 14.0;
-    for (std::size_t next = 1; next < this->Drawn.walk.size();)
+      this->Surface, pointsPerMillimetre * tablePaper[0], pointsPerMillimetre * tablePaper[1]);
+    const double top = tableMargin + 14.0;
+    for (std::size_t next = 1; next < table.rows.size();)
     {
       this->beginPage();
       this->pen(blackInk, 0.2);
-      this->text(
-        fitText("Walk of the seams: " + this->Drawn.name, 5.0, walkPaper[0] - 2.0 * walkMargin),
-        { walkMargin, walkMargin + 3.25 }, 5.0, Anchor::Start);
-      writeRow(this->Drawn.walk.front(), top);
-      this->line({ walkMargin, top + 1.5 }, { walkPaper[0] - walkMargin, top + 1.5 });
+      this->text(fitText(table.title + ": " + this->Drawn.name, 5.0, width),
+        { tableMargin, tableMargin + 3.25 }, 5.0, Anchor::Start);
+      writeRow(table.rows.front(), top);
+      this->line({ tableMargin, top + 1.5 }, { tablePaper[0] - tableMargin, top + 1.5 });
       for (double y = top + 1.5 * lineFeed;
-           y < walkPaper[1] - walkMargin && next < this->Drawn.walk.size(); y += lineFeed)
+           y < tablePaper[1] - tableMargin && next < table.rows.size(); y += lineFeed)
       {
-        writeRow(this->Drawn.walk[next++], y);
+        writeRow(table.rows[next++], y);
       }
       cairo_show_page(this->Context);
     }

@@ -80,6 +80,12 @@ Status findBorders(DrawingSource& all)
   }
   all.partners = sewnPartners(all.source);
   all.wires = wiresOfEdges(all.source);
-  return placeNotches(all.source, all.border, all.partners, all.options, all.notches);
+  std::vector<std::vector<Dart>> folded;
+  for (std::size_t p = 0; all.options.darts == DartStyle::Folded && p < pieces; ++p)
+  {
+    folded.push_back(findDarts(all.source, all.loops[p], all.wires, all.partners));
+  }
+  all.joins = findJoins(all.source, all.border, all.partners, all.loops, folded);
+  return placeNotches(all.source, all.border, all.partners, all.joins, all.options, all.notches);
 }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Outlines/Darts.h"
+#include "Outlines/Joins.h"
 #include "Outlines/Notches.h"
 #include "Outlines/Pattern.h"
 #include "Outlines/PlaneGeometry.h"
@@ -24,6 +25,7 @@ struct DrawingSource
   BorderEdges border;
   SewnPartners partners;
   WireOfEdge wires;
+  std::vector<Join> joins;
   std::vector<NotchPlace> notches;
   std::shared_ptr<const FairBorders> fair; ///< null: borders are drawn as the mesh has them
   const Points2* moved = nullptr;          ///< where the points are then, millimetres
@@ -53,6 +55,6 @@ struct DrawingSource
   }
 };
 
-/// Finds loops, borders, partners, wires and notches of a source.
+/// Finds loops, borders, partners, wires, joins and notches of a source.
 Status findBorders(DrawingSource& all);
 }

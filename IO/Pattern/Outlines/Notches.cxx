@@ -26,8 +26,8 @@ std::vector<double> arcsOnSurface(const PatternSource& source, const Indices& wi
   return arcs;
 }
 
-Status notchStations(
-  const std::string& curve, double length, double spacing, std::vector<double>& stations)
+Status notchStations(const std::string& curve, double length, double spacing, bool directed,
+  std::vector<double>& stations)
 {
   stations.clear();
   if (!(spacing > 0.0))
@@ -48,6 +48,11 @@ Status notchStations(
   if (stations.empty())
   {
     stations.push_back(length / 2.0);
+  }
+  const double left = length - stations.back();
+  if (directed && std::abs(stations.front() - left) < 0.1 * std::min(spacing, length))
+  {
+    stations.front() -= std::min(0.25 * spacing, 0.1 * length);
   }
   return {};
 }
@@ -93,16 +98,34 @@ std::vector<Mark> marksOf(
 }
 }
 
-Status stationsOf(const SourceWire& wire, double length, const PatternOptions& options,
-  double scale, std::vector<double>& stations)
+Status stationsOf(const PatternSource& source, std::size_t wire, double length,
+  const std::vector<Join>& joins, const PatternOptions& options, double scale,
+  std::vector<double>& stations)
 {
-  const auto own = options.notchesOfCurve.find(wire.name);
+  stations.clear();
+  const std::string& name = source.wires[wire].name;
+  const auto own = options.notchesOfCurve.find(name);
   if (own == options.notchesOfCurve.end())
   {
-    const bool cut = wire.type == WireType::Seam || wire.type == WireType::Dart;
-    return notchStations(wire.name, length, cut ? options.notchSpacing / scale : 0.0, stations);
+    const bool directed = source.wires[wire].type == WireType::Seam;
+    auto join = std::lower_bound(joins.begin(), joins.end(), wire,
+      [](const Join& one, std::size_t of) { return one.wire < of; });
+    for (; join != joins.end() && join->wire == wire; ++join)
+    {
+      std::vector<double> within;
+      Status status =
+        notchStations(name, join->to - join->from, options.notchSpacing / scale, directed, within);
+      if (!status.ok())
+      {
+        return status;
+      }
+      for (const double at : within)
+      {
+        stations.push_back(join->from + at);
+      }
+    }
+    return {};
   }
-  stations.clear();
   for (const double distance : own->second)
   {
     // The ends are marks of their own.
@@ -117,7 +140,8 @@ Status stationsOf(const SourceWire& wire, double length, const PatternOptions& o
 }
 
 Status placeNotches(const PatternSource& source, const BorderEdges& border,
-  const SewnPartners& partners, const PatternOptions& options, std::vector<NotchPlace>& places)
+  const SewnPartners& partners, const std::vector<Join>& joins, const PatternOptions& options,
+  std::vector<NotchPlace>& places)
 {
   places.clear();
   const double scale = millimetresPer(options.unit);
@@ -132,7 +156,7 @@ Status placeNotches(const PatternSource& source, const BorderEdges& border,
       longest[wire.name] = std::max(longest[wire.name], scale * arc.back());
     }
     std::vector<double> stations;
-    Status status = stationsOf(wire, arc.back(), options, scale, stations);
+    Status status = stationsOf(source, w, arc.back(), joins, options, scale, stations);
     if (!status.ok())
     {
       return status;

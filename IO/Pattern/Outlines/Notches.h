@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Base/Status.h"
-#include "Outlines/Outline.h"
+#include "Outlines/Joins.h"
 
 namespace flattening::pattern
 {
@@ -28,17 +28,21 @@ double lengthOnSurface(const PatternSource& source, Index a, Index b);
 /// Of the points of a wire, along it from its first one.
 std::vector<double> arcsOnSurface(const PatternSource& source, const Indices& wire);
 
-/// Lengths from the start of a curve at which it is notched: multiples of the spacing, up to a
+/// Lengths from the start of a stretch at which it is notched: multiples of the spacing, up to a
 /// quarter of it before the end, or the middle where there is none of these.
+/// \param directed the first one moves towards the start, by a quarter of the spacing or a tenth of
+/// the length, where the notches would otherwise be the same from either end
 /// \param spacing 0: none
-Status notchStations(
-  const std::string& curve, double length, double spacing, std::vector<double>& stations);
+Status notchStations(const std::string& curve, double length, double spacing, bool directed,
+  std::vector<double>& stations);
 
-/// Those of a wire: the distances that the options have for its name, as far as it is so long, or
-/// those of notchStations(), which seams and darts have alone.
+/// Those of a wire, from its start: the distances that the options have for its name, up to its
+/// length, or those of notchStations() along each of its joins, which tell the ends of seams apart.
+/// \param length of the wire
 /// \param scale millimetres per unit of the lengths
-Status stationsOf(const SourceWire& wire, double length, const PatternOptions& options,
-  double scale, std::vector<double>& stations);
+Status stationsOf(const PatternSource& source, std::size_t wire, double length,
+  const std::vector<Join>& joins, const PatternOptions& options, double scale,
+  std::vector<double>& stations);
 
 /// Places on both banks of every seam and dart, and on the edges of the boundary that have notches
 /// of their own, at the lengths on the surface that stationsOf() says. A place and its partner lie
@@ -46,5 +50,6 @@ Status stationsOf(const SourceWire& wire, double length, const PatternOptions& o
 /// two marks beside it. Error: InvalidOption where a notch is farther out than any wire of its name
 /// is long.
 Status placeNotches(const PatternSource& source, const BorderEdges& border,
-  const SewnPartners& partners, const PatternOptions& options, std::vector<NotchPlace>& places);
+  const SewnPartners& partners, const std::vector<Join>& joins, const PatternOptions& options,
+  std::vector<NotchPlace>& places);
 }

@@ -70,6 +70,8 @@ enum class TextRole
   Title, ///< name of the piece
   Label, ///< size, quantity, count
   Curve, ///< name of a seam, dart or feature curve, beside it
+  Join,  ///< mark of a join, along the sew line
+  Grain, ///< "grain" or "upright", beside the grainline
 };
 
 /// One line of text around `position`, centred.
@@ -97,6 +99,13 @@ struct PatternNote
 {
   std::string text;
   NoteKind kind = NoteKind::Drawn;
+};
+
+/// The sew line of one side of a join with its mark.
+struct JoinSide
+{
+  std::string mark;
+  Points2 line;
 };
 
 /// One piece of cloth; the lower left corner of its bounding box is the origin.
@@ -168,6 +177,14 @@ struct Fabric
   Points2 corners;         ///< upper left corner of each piece, y down
 };
 
+/// A table for people to read; without rows it is not drawn.
+struct PatternTable
+{
+  std::string title;
+  std::vector<double> columns;                ///< where they start, in millimetres from the first
+  std::vector<std::vector<std::string>> rows; ///< the first is the head
+};
+
 struct Pattern
 {
   std::string name;
@@ -175,9 +192,9 @@ struct Pattern
   std::string date;             ///< year-month-day
   std::string time;             ///< hour:minute
   std::vector<PatternPiece> pieces;
-  std::optional<Fabric> fabric; ///< the pieces are laid on it; otherwise they are put in rows
-  /// Table of the seams' walk, a head and rows, for the pages after the pattern; empty: none.
-  std::vector<std::vector<std::string>> walk;
-  std::vector<std::string> names; ///< of all flat pieces, those that are not drawn among them
+  std::optional<Fabric> fabric;     ///< the pieces are laid on it; otherwise they are put in rows
+  std::vector<PatternTable> tables; ///< on the pages after the pattern
+  bool isSheet = false;             ///< its pieces have no grain
+  std::vector<std::string> names;   ///< of all flat pieces, those that are not drawn among them
 };
 }

@@ -114,6 +114,7 @@ struct PatternOptions
   bool notchCorners = false;           ///< notches where the sew lines of a corner end
   bool notchCurveEnds = false;         ///< notches where curves meet the border
   double notchLength = 5.0;
+  bool joinMarks = true; ///< A, B, ... at both ends and in the middle of what is sewn together
   DartStyle darts = DartStyle::Folded;
   /// Of smooth borders and curves from the flat pieces, but panels, which are smooth; 0: as these
   /// are.

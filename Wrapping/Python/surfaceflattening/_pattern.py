@@ -32,7 +32,8 @@ _NUMBERS = {
 _FLAGS = {
     "cut_darts_out": "CutDartsOut", "symmetrize": "Symmetrize", "cut_on_fold": "CutOnFold",
     "notch_corners": "NotchCorners", "notch_curve_ends": "NotchCurveEnds", "walk_table": "WalkTable",
-    "cut_pairs": "CutPairs", "laser_colors": "LaserColors", "nap": "FabricNap"}
+    "cut_pairs": "CutPairs", "laser_colors": "LaserColors", "cutter_style": "CutterStyle",
+    "join_marks": "JoinMarks", "nap": "FabricNap"}
 
 
 def _in_range(what: str, value: Any, least: float, most: float) -> Any:

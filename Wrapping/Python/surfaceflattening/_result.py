@@ -156,6 +156,7 @@ class Flattening(ComparedByValue):
         notch_corners: bool = False,
         notch_curve_ends: bool = False,
         notch_length: float = 5.0,
+        join_marks: bool = True,
         cut_darts_out: bool = False,
         cut_on_fold: bool = False,
         folds: Sequence[str] = (),
@@ -166,6 +167,7 @@ class Flattening(ComparedByValue):
         curve_fairs: Optional[Mapping[str, float]] = None,
         symmetrize: bool = False,
         laser_colors: bool = False,
+        cutter_style: bool = False,
         fabric_width: float = 0.0,
         nap: bool = False,
         fabric_gap: float = 5.0,
@@ -202,6 +204,8 @@ class Flattening(ComparedByValue):
             notch_curve_ends: notch the border where feature curves and edges end on it, and opposite on
                 what is sewn to it.
             notch_length: in [0, 1e6].
+            join_marks: mark both sides of each stretch that is sewn to another with the same letters, and list
+                them in a PDF.
             cut_darts_out: cut darts out along their allowance instead of folding them.
             cut_on_fold: draw a half of each symmetric piece, to be cut on the fold of the cloth.
             folds: names of curves along which pieces are cut on the fold: inside, where a half is drawn of a
@@ -217,6 +221,7 @@ class Flattening(ComparedByValue):
             symmetrize: draw the outline of each piece that is symmetric to 0.5 mm as exactly its own mirror
                 image; sides whose lengths differ by up to 0.1 mm get their mean.
             laser_colors: draw an SVG in thin lines with a colour of its own for each role.
+            cutter_style: draw a DXF for cutting machines: layers CUT, MARK and TEXT, each line once, with arcs.
             fabric_width: of SVG, PDF and HPGL: lay all copies of all pieces on cloth of this width, their
                 grain along it, as short as a search finds it, in [0, 1e5]; 0: pieces in rows.
             nap: that cloth has an up and a down, so that no piece is turned by half a turn.

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Outlines/Joins.h"
+
+#include "Drawing/SeamWalk.h"
+#include "DrawnPieces.h"
+#include "Formats/PatternFile.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace
+{
+using namespace drawnpieces;
+
+/// A strip of 200 x 100 whose upper side is sewn to two squares of 100 beside each other: one
+/// curve, two joins; the squares are sewn to each other as well. Unit: millimetre.
+PatternSource stripAndSquares()
+{
+  PatternSource source;
+  source.positions = { { 0.0, 0.0 }, { 200.0, 0.0 }, { 200.0, 100.0 }, { 100.0, 100.0 },
+    { 0.0, 100.0 } };
+  source.triangles = { { 0, 1, 3 }, { 1, 2, 3 }, { 0, 3, 4 } };
+  source.pieceOfTriangle.assign(3, 0);
+  for (const double left : { 300.0, 500.0 })
+  {
+    const auto first = static_cast<Index>(source.positions.size());
+    for (const Point2& p : { Point2(left, 0.0), Point2(left + 100.0, 0.0),
+           Point2(left + 100.0, 100.0), Point2(left, 100.0) })
+    {
+      source.positions.push_back(p);
+    }
+    source.triangles.push_back({ first, first + 1, first + 2 });
+    source.triangles.push_back({ first, first + 2, first + 3 });
+    source.pieceOfTriangle.resize(source.triangles.size(), first == 5 ? 1 : 2);
+  }
+  source.wires = { { { 4, 3, 2 }, WireType::Seam, 0, 0, "yoke" },
+    { { 5, 6 }, WireType::Seam, 0, 1, "yoke" }, { { 9, 10 }, WireType::Seam, 0, 2, "yoke" },
+    { { 6, 7 }, WireType::Seam, 1, 1, "center" }, { { 9, 12 }, WireType::Seam, 1, 2, "center" },
+    { { 4, 0, 1, 2 }, WireType::Boundary, none, 0, "boundary" },
+    { { 7, 8, 5 }, WireType::Boundary, none, 1, "boundary" },
+    { { 10, 11, 12 }, WireType::Boundary, none, 2, "boundary" } };
+  source.sewn = { { { 4, 3 }, { 5, 6 } }, { { 3, 2 }, { 9, 10 } }, { { 6, 7 }, { 9, 12 } } };
+  return source;
+}
+
+Pattern patternOf(const PatternSource& source, const PatternOptions& options)
+{
+  Pattern pattern;
+  const Status status = buildPattern(source, options, pattern);
+  EXPECT_TRUE(status.ok()) << status.message;
+  return pattern;
+}
+
+/// How often each mark is on a piece.
+std::map<std::string, int> marksOf(const PatternPiece& piece)
+{
+  std::map<std::string, int> marks;
+  for (const PatternText& text : piece.texts)
+  {
+    marks[text.text] += text.role == TextRole::Join ? 1 : 0;
+  }
+  for (auto mark = marks.begin(); mark != marks.end();)
+  {
+    mark = mark->second == 0 ? marks.erase(mark) : std::next(mark);
+  }
+  return marks;
+}
+}
+
+TEST(Joins, MarksCountOnBehindZ)
+{
+  EXPECT_EQ(joinMark(0), "A");
+  EXPECT_EQ(joinMark(25), "Z");
+  EXPECT_EQ(joinMark(26), "AA");
+  EXPECT_EQ(joinMark(27), "AB");
+  EXPECT_EQ(joinMark(26 * 27), "AAA");
+}
+
+TEST(Joins, ACurveThatMeetsTwoPiecesIsTwoJoinsWithMarksOnBothSides)
+{
+  const Pattern pattern = patternOf(stripAndSquares(), inMillimetres());
+  ASSERT_EQ(pattern.pieces.size(), 3U);
+  using Marks = std::map<std::string, int>;
+  EXPECT_EQ(marksOf(pattern.pieces[0]), (Marks{ { "A", 3 }, { "B", 3 } }));
+  EXPECT_EQ(marksOf(pattern.pieces[1]), (Marks{ { "A", 3 }, { "C", 3 } }));
+  EXPECT_EQ(marksOf(pattern.pieces[2]), (Marks{ { "B", 3 }, { "C", 3 } }));
+  // Along the upper side of the strip, within the cloth, which begins 10 mm inside its allowance.
+  for (const PatternText& text : pattern.pieces[0].texts)
+  {
+    if (text.role == TextRole::Join)
+    {
+      EXPECT_EQ(text.position.x() < 110.0, text.text == "A");
+      EXPECT_LT(text.position.y(), 110.0);
+      EXPECT_GT(text.position.y(), 95.0);
+    }
+  }
+}
+
+TEST(Joins, EachHasANotchOfItsOwnThatTellsItsEndsApart)
+{
+  PatternOptions options = inMillimetres();
+  options.notchSpacing = 250.0; // longer than the curve
+  const Pattern pattern = patternOf(stripAndSquares(), options);
+  std::vector<double> places;
+  for (const Notch& notch : pattern.pieces[0].notches)
+  {
+    places.push_back(notch.foot.x() - 10.0);
+  }
+  std::sort(places.begin(), places.end());
+  ASSERT_EQ(places.size(), 2U);
+  EXPECT_NEAR(places[0], 40.0, 1e-9);
+  EXPECT_NEAR(places[1], 140.0, 1e-9);
+}
+
+TEST(Joins, TheTableHasTheirPiecesAndLengths)
+{
+  const PatternSource source = stripAndSquares();
+  FileOptions options;
+  options.format = FileFormat::Pdf;
+  options.pattern = inMillimetres();
+  options.pattern.pieceNames = { "strip", "left", "right" };
+  Pattern pattern;
+  std::string content;
+  const Status status = makePatternFile(source, options, pattern, content);
+  ASSERT_TRUE(status.ok()) << status.message;
+  ASSERT_EQ(pattern.tables.size(), 1U);
+  const std::vector<std::vector<std::string>>& rows = pattern.tables.front().rows;
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(
+    rows[1], (std::vector<std::string>{ "A", "yoke", "1: strip", "2: left", "100", "100" }));
+  EXPECT_EQ(
+    rows[2], (std::vector<std::string>{ "B", "yoke", "1: strip", "3: right", "100", "100" }));
+  EXPECT_EQ(
+    rows[3], (std::vector<std::string>{ "C", "center", "2: left", "3: right", "100", "100" }));
+  options.pages.paper = PaperSize::Sheet;
+  ASSERT_TRUE(makePatternFile(source, options, pattern, content).ok());
+  EXPECT_TRUE(pattern.tables.empty());
+}
+
+TEST(Joins, NoneIsDrawnWhereTheyAreTurnedOff)
+{
+  PatternOptions options = inMillimetres();
+  options.joinMarks = false;
+  for (const PatternPiece& piece : patternOf(stripAndSquares(), options).pieces)
+  {
+    EXPECT_TRUE(marksOf(piece).empty());
+  }
+}
+
+TEST(Joins, ADrawingForCuttersHasEachLineOnceAndNoPoints)
+{
+  FileOptions options;
+  options.format = FileFormat::Dxf;
+  options.cutterStyle = true;
+  options.pattern = inMillimetres(0.0);
+  Pattern pattern;
+  std::string content;
+  ASSERT_TRUE(makePatternFile(stripAndSquares(), options, pattern, content).ok());
+  const auto count = [&content](const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = content.find(what); at != std::string::npos;
+         at = content.find(what, at + 1))
+    {
+      ++found;
+    }
+    return found;
+  };
+  EXPECT_EQ(count("POLYLINE\r\n"), 3U); // the outlines alone
+  EXPECT_EQ(count("VERTEX\r\n"), 12U);
+  EXPECT_EQ(count("\r\nPOINT\r\n"), 0U);
+  EXPECT_EQ(count("BLOCK\r\n"), 0U);
+  EXPECT_EQ(count("INSERT\r\n"), 0U);
+  EXPECT_NE(content.find("$INSUNITS\r\n 70\r\n4\r\n"), std::string::npos);
+  EXPECT_NE(content.find("TEXT\r\n  5"), std::string::npos);
+}
