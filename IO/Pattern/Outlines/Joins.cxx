@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Outlines/Joins.h"
 
-#include "Outlines/Notches.h"
-
-#include <algorithm>
 #include <unordered_set>
 
 namespace flattening::pattern

@@ -10,22 +10,6 @@
 
 namespace flattening::pattern
 {
-double lengthOnSurface(const PatternSource& source, Index a, Index b)
-{
-  return source.inSpace.empty() ? (source.positions[b] - source.positions[a]).norm()
-                                : (source.inSpace[b] - source.inSpace[a]).norm();
-}
-
-std::vector<double> arcsOnSurface(const PatternSource& source, const Indices& wire)
-{
-  std::vector<double> arcs{ 0.0 };
-  for (std::size_t k = 0; k + 1 < wire.size(); ++k)
-  {
-    arcs.push_back(arcs.back() + lengthOnSurface(source, wire[k], wire[k + 1]));
-  }
-  return arcs;
-}
-
 Status notchStations(const std::string& curve, double length, double spacing, bool directed,
   std::vector<double>& stations)
 {

@@ -22,12 +22,6 @@ struct NotchPlace
 /// as on printed patterns.
 constexpr double doubleNotchDistance = 6.35;
 
-/// Of an edge on the surface; in the plane where its points in space are not known.
-double lengthOnSurface(const PatternSource& source, Index a, Index b);
-
-/// Of the points of a wire, along it from its first one.
-std::vector<double> arcsOnSurface(const PatternSource& source, const Indices& wire);
-
 /// Lengths from the start of a stretch at which it is notched: multiples of the spacing, up to a
 /// quarter of it before the end, or the middle where there is none of these.
 /// \param directed the first one moves towards the start, by a quarter of the spacing or a tenth of

@@ -33,6 +33,22 @@ double doubleArea(const Points2& polygon)
   return sum;
 }
 
+double lengthOnSurface(const PatternSource& source, Index a, Index b)
+{
+  return source.inSpace.empty() ? (source.positions[b] - source.positions[a]).norm()
+                                : (source.inSpace[b] - source.inSpace[a]).norm();
+}
+
+std::vector<double> arcsOnSurface(const PatternSource& source, const Indices& wire)
+{
+  std::vector<double> arcs{ 0.0 };
+  for (std::size_t k = 0; k + 1 < wire.size(); ++k)
+  {
+    arcs.push_back(arcs.back() + lengthOnSurface(source, wire[k], wire[k + 1]));
+  }
+  return arcs;
+}
+
 BorderEdges bordersOf(const PatternSource& source)
 {
   BorderEdges borders;

@@ -46,6 +46,12 @@ Status findLoops(
 using SewnPartners = std::unordered_map<std::uint64_t, std::array<Index, 2>>;
 SewnPartners sewnPartners(const PatternSource& source);
 
+/// Of an edge on the surface; in the plane where its points in space are not known.
+double lengthOnSurface(const PatternSource& source, Index a, Index b);
+
+/// Of the points of a wire, along it from its first one.
+std::vector<double> arcsOnSurface(const PatternSource& source, const Indices& wire);
+
 /// Twice the signed area of a closed polygon.
 double doubleArea(const Points2& polygon);
 }
