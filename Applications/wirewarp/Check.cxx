@@ -146,44 +146,6 @@ void sayUnit(const Options& options, const std::string& stated, const LikelyUnit
             << '\n';
 }
 
-/// The factor that --scale and --height say.
-double scaleOf(const Options& options, const vtkBoundingBox& box, const std::string& unit)
-{
-  const double height = std::max(box.GetLength(1), box.GetLength(2));
-  if (options.height > 0.0 && !(height > 0.0))
-  {
-    throw InputError(options.surface, "has no extent in y or z that could have the --height");
-  }
-  return options.height > 0.0 ? options.height / millimetresOf(unit) / height : options.scale;
-}
-
-void scaleBy(double factor, vtkPolyData* surface)
-{
-  const vtkNew<vtkPoints> points; // the others may be those of the file as it was read
-  points->SetDataTypeToDouble();
-  points->DeepCopy(surface->GetPoints());
-  for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k)
-  {
-    std::array<double, 3> x{};
-    points->GetPoint(k, x.data());
-    points->SetPoint(k, factor * x[0], factor * x[1], factor * x[2]);
-  }
-  surface->SetPoints(points);
-}
-
-vtkBoundingBox boxOf(const TriangleList& list)
-{
-  vtkBoundingBox box;
-  for (const ListedTriangle& triangle : list.triangles)
-  {
-    for (const vtkIdType corner : triangle.corners)
-    {
-      box.AddPoint(list.points->GetPoint(corner));
-    }
-  }
-  return box;
-}
-
 /// \return whether the surface can be flattened without a cut
 bool saySurface(const TriangleList& list, const Shape& shape, const std::string& unit)
 {
@@ -248,9 +210,9 @@ int runCheck(const Options& options)
   {
     throw InputError(options.surface, "holds no triangles with finite points");
   }
-  if (options.scale != 1.0 || options.height > 0.0)
+  if (isScaled(options))
   {
-    scaleBy(scaleOf(options, boxOf(list), unit), mend.surface);
+    scaleBy(scaleOf(options, mend.surface, unit), mend.surface);
     list = listTriangles(mend.surface);
   }
   const vtkNew<vtkPolyData> healed;

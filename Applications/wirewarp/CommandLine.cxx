@@ -3,6 +3,7 @@
 
 #include "FaceSeams.h"
 #include "InputError.h"
+#include "Make.h"
 #include "OptionHints.h"
 #include "OutputPaths.h"
 #include "PlainText.h"
@@ -244,6 +245,19 @@ const std::vector<Command>& commands()
 {
   constexpr auto nothing = [](CLI::App&, Options&) {};
   static const std::vector<Command> all{
+    { "make", "Make a pattern of a surface in one go: check, propose cuts, flatten, draw",
+      "SURFACE", "FILE|DIR",
+      "File of the pattern: .pdf .svg .dxf .plt .json (GarmentCode) .csv (both sides of seams), or "
+      ".vtp for the cuts; repeat it for the next. A folder keeps the result (default: <name of "
+      "SURFACE>_pattern.pdf)",
+      [](CLI::App& app, Options& options) {
+        addMaking(app, options);
+        addScaling(app, options);
+        addCutting(app, options);
+        addDrawing(app, options.pattern);
+      },
+      { "--for", "--height", "--scale", "--max-strain", "--pieces", "--symmetric", "--effort",
+        "--material", "--allowance", "--fold", "--pairs", "--name", "--paper", "--style" } },
     { "check", "Print size, likely unit, openings and defects of a surface; mend it", "SURFACE",
       "FILE", "Write the mended and scaled surface: .vtp",
       [](CLI::App& app, Options& options) {
@@ -409,6 +423,7 @@ constexpr const char* examples =
   R"(wirewarp SURFACE [CURVES...] is short for wirewarp flatten SURFACE [CURVES...].
 wirewarp COMMAND --help lists the options of a command, --help-all those for experts as well.
 
+  wirewarp make shirt.obj --for garment -o shirt.pdf
   wirewarp check shirt.obj
   wirewarp cut shirt.obj --kind darts -o curves.vtp
   wirewarp flatten shirt.obj curves.vtp -o shirt
@@ -600,7 +615,7 @@ void checkOptions(const CLI::App& app, Options& options)
     task.batch.clear();
     resolveOutputs(task);
   }
-  static const std::set<std::string> keepLengths{ "cut", "prices", "reshape" };
+  static const std::set<std::string> keepLengths{ "cut", "make", "prices", "reshape" };
   if (options.values.text("Scheme") == "lscm" && keepLengths.count(task.command) > 0)
   {
     throw CLI::ValidationError(
@@ -617,7 +632,8 @@ void checkOptions(const CLI::App& app, Options& options)
 /// within the folder of each surface.
 void addCommandsOfBatch(CLI::App& batch, Options& options)
 {
-  static const std::set<std::string> left{ "check", "grade", "batch", "materials", "formats" };
+  static const std::set<std::string> left{ "make", "check", "grade", "batch", "materials",
+    "formats" };
   for (const Command& command : commands())
   {
     if (left.count(command.name) > 0)
@@ -636,7 +652,8 @@ void addCommandsOfBatch(CLI::App& batch, Options& options)
   }
 }
 
-/// The commands that have an option, "wirewarp pattern, wirewarp nest"; empty: none.
+/// The commands that have an option, "wirewarp pattern, wirewarp nest"; empty: none. That which
+/// does the work of several is not listed.
 std::string commandsWith(const std::string& option)
 {
   std::string names;
@@ -644,6 +661,10 @@ std::string commandsWith(const std::string& option)
   {
     CLI::App app;
     Options unused;
+    if (std::string_view(command.name) == "make" && option != "--for")
+    {
+      continue;
+    }
     declare(command, app, unused);
     const CLI::Option* const found = app.get_option_no_throw(option);
     names += found && !found->get_lnames().empty()
@@ -689,6 +710,11 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
     own.count(arguments[first]) == 0)
   {
     arguments.insert(arguments.begin() + static_cast<std::ptrdiff_t>(first), "flatten");
+  }
+
+  if (first < arguments.size() && arguments[first] == "make")
+  {
+    arguments = withOptionsOfKind(arguments);
   }
 
   CLI::App app("Flattens triangulated surfaces into pieces whose boundary and feature curves keep "

@@ -21,10 +21,13 @@
 #include <vtkFlatPieceAlgorithm.h>
 #include <vtkFlatteningAlgorithm.h>
 #include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
 #include <vtkStringArray.h>
 #include <vtkTrivialProducer.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <iomanip>
@@ -37,9 +40,6 @@ namespace wirewarp
 namespace
 {
 using Clock = std::chrono::steady_clock;
-
-/// A strain above this multiple of the bound misses it.
-constexpr double missedBy = 1.5;
 
 volatile std::sig_atomic_t interrupted = 0;
 
@@ -149,6 +149,10 @@ void setUnit(const Options& options, const CurveFiles& curves, const SurfaceCont
       note.append(stated).append("; check --unit");
     }
   }
+  if (stated.empty() && options.height > 0.0)
+  {
+    stated = "mm"; // in which the surface is once it is scaled
+  }
   result.unitStated = !stated.empty();
   if (result.unitStated)
   {
@@ -219,7 +223,16 @@ std::vector<std::string> readInput(const Options& options, const std::string& ba
     owner = model.surface;
     contents.curves = model.curves;
   }
-  filter->SetInputData(contents.surface);
+  vtkSmartPointer<vtkPolyData> surface = contents.surface;
+  double factor = 1.0;
+  if (isScaled(options))
+  {
+    factor = scaleOf(options, contents.surface, result.unit);
+    surface = vtkSmartPointer<vtkPolyData>::New();
+    surface->ShallowCopy(contents.surface);
+    scaleBy(factor, surface);
+  }
+  filter->SetInputData(surface);
   std::vector<std::string> files;
   std::vector<vtkPolyData*> read; // which the filter's connections keep
   const auto connect = [&](const std::string& path, vtkSmartPointer<vtkPolyData> curves) {
@@ -232,6 +245,10 @@ std::vector<std::string> readInput(const Options& options, const std::string& ba
     if (owner != contents.surface)
     {
       curves = movedCurves(curves, owner, contents.surface);
+    }
+    if (factor != 1.0)
+    {
+      scaleBy(factor, curves);
     }
     producer->SetOutput(curves);
     filter->AddCurvesConnection(producer->GetOutputPort());
@@ -256,7 +273,7 @@ std::vector<std::string> readInput(const Options& options, const std::string& ba
     }
     connect(path, curves.curves);
   }
-  result.curveDistance = largestDistance(contents.surface, read);
+  result.curveDistance = largestDistance(surface, read);
   return files;
 }
 
@@ -383,6 +400,49 @@ MendedSurface mendedSurface(
   request.millimetres = millimetresOf(unit);
   request.outerSide = options.outerSide;
   return mendSurface(contents.surface, request);
+}
+
+bool isScaled(const Options& options)
+{
+  return options.scale != 1.0 || options.height > 0.0;
+}
+
+double scaleOf(const Options& options, vtkPolyData* surface, const std::string& unit)
+{
+  const vtkBoundingBox box = boxOf(listTriangles(surface));
+  const double height = box.IsValid() ? std::max(box.GetLength(1), box.GetLength(2)) : 0.0;
+  if (options.height > 0.0 && !(height > 0.0))
+  {
+    throw InputError(options.surface, "has no extent in y or z that could have the --height");
+  }
+  return options.height > 0.0 ? options.height / millimetresOf(unit) / height : options.scale;
+}
+
+void scaleBy(double factor, vtkPolyData* data)
+{
+  const vtkNew<vtkPoints> points; // the others may be those of the file as it was read
+  points->SetDataTypeToDouble();
+  points->DeepCopy(data->GetPoints());
+  for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k)
+  {
+    std::array<double, 3> x{};
+    points->GetPoint(k, x.data());
+    points->SetPoint(k, factor * x[0], factor * x[1], factor * x[2]);
+  }
+  data->SetPoints(points);
+}
+
+vtkBoundingBox boxOf(const TriangleList& list)
+{
+  vtkBoundingBox box;
+  for (const ListedTriangle& triangle : list.triangles)
+  {
+    for (const vtkIdType corner : triangle.corners)
+    {
+      box.AddPoint(list.points->GetPoint(corner));
+    }
+  }
+  return box;
 }
 
 std::string unitTaken(const std::string& surface, const LikelyUnit& taken)

@@ -5,8 +5,10 @@
 #include "Options.h"
 #include "ReadSurface.h"
 #include "SurfaceMending.h"
+#include "TriangleList.h"
 #include "Units.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkTable.h>
@@ -42,6 +44,9 @@ inline std::string textIn(vtkTable* table, vtkIdType row, const char* column)
 
 /// The values of an array.
 std::vector<std::string> textsOf(vtkStringArray* array);
+
+/// A strain above this multiple of the bound misses it.
+constexpr double missedBy = 1.5;
 
 /// The tables of pieces that vtkFlatPieceAlgorithm gives.
 struct PieceTables
@@ -128,6 +133,14 @@ struct Flattening
 /// The surface of a file, mended as the options say. \param unit of the surface
 MendedSurface mendedSurface(
   const Options& options, const SurfaceContents& contents, const std::string& unit);
+
+/// Whether the options ask for another size of the surface.
+bool isScaled(const Options& options);
+/// The factor of --scale and --height. \param unit of the surface
+double scaleOf(const Options& options, vtkPolyData* surface, const std::string& unit);
+void scaleBy(double factor, vtkPolyData* data);
+/// Of the triangles alone.
+vtkBoundingBox boxOf(const TriangleList& list);
 
 /// What is said of a unit that is taken since none is stated.
 std::string unitTaken(const std::string& surface, const LikelyUnit& taken);

@@ -27,6 +27,7 @@ struct Options
   std::string command = "flatten";       ///< a name of the table in CommandLine.cxx
   std::string batchCommand = "flatten";  ///< that a batch runs on each surface
   std::vector<std::string> batchOutputs; ///< files of each surface in its folder
+  std::string madeFor;                   ///< a kind of Make.cxx; empty: not made
   std::string surface;
   std::string source; ///< the folder of a result that takes the place of a flattening; empty: none
   std::vector<std::string> curves;

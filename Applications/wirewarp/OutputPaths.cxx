@@ -22,12 +22,13 @@ using Formats = std::map<std::string, int>;
 
 const std::map<std::string, Formats>& drawnFormats()
 {
+  static const Formats ofPatterns{ { ".pdf", vtkPatternWriter::PDF },
+    { ".svg", vtkPatternWriter::SVG }, { ".dxf", vtkPatternWriter::DXF },
+    { ".plt", vtkPatternWriter::HPGL }, { ".hpgl", vtkPatternWriter::HPGL },
+    { ".json", vtkPatternWriter::GARMENT_CODE }, { ".csv", vtkPatternWriter::WALK } };
   static const std::map<std::string, Formats> all{
-    { "pattern",
-      { { ".pdf", vtkPatternWriter::PDF }, { ".svg", vtkPatternWriter::SVG },
-        { ".dxf", vtkPatternWriter::DXF }, { ".plt", vtkPatternWriter::HPGL },
-        { ".hpgl", vtkPatternWriter::HPGL }, { ".json", vtkPatternWriter::GARMENT_CODE },
-        { ".csv", vtkPatternWriter::WALK } } },
+    { "make", ofPatterns },
+    { "pattern", ofPatterns },
     { "nest",
       { { ".svg", vtkPatternWriter::SVG }, { ".plt", vtkPatternWriter::HPGL },
         { ".hpgl", vtkPatternWriter::HPGL } } },
@@ -72,7 +73,7 @@ bool takeFile(Options& options, const std::string& path)
   }
   std::string* const file = extension == ".png" && command == "picture" ? &options.picture.path
     : extension != ".vtp"                                               ? nullptr
-    : command == "cut"                                                  ? &options.curvesFile
+    : command == "cut" || command == "make"                             ? &options.curvesFile
     : command == "sew"                                                  ? &options.sewnFile
     : command == "reshape" || command == "check"                        ? &options.surfaceFile
                                                                         : nullptr;
@@ -130,7 +131,7 @@ void takeDefaults(Options& options)
   {
     options.curvesFile = stem + "_cuts.vtp";
   }
-  else if (command == "pattern")
+  else if (command == "pattern" || command == "make")
   {
     takeFile(options, beside("pattern.pdf"));
   }
@@ -183,12 +184,14 @@ void resolveOutputs(Options& options)
   {
     options.picture.path = (fs::path(options.output) / "picture.png").string();
   }
-  else if ((options.command == "pattern" || options.command == "nest") &&
+  else if ((options.command == "pattern" || options.command == "make" ||
+             options.command == "nest") &&
     options.pattern.files.empty())
   {
+    const std::string name = options.command == "nest" ? "lay.svg" : "pattern.pdf";
     takeFile(options,
-      (fs::path(options.output) / (options.command == "nest" ? "lay.svg" : "pattern.pdf"))
-        .string());
+      options.output.empty() ? fs::path(options.surface).stem().string() + "_" + name
+                             : (fs::path(options.output) / name).string());
   }
   else if (options.command == "grade" && options.pattern.files.empty())
   {
@@ -206,7 +209,7 @@ void resolveOutputs(Options& options)
       file = (folder / name).string();
     }
   };
-  if (options.command == "cut" || options.command == "reshape")
+  if (options.command == "cut" || options.command == "make" || options.command == "reshape")
   {
     within(options.curvesFile, "curves.vtp");
   }

@@ -159,6 +159,29 @@ std::string pieceTable(const Flattening& result)
   return layOut(rows, 1);
 }
 
+std::string fitVerdict(double strain, double bound)
+{
+  constexpr double hardlyAny = 0.01;
+  constexpr double ofCloth = 0.05;
+  constexpr double ofElastic = 0.15;
+  constexpr double tolerance = 1.1; // a search ends about at its bound
+  if (std::isnan(strain))
+  {
+    return "unknown";
+  }
+  const std::string percent = format("%.2g %%", 100.0 * strain);
+  const double enough = bound > 0.0 ? tolerance * bound : ofCloth;
+  if (strain <= enough)
+  {
+    return strain <= hardlyAny ? "fits, strain " + percent : "fits with a strain of " + percent;
+  }
+  if (strain > (bound > 0.0 ? missedBy * bound : ofElastic))
+  {
+    return "does not fit: strain " + percent + ", cut it";
+  }
+  return "strain " + percent + (bound > 0.0 ? ", more than wanted" : ", for material that gives");
+}
+
 std::string verdicts(const Flattening& result)
 {
   vtkTable* const table = result.tables.pieces;
@@ -168,7 +191,7 @@ std::string verdicts(const Flattening& result)
     const std::string name = plainText(textIn(table, piece, "Name"));
     text += "piece " + nameOf(piece) + (name.empty() ? "" : " " + name) + ": " +
       textIn(table, piece, "SizeInWords") + "; " + plainText(textIn(table, piece, "EaseInWords")) +
-      '\n';
+      "; " + fitVerdict(numberIn(table, piece, "StrainP95"), 0.0) + '\n';
   }
   return text;
 }

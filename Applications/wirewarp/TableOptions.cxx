@@ -356,7 +356,7 @@ vtkSmartPointer<vtkFlatPieceAlgorithm> makeFilter(const Options& options)
   {
     filter = vtkSmartPointer<vtkKeyCurvePrices>::New();
   }
-  else if (options.command == "cut")
+  else if (options.command == "cut" || options.command == "make")
   {
     const auto suggestion = vtkSmartPointer<vtkFeatureCurveSuggestion>::New();
     const flattening::Option& prefer =

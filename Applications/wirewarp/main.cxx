@@ -5,6 +5,7 @@
 #include "FlattenToFiles.h"
 #include "InputError.h"
 #include "Listings.h"
+#include "Make.h"
 #include "Options.h"
 #include "PlainText.h"
 #include "Resewing.h"
@@ -115,7 +116,11 @@ int run(const Options& options)
     std::cerr << "wirewarp: error: " << plainText(written.result.message) << '\n';
     return written.result.exitCode;
   }
-  if (!options.quiet)
+  if (!options.quiet && options.command == "make" && !options.table)
+  {
+    std::cout << summaryOfMaking(options, written);
+  }
+  else if (!options.quiet)
   {
     say(options, written);
   }

@@ -145,7 +145,8 @@ class Sizes(command.CommandTest):
         self.assertIn("%.1f %% of the area must be stretched, worst" % (100 * less / whole), line)
         self.assertIn(size["worst_place"], line)
         piece = self.report("out")["pieces"][0]
-        self.assertEqual(line, f"piece 1: {piece['size']}; {piece['ease']}")
+        self.assertEqual(line, f"piece 1: {piece['size']}; {piece['ease']}; strain "
+                               f"{100 * piece['strain_p95']:.2g} %, for material that gives")
 
     def test_how_far_curves_were_off_the_surface_is_said(self):
         self.write("plate.obj", command.obj(*plate(12, 12)))

@@ -4,7 +4,7 @@ import re
 
 import command
 
-COMMANDS = ("check", "cut", "flatten", "pattern", "nest", "grade", "sew", "reshape", "picture", "prices", "batch",
+COMMANDS = ("make", "check", "cut", "flatten", "pattern", "nest", "grade", "sew", "reshape", "picture", "prices", "batch",
             "materials", "formats")
 
 

@@ -227,7 +227,13 @@ std::vector<JoinSide> rightHalf(const std::vector<JoinSide>& sides, const Mirror
       std::minmax(side.mark, other->mark, [](const std::string& a, const std::string& b) {
         return a.size() != b.size() ? a.size() < b.size() : a < b;
       });
-    half.push_back({ first == second ? first : first + "/" + second, longest->points });
+    JoinSide& own = half.emplace_back();
+    own.mark = first;
+    if (first != second)
+    {
+      own.mark.append("/").append(second);
+    }
+    own.line = longest->points;
   }
   return half;
 }

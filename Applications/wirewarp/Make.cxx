@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Make.h"
+
+#include "FlattenToFiles.h"
+#include "Flattening.h"
+#include "Options.h"
+#include "PlainText.h"
+#include "Table.h"
+#include "Units.h"
+
+#include <vtkPatternWriter.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iomanip>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace wirewarp
+{
+namespace
+{
+struct DefaultOption
+{
+  std::string option;
+  std::string value; ///< empty: a flag
+};
+
+/// What is made of a surface.
+struct Kind
+{
+  std::string name;
+  std::string text;
+  std::vector<DefaultOption> defaults;
+};
+
+const std::vector<Kind>& kinds()
+{
+  static const std::vector<Kind> all{
+    { "garment", "woven and knitted cloth: darts and seams", { { "--max-strain", "5%" } } },
+    { "plush", "toys and covers", { { "--max-strain", "5%" }, { "--allowance", "6" } } },
+    { "foam", "foam to glue edge on edge",
+      { { "--kind", "seams" }, { "--max-strain", "5%" }, { "--material", "isotropic" },
+        { "--cut-darts-out", "" }, { "--style", "cutter" } } },
+    { "tent", "canvas and film, which hardly give",
+      { { "--kind", "seams" }, { "--max-strain", "2%" }, { "--allowance", "15" } } },
+    { "sheet", "metal, board and leather",
+      { { "--max-strain", "1%" }, { "--material", "isotropic" }, { "--cut-darts-out", "" },
+        { "--style", "cutter" } } },
+  };
+  return all;
+}
+
+/// Of all kinds: a pattern within some ten seconds.
+const DefaultOption effort{ "--effort", "quick" };
+
+bool isOption(const std::string& argument, const std::string& option)
+{
+  return argument == option || argument.rfind(option + '=', 0) == 0;
+}
+
+bool hasOption(const std::vector<std::string>& arguments, const std::string& option)
+{
+  return std::any_of(arguments.begin(), arguments.end(),
+    [&option](const std::string& argument) { return isOption(argument, option); });
+}
+
+std::string kindIn(const std::vector<std::string>& arguments)
+{
+  for (std::size_t k = 0; k < arguments.size(); ++k)
+  {
+    if (arguments[k].rfind("--for=", 0) == 0)
+    {
+      return arguments[k].substr(6);
+    }
+    if (arguments[k] == "--for" && k + 1 < arguments.size())
+    {
+      return arguments[k + 1];
+    }
+  }
+  return kinds().front().name;
+}
+
+std::string counted(std::size_t count, const std::string& what)
+{
+  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
+std::string rounded(double value)
+{
+  std::ostringstream text;
+  if (value >= 100.0)
+  {
+    text << std::fixed << std::setprecision(0) << value;
+  }
+  else
+  {
+    text << std::setprecision(3) << value;
+  }
+  return text.str();
+}
+
+std::string surfaceLine(const Options& options, const Flattening& result)
+{
+  std::array<double, 6> box{};
+  result.cut->GetBounds(box.data());
+  const std::string unit = result.unit;
+  return "surface: " + plainText(options.surface) + ", " + rounded(box[1] - box[0]) + " x " +
+    rounded(box[3] - box[2]) + " x " + rounded(box[5] - box[4]) + ' ' + unit +
+    (result.unitStated ? "" : " (a likely unit; state it with --unit)") + '\n';
+}
+
+std::string cutsLine(const Flattening& result)
+{
+  const vtkSmartPointer<vtkTable> cuts = suggestedCuts(result);
+  std::map<std::string, std::size_t> count;
+  double length = 0.0;
+  for (vtkIdType row = 0; row < cuts->GetNumberOfRows(); ++row)
+  {
+    ++count[textIn(cuts, row, "Type")];
+    length += numberIn(cuts, row, "Length");
+  }
+  std::string text;
+  for (const auto& [type, number] : count)
+  {
+    text += counted(number, type) + ", ";
+  }
+  const bool mirrored =
+    !mirrorNumbers(result, "MirrorPlane").empty() || !mirrorNumbers(result, "MirrorAxis").empty();
+  return text.empty() ? "cuts: none are needed\n"
+                      : "cuts: " + text + rounded(length) + ' ' + result.unit + " long in all" +
+      (mirrored ? ", mirrored\n" : "\n");
+}
+
+/// The row with the largest number of any of some columns.
+vtkIdType largestRow(vtkTable* pieces, const std::vector<const char*>& columns)
+{
+  vtkIdType largest = 0;
+  double most = -1.0;
+  for (vtkIdType row = 0; row < pieces->GetNumberOfRows(); ++row)
+  {
+    for (const char* const column : columns)
+    {
+      if (numberIn(pieces, row, column) > most)
+      {
+        most = numberIn(pieces, row, column);
+        largest = row;
+      }
+    }
+  }
+  return largest;
+}
+
+std::string piecesLine(const Flattening& result)
+{
+  vtkTable* const pieces = result.tables.pieces;
+  const vtkIdType largest = largestRow(pieces, { "FlatWidth", "FlatHeight" });
+  return "pieces: " + std::to_string(pieces->GetNumberOfRows()) + ", the " +
+    (pieces->GetNumberOfRows() > 1 ? "longest " : "size ") +
+    textIn(pieces, largest, "SizeInWords") + '\n';
+}
+
+std::string fitLine(const Options& options, const Flattening& result)
+{
+  vtkTable* const pieces = result.tables.pieces;
+  const vtkIdType worst = largestRow(pieces, { "StrainP95" });
+  const std::string piece =
+    pieces->GetNumberOfRows() > 1 ? "on piece " + std::to_string(worst + 1) + ", " : "";
+  const std::string place = textIn(pieces, worst, "WorstPlace");
+  return "fit: " +
+    fitVerdict(numberIn(pieces, worst, "StrainP95"), options.values.number("Bound")) +
+    (place.empty() ? "" : ", worst " + piece + plainText(place)) + '\n';
+}
+
+std::string filesLine(const Options& options, const FilesOfFlattening& written)
+{
+  std::string text;
+  for (const std::string& file : written.files)
+  {
+    text += (text.empty() ? "open: " : ", ") + plainText(file);
+  }
+  const std::vector<PatternFile>& files = options.pattern.files;
+  const bool printed = std::any_of(files.begin(), files.end(),
+    [](const PatternFile& file) { return file.format == vtkPatternWriter::PDF; });
+  return text.empty()
+    ? ""
+    : text + (printed ? "; print at 100 % and measure the rectangle of 100 mm x 50 mm\n" : "\n");
+}
+}
+
+void addMaking(CLI::App& app, Options& options)
+{
+  std::vector<std::string> names;
+  std::string words;
+  std::string text = "What is not given is then:";
+  for (const Kind& kind : kinds())
+  {
+    names.push_back(kind.name);
+    words += (words.empty() ? "" : "|") + kind.name;
+    std::string line = "\n  " + kind.name;
+    line.append(" (").append(kind.text).append("):");
+    for (const DefaultOption& option : kind.defaults)
+    {
+      line.append(" ").append(option.option);
+      line.append(option.value.empty() ? "" : " ").append(option.value);
+    }
+    text += line;
+  }
+  app.add_option("--for", options.madeFor, "What is made, which sets options that are not given")
+    ->transform(CLI::IsMember(names, CLI::ignore_case).description(""))
+    ->type_name(words)
+    ->default_str(names.front());
+  app.footer(text + "\n  all: " + effort.option + ' ' + effort.value + "\n\n" + app.get_footer());
+}
+
+std::vector<std::string> withOptionsOfKind(std::vector<std::string> arguments)
+{
+  const std::string name = kindIn(arguments);
+  std::vector<DefaultOption> defaults;
+  for (const Kind& kind : kinds())
+  {
+    if (CLI::detail::to_lower(name) == kind.name)
+    {
+      defaults = kind.defaults;
+    }
+  }
+  if (!hasOption(arguments, "--max-work"))
+  {
+    defaults.push_back(effort);
+  }
+  const std::vector<std::string> given = arguments;
+  for (const DefaultOption& option : defaults)
+  {
+    if (!hasOption(given, option.option))
+    {
+      arguments.push_back(option.option + (option.value.empty() ? "" : '=' + option.value));
+    }
+  }
+  return arguments;
+}
+
+std::string summaryOfMaking(const Options& options, const FilesOfFlattening& written)
+{
+  const Flattening& result = written.result;
+  if (result.tables.pieces->GetNumberOfRows() == 0)
+  {
+    return filesLine(options, written);
+  }
+  return surfaceLine(options, result) + cutsLine(result) + piecesLine(result) +
+    fitLine(options, result) + filesLine(options, written);
+}
+}

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`wirewarp make`: from a surface to a pattern in one command."""
+
+import os
+import re
+
+import command
+
+
+class Make(command.CommandTest):
+    def setUp(self):
+        super().setUp()
+        points, triangles, _ = command.quarter_sphere()
+        self.write("cap.obj", command.obj([tuple(20 * x for x in p) for p in points], triangles))
+        self.write("box.obj", command.obj(*command.TETRAHEDRON))
+
+    def make(self, *arguments, code=0):
+        run = self.run_command("make", *arguments)
+        self.assertEqual(run.returncode, code, run.stderr)
+        return run
+
+    def layers(self, name):
+        with open(self.path(name), encoding="ascii") as file:
+            return set(re.findall(r"LAYER\n  5\n\w+\n  2\n(\w+)", file.read()))
+
+    def test_it_says_in_five_lines_what_was_made(self):
+        run = self.make("cap.obj", "--unit", "cm", "-o", "cap.pdf", "-o", "cap.vtp")
+        lines = run.stdout.splitlines()
+        self.assertEqual([line.split(":")[0] for line in lines], ["surface", "cuts", "pieces", "fit", "open"])
+        self.assertIn("cap.obj, 20 x 20 x 40 cm", lines[0])
+        self.assertRegex(lines[1], r"cuts: (\d+ (dart|seam)s?, )+[\d.]+ cm long in all")
+        self.assertRegex(lines[2], r"pieces: \d+, the (size|longest) \d+ x \d+ cm")
+        self.assertRegex(lines[3], r"fit: fits with a strain of [\d.]+ %, worst .*")
+        self.assertIn("cap.pdf, cap.vtp; print at 100 %", lines[4])
+        self.assertEqual(sorted(os.listdir(self.folder)), ["box.obj", "cap.obj", "cap.pdf", "cap.vtp"])
+
+    def test_a_closed_surface_of_no_size_becomes_pieces_of_foam(self):
+        run = self.make("box.obj", "--for", "foam", "--height", "300mm", "-o", "box.dxf", "-o", "box.csv")
+        self.assertIn("surface: box.obj, 300 x 300 x 300 mm", run.stdout)
+        self.assertNotIn("unit", run.stderr)
+        self.assertEqual(self.layers("box.dxf"), {"CUT", "MARK", "TEXT"})
+        with open(self.path("box.csv"), encoding="utf-8") as file:
+            rows = [line.rstrip("\n").split(",") for line in file][1:]
+        self.assertTrue({"A", "B", "C"} <= {row[-1] for row in rows})
+        for row in rows:
+            self.assertAlmostEqual(float(row[7]), float(row[8]), delta=1e-6)
+        # Three edges of a corner at least are cut to lay the tetrahedron flat.
+        self.assertGreater(sum(float(row[7]) for row in rows), 900 - 1e-6)
+
+    def test_each_kind_sets_what_is_not_given(self):
+        for words, bound, material, layers in (
+                ((), 0.05, None, "1"), (("--for", "tent"), 0.02, None, "1"),
+                (("--for=sheet",), 0.01, "isotropic", "CUT"),
+                (("--for", "sheet", "--max-strain", "3%", "--material=leather", "--style", "sewing"), 0.03, "leather", "1")):
+            with self.subTest(words):
+                # One short cut is not enough for any of them.
+                run = self.make("cap.obj", "--unit", "cm", "-o", "out", "-o", "cap.dxf", *words, "--max-cuts", "1",
+                                "--max-length", "1", code=4)
+                self.assertIn("above the bound of %s" % bound, run.stderr)
+                self.assertEqual(self.report("out")["material"], material)
+                self.assertIn(layers, self.layers("cap.dxf"))
+
+    def test_the_default_file_is_named_after_the_surface(self):
+        self.make("cap.obj", "--unit", "cm", "-q")
+        self.assertTrue(os.path.exists(self.path("cap_pattern.pdf")))
+
+    def test_a_bound_that_is_missed_is_said(self):
+        run = self.make("cap.obj", "--unit", "cm", "--max-strain", "0.1%", "--max-cuts", "1", "-o", "a.svg", code=4)
+        self.assertIn("does not fit: strain", run.stdout)
+        self.assertIn("--max-cuts", run.stderr)
+
+    def test_an_unknown_kind_is_refused(self):
+        run = self.make("cap.obj", "--for", "boat", code=2)
+        self.assertIn("boat", run.stderr)
+        self.assertIn("garment", run.stderr)
+
+
+if __name__ == "__main__":
+    command.main()
