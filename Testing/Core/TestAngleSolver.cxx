@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Angles/AngleProblem.h"
 #include "Angles/AngleSolver.h"
+#include "Angles/DirectionsForm.h"
+#include "ModelDerivatives.h"
 #include "Reference/SequentialAngleSolver.h"
 #include "WiredSurface.h"
 
+#include <Eigen/QR>
+#include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
+#include <random>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -163,4 +168,167 @@ TEST(AngleSolver, SaysWhenItRanOutOfIterations)
       EXPECT_EQ(solution.theta.size(), 24U);
     }
   }
+}
+
+namespace
+{
+std::vector<double> shaken(std::vector<double> theta, const NodeLocks& locks)
+{
+  std::mt19937 random(7);
+  for (std::size_t i = 0; i < theta.size(); ++i)
+  {
+    theta[i] += locks.locked[i] ? 0.0 : 0.2 * (random() / 4294967296.0 - 0.5);
+  }
+  return theta;
+}
+
+/// Surfaces with every kind of loop: several patches, locked nodes, a hole, a dangling wire.
+std::vector<Surface> wiredSurfaces()
+{
+  std::vector<Surface> surfaces;
+  surfaces.push_back(quarterSphere());
+  Surface keys = cushion(6, 6, 0.5);
+  keys.curves = { curveOf(CurveType::Key, "key", rowCurve(6, 3).vertices), columnCurve(6, 6, 2) };
+  surfaces.push_back(keys);
+  Surface hole = cushion(6, 6, 0.5);
+  hole.curves = { curveOf(CurveType::Dart, "eye", { 16, 23, 30 }),
+    accessory("dangling", { 3, 10 }) };
+  surfaces.push_back(hole);
+  return surfaces;
+}
+}
+
+TEST(AngleProblem, AllConstraintsHoldForTheAnglesOfAFlatSurface)
+{
+  Surface surface = flatPatch(6, 6);
+  surface.curves = { rowCurve(6, 2), columnCurve(6, 6, 4), accessory("dangling", { 3, 10 }),
+    curveOf(CurveType::Dart, "eye", { 29, 30, 31 }) };
+  const WiredSurface wired(surface);
+  const AngleProblem problem = wired.problem();
+  const AngleConstraints constraints(problem);
+  EXPECT_LT(constraints.residual(wired.network.alpha).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT(closureResidual(wired.network, wired.network.alpha, problem.length), 1e-12);
+  EXPECT_DOUBLE_EQ(angleObjective(problem, wired.network.alpha), 0.0);
+}
+
+TEST(AngleProblem, TheJacobianIsTheDerivativeOfTheResidual)
+{
+  for (const Surface& surface : wiredSurfaces())
+  {
+    const WiredSurface wired(surface);
+    const AngleProblem problem = wired.problem();
+    const AngleConstraints constraints(problem);
+    const std::vector<double> theta = shaken(problem.locks.angle, problem.locks);
+    const Eigen::MatrixXd jacobian(constraints.jacobian(theta));
+    const double step = 1e-5;
+    for (Index k = 0; k < constraints.freeCount(); ++k)
+    {
+      std::vector<double> forward = theta;
+      std::vector<double> backward = theta;
+      forward[constraints.freeNodes()[k]] += step;
+      backward[constraints.freeNodes()[k]] -= step;
+      const Eigen::VectorXd difference =
+        (constraints.residual(forward) - constraints.residual(backward)) / (2.0 * step);
+      EXPECT_LT((jacobian.col(k) - difference).cwiseAbs().maxCoeff(), 1e-8) << "column " << k;
+    }
+  }
+}
+
+namespace
+{
+Eigen::VectorXd randomVector(Eigen::Index size, double scale)
+{
+  std::mt19937 random(11);
+  Eigen::VectorXd x(size);
+  for (double& value : x)
+  {
+    value = scale * (random() / 2147483648.0 - 1.0);
+  }
+  return x;
+}
+
+/// Several patches, a key curve, a hole joined by connectors, a dangling wire; two elastic groups.
+struct Everything
+{
+  WiredSurface wired;
+  AngleProblem problem;
+
+  Everything()
+    : wired(surface())
+    , problem(wired.problem())
+  {
+    problem.groups = { { 0.1, 0.02 }, { 0.9, 0.05 } };
+    for (Index e = 0; e < wired.network.edgeCount(); ++e)
+    {
+      const WireEdge& edge = wired.network.edges[e];
+      problem.stretchGroup[e] = edge.connector ? 1 : edge.curve == 1 ? 0 : none;
+    }
+  }
+
+  static Surface surface()
+  {
+    Surface surface = cushion(8, 8, 0.5);
+    surface.curves = { curveOf(CurveType::Key, "key", rowCurve(8, 6).vertices),
+      columnCurve(8, 8, 2), accessory("dangling", { 7, 16 }),
+      curveOf(CurveType::Dart, "eye", { 22, 31, 40 }) };
+    return surface;
+  }
+
+  /// A point near the surface's angles, with some stretch.
+  Eigen::VectorXd point(const DirectionsForm& form) const
+  {
+    return form.unknowns(form.projectedAngles()) + randomVector(form.unknownCount(), 0.1);
+  }
+};
+}
+
+TEST(DirectionsForm, EveryPointMeetsTheTurningAndWholeTurnConstraints)
+{
+  Surface surface = cushion(8, 8, 0.5);
+  surface.curves = { rowCurve(8, 6), columnCurve(8, 8, 2), accessory("dangling", { 7, 16 }),
+    curveOf(CurveType::Dart, "eye", { 22, 31, 40 }) };
+  const WiredSurface wired(surface);
+  const AngleProblem problem = wired.problem();
+  const DirectionsForm form(problem);
+  const AngleConstraints constraints(problem);
+  const Eigen::VectorXd x = randomVector(form.unknownCount(), 2.0);
+  const Eigen::VectorXd residual = constraints.residual(form.angles(x));
+  for (Index loop = 0; loop < wired.network.loopCount(); ++loop)
+  {
+    EXPECT_NEAR(residual[3 * loop], 0.0, 1e-12);
+  }
+  for (Index row = 3 * wired.network.loopCount(); row < constraints.rowCount(); ++row)
+  {
+    EXPECT_NEAR(residual[row], 0.0, 1e-12);
+  }
+}
+
+TEST(DirectionsForm, ProjectedAnglesAreTheNearestThatMeetTheLinearConstraints)
+{
+  const WiredSurface wired(quarterSphere());
+  const AngleProblem problem = wired.problem();
+  const DirectionsForm form(problem);
+  const std::vector<double>& projected = form.projectedAngles();
+  // The gradient of the distance vanishes over all angles that the form can make.
+  const Eigen::VectorXd x = form.unknowns(projected);
+  EXPECT_LT(largestDifference(form.angles(x), projected), 1e-12);
+  EXPECT_LT(form.gradient(x).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(DirectionsForm, TheKktMatrixHoldsTheDerivativesOfObjectiveClosureAndLagrangian)
+{
+  const Everything all;
+  const DirectionsForm form(all.problem);
+  const Eigen::VectorXd x = all.point(form);
+  const Eigen::VectorXd multipliers = randomVector(form.constraintCount(), 1.0);
+  DirectionsKkt kkt(form);
+  expectGradientOfObjective(kkt, x, 1e-5, 1e-8);
+  expectKktOfLagrangian(kkt, x, multipliers, 1e-5, 1e-8, 1e-8);
+  kkt.linearize(x, multipliers, Curvature::Exact, 0.25);
+  const Eigen::MatrixXd matrix(Eigen::MatrixXd(kkt.kkt()).selfadjointView<Eigen::Lower>());
+  const Eigen::MatrixXd corner = matrix.bottomRightCorner(multipliers.size(), multipliers.size());
+  EXPECT_EQ(corner, -0.25 * Eigen::MatrixXd::Identity(multipliers.size(), multipliers.size()));
+  const Eigen::VectorXd product =
+    matrix.topRightCorner(form.unknownCount(), multipliers.size()) * multipliers;
+  EXPECT_LT((product - kkt.transposedJacobianTimes(multipliers)).cwiseAbs().maxCoeff(), 1e-12);
 }

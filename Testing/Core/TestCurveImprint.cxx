@@ -1,14 +1,169 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ImprintTesting.h"
+#include "Imprint/CurveImprint.h"
+#include "MeshTriangles.h"
+#include "Surface/SurfacePreparation.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <set>
+#include <string>
+#include <utility>
 
 using namespace flattening;
-using namespace imprinttesting;
+
+namespace
+{
+/// A flat grid of n x n unit squares, each cut along its diagonal; vertex (i, j) is j (n + 1) + i.
+TriangleMesh grid(Index n)
+{
+  Points3 points;
+  for (Index j = 0; j <= n; ++j)
+  {
+    for (Index i = 0; i <= n; ++i)
+    {
+      points.push_back(Point3(i, j, 0.0));
+    }
+  }
+  return prepareSurface(points, testmeshes::gridTriangles(n, n)).mesh;
+}
+
+Polyline polyline(Points3 points)
+{
+  Polyline result;
+  result.points = std::move(points);
+  for (std::size_t i = 0; i < result.points.size(); ++i)
+  {
+    result.pointIds.push_back(static_cast<Index>(100 + i));
+  }
+  return result;
+}
+
+double length(const TriangleMesh& mesh, const Indices& chain)
+{
+  double sum = 0.0;
+  for (std::size_t i = 1; i < chain.size(); ++i)
+  {
+    sum += (mesh.point(chain[i]) - mesh.point(chain[i - 1])).norm();
+  }
+  return sum;
+}
+
+/// A surface z = f over the points of a grid, or any other map of them.
+template <typename Map>
+TriangleMesh mapped(const TriangleMesh& mesh, Map map)
+{
+  Points3 points = mesh.points();
+  for (Point3& p : points)
+  {
+    p = map(p);
+  }
+  PreparedSurface surface = prepareSurface(points, mesh.triangles(), CoincidentPoints::Join);
+  EXPECT_TRUE(surface.status.ok()) << surface.status.message;
+  return surface.mesh;
+}
+
+/// What holds for every imprint: the same surface, as a valid mesh, with each curve on its edges.
+void expectSameSurface(const TriangleMesh& before, const ImprintedSurface& after)
+{
+  ASSERT_TRUE(after.status.ok()) << after.status.message;
+  const TriangleMesh& mesh = after.mesh;
+  const PreparedSurface valid =
+    prepareSurface(mesh.points(), mesh.triangles(), CoincidentPoints::Join);
+  ASSERT_TRUE(valid.status.ok()) << valid.status.message;
+  EXPECT_TRUE(valid.reversedTriangles.empty());
+  EXPECT_EQ(valid.mesh.vertexCount(), mesh.vertexCount());
+  EXPECT_EQ(eulerCharacteristic(mesh), eulerCharacteristic(before));
+  EXPECT_EQ(mesh.boundaryLoops().size(), before.boundaryLoops().size());
+
+  ASSERT_EQ(after.originalTriangle.size(), mesh.triangles().size());
+  std::vector<double> area(before.triangleCount(), 0.0);
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const Index whole = after.originalTriangle[t];
+    ASSERT_TRUE(whole >= 0 && whole < before.triangleCount());
+    area[whole] += mesh.area(t);
+  }
+  for (Index t = 0; t < before.triangleCount(); ++t)
+  {
+    // Rounding of a triangle's own coordinates is all that may change its area.
+    double longest = 0.0;
+    double size = 0.0;
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+    {
+      longest = std::max(longest, before.length(h));
+      size = std::max(size, before.point(before.from(h)).norm());
+    }
+    EXPECT_NEAR(area[t], before.area(t), 1e-12 * before.area(t) + 1e-14 * longest * size);
+  }
+
+  ASSERT_EQ(after.vertexSource.size(), mesh.points().size());
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+  {
+    const VertexSource& source = after.vertexSource[v];
+    Point3 mean = Point3::Zero();
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_GE(source.weights[k], -1e-15);
+      sum += source.weights[k];
+      mean += source.weights[k] * before.point(source.vertices[k]);
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-14);
+    EXPECT_LE((mean - mesh.point(v)).norm(), 1e-15 * (1.0 + mean.norm()));
+    if (v < before.vertexCount())
+    {
+      EXPECT_EQ(mesh.point(v), before.point(v));
+    }
+  }
+
+  for (const FeatureCurve& curve : after.curves)
+  {
+    ASSERT_GE(curve.vertices.size(), 2u);
+    for (std::size_t i = 1; i < curve.vertices.size(); ++i)
+    {
+      const Index a = curve.vertices[i - 1];
+      const Index b = curve.vertices[i];
+      EXPECT_TRUE(mesh.find(a, b) != none || mesh.find(b, a) != none);
+    }
+  }
+}
+
+double smallestAngle(const TriangleMesh& mesh)
+{
+  double least = pi;
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    least = std::min(least, mesh.angle(h));
+  }
+  return least;
+}
+
+/// Half a cylinder of radius one and height two, n by n.
+TriangleMesh halfCylinder(Index n)
+{
+  return mapped(grid(n), [n](const Point3& p) {
+    const double angle = pi * p.x() / n;
+    return Point3(std::cos(angle), std::sin(angle), 2.0 * p.y() / n);
+  });
+}
+
+/// A closed tube bent to a ring: a torus of radii two and one half.
+TriangleMesh torus(Index n)
+{
+  return mapped(grid(n), [n](const Point3& p) {
+    const double u = 2.0 * pi * (static_cast<Index>(p.x()) % n) / n;
+    const double v = 2.0 * pi * (static_cast<Index>(p.y()) % n) / n;
+    const double r = 2.0 + 0.5 * std::cos(v);
+    return Point3(r * std::cos(u), r * std::sin(u), 0.5 * std::sin(v));
+  });
+}
+}
 
 TEST(CurveImprint, ACurveAlongEdgesBecomesItsVerticesAndLeavesTheMeshUnchanged)
 {
@@ -321,4 +476,249 @@ TEST(CurveImprint, GoesToTheNearestVertexWhereNothingIsSplit)
     { polyline({ Point3(1.2, 1.3, 0.1), Point3(1.9, 1.1, 0.2), Point3(3.3, 0.8, 0.0) }) }, options);
   ASSERT_TRUE(result.status.ok()) << result.status.message;
   EXPECT_EQ(result.curves[0].vertices, (Indices{ 12, 13, 14 }));
+}
+
+TEST(CurveImprintRefusal, ASegmentThatIsNoEdgeIsRefusedWithItsPointsWhereSplittingIsOff)
+{
+  ImprintOptions options;
+  options.split = false;
+  const auto result =
+    imprintCurves(grid(4), { polyline({ Point3(0, 0, 0), Point3(2, 1, 0) }) }, options);
+  EXPECT_EQ(result.status.code, StatusCode::CurveNotOnEdges);
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 100, 101 } }));
+}
+
+TEST(CurveImprintRefusal, APointTooFarToMeasureIsRefusedLikeOneThatIsNoNumber)
+{
+  const auto result =
+    imprintCurves(grid(4), { polyline({ Point3(0, 0, 0), Point3(1, 1e200, 0) }) }, {});
+  EXPECT_EQ(result.status.code, StatusCode::NonFinitePoint);
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 101 } }));
+}
+
+TEST(CurveImprintRefusal, ACurveWithoutTwoDifferentPointsIsRefusedWithItsId)
+{
+  const Polyline good = polyline({ Point3(0, 0, 0), Point3(1, 0, 0) });
+  const Polyline bad = polyline({ Point3(1, 1, 0), Point3(1, 1, 0) });
+  const auto result = imprintCurves(grid(4), { good, bad }, {});
+  EXPECT_EQ(result.status.code, StatusCode::CurveTooShort);
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::Curves, Indices{ 1 } }));
+}
+
+TEST(CurveImprintRefusal, ASegmentThatLeavesTheSurfaceIsRefusedWithItsPoints)
+{
+  // A horseshoe: the grid without the middle of its lower half.
+  const TriangleMesh mesh = testmeshes::partWhere(grid(6), [](const Point3& p) {
+    return p.x() < 2 || p.x() > 4 || p.y() > 3;
+  }).mesh;
+  const Polyline bad = polyline({ Point3(0.2, 0.3, 0), Point3(1.1, 1.4, 0), Point3(5.1, 1.6, 0) });
+  const auto result = imprintCurves(mesh, { bad }, {});
+  EXPECT_EQ(result.status.code, StatusCode::CurveLeavesSurface);
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 101, 102 } }));
+  EXPECT_NE(result.status.message.find("(2, "), std::string::npos) << result.status.message;
+  EXPECT_EQ(result.mesh.triangleCount(), 0);
+}
+
+TEST(CurveImprintRefusal, APointOffTheSurfaceIsRefusedWithItsDistance)
+{
+  const auto result =
+    imprintCurves(grid(4), { polyline({ Point3(0.3, 0.4, 0), Point3(1.2, 1.1, 0.25) }) }, {});
+  EXPECT_EQ(result.status.code, StatusCode::CurvePointOffSurface);
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 101 } }));
+  EXPECT_NE(result.status.message.find("0.25"), std::string::npos) << result.status.message;
+  ImprintOptions wide;
+  wide.tolerance = 0.1;
+  const auto projected =
+    imprintCurves(grid(4), { polyline({ Point3(0.3, 0.4, 0), Point3(1.2, 1.1, 0.25) }) }, wide);
+  ASSERT_TRUE(projected.status.ok()) << projected.status.message;
+  const Point3 end = projected.mesh.point(projected.curves[0].vertices.back());
+  EXPECT_LE((end - Point3(1.2, 1.1, 0)).norm(), 1e-15);
+}
+
+TEST(CurveImprintRefusal, ASegmentThatNoSectionOfTheSurfaceJoinsIsRefusedWithItsPoints)
+{
+  // From the outside of a ring to its inside, half-way around: the planes through both that follow
+  // a normal cut separate circles out of it.
+  const TriangleMesh mesh = torus(24);
+  const auto result = imprintCurves(mesh, { polyline({ mesh.point(0), mesh.point(300) }) }, {});
+  EXPECT_EQ(result.status.code, StatusCode::CurveLeavesSurface);
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 100, 101 } }));
+  EXPECT_NE(result.status.message.find("cannot be followed"), std::string::npos)
+    << result.status.message;
+  // Half-way around on the outside a plane section joins the two.
+  const auto around = imprintCurves(mesh, { polyline({ mesh.point(0), mesh.point(12) }) }, {});
+  expectSameSurface(mesh, around);
+  EXPECT_NEAR(length(around.mesh, around.curves[0].vertices), 2.5 * 24 * std::sin(pi / 24), 1e-12);
+}
+
+TEST(CurveImprintRefusal, ASegmentBetweenSeparatePartsIsRefusedWithItsPointsAndTheParts)
+{
+  // Grids of three sizes beside each other; by vertices and between them, split or not.
+  std::vector<testmeshes::Surface> parts;
+  for (const Index n : { 2, 5, 3 })
+  {
+    parts.emplace_back().mesh = testmeshes::moved(
+      grid(n), [n](const Point3& p) -> Point3 { return p + Point3(10.0 * n, 0, 0); });
+  }
+  const TriangleMesh whole = testmeshes::together(parts).mesh;
+  for (const double scale : { 1e-3, 1.0, 1e4 })
+  {
+    const TriangleMesh mesh = mapped(whole, [&](const Point3& p) { return Point3(scale * p); });
+    const auto curve = [&](double x, double y) {
+      return polyline({ scale * Point3(20, y, 0), scale * Point3(21, y, 0), scale * Point3(x, y, 0),
+        scale * Point3(x + 1, y, 0) });
+    };
+    for (const bool split : { true, false })
+    {
+      ImprintOptions options;
+      options.split = split;
+      for (const auto& [x, sizes] : { std::pair(31.0, "8 and 18"), std::pair(52.0, "8 and 50") })
+      {
+        for (const double y : { 0.0, 1.0, 0.37 })
+        {
+          if (!split && y == 0.37)
+          {
+            continue; // no vertices
+          }
+          const Status status = imprintCurves(mesh, { curve(x, y) }, options).status;
+          EXPECT_EQ(status.code, StatusCode::CurveLeavesSurface);
+          EXPECT_EQ(status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 101, 102 } }));
+          EXPECT_EQ(status.curve, 0);
+          EXPECT_NE(
+            status.message.find("points 101 and 102 lie on separate parts of the surface, of " +
+              std::string(sizes) + " triangles"),
+            std::string::npos)
+            << status.message;
+          ASSERT_EQ(status.remedies.size(), 2U);
+          EXPECT_EQ(status.remedies[0].remedy, Remedy::RedrawCurve);
+          EXPECT_EQ(status.remedies[1].remedy, Remedy::JoinByEdge);
+        }
+      }
+    }
+  }
+}
+
+TEST(CurveImprintRefusal, ACancelledRunGivesNothing)
+{
+  Execution execution;
+  execution.cancel = [] { return true; };
+  const auto result = imprintCurves(
+    grid(4), { polyline({ Point3(0.3, 0.4, 0), Point3(1.2, 1.1, 0) }) }, {}, execution);
+  EXPECT_EQ(result.status.code, StatusCode::Cancelled);
+  EXPECT_EQ(result.mesh.triangleCount(), 0);
+}
+
+TEST(CurveImprintRefusal, AnOptionOutsideItsRangeAndAPlanarShapeOfOtherLengthAreRefused)
+{
+  const Polyline line = polyline({ Point3(0, 0, 0), Point3(1, 0, 0) });
+  ImprintOptions options;
+  options.snap = 0.6;
+  EXPECT_EQ(imprintCurves(grid(2), { line }, options).status.code, StatusCode::InvalidOption);
+  options = {};
+  options.tolerance = -1.0;
+  EXPECT_EQ(imprintCurves(grid(2), { line }, options).status.code, StatusCode::InvalidOption);
+  Polyline key = line;
+  key.keyShape = KeyShape::Planar;
+  key.planarShape = { Point2(0, 0) };
+  EXPECT_EQ(imprintCurves(grid(2), { key }, {}).status.code, StatusCode::InvalidCurve);
+  Polyline infinite = line;
+  infinite.points[1].y() = std::numeric_limits<double>::infinity();
+  const auto result = imprintCurves(grid(2), { infinite }, {});
+  EXPECT_EQ(result.status.code, StatusCode::NonFinitePoint);
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::CurvePoints, Indices{ 101 } }));
+}
+
+namespace
+{
+using Random = std::mt19937_64;
+
+double uniform(Random& random, double low, double high)
+{
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+/// A point of the surface: a vertex, one on an edge, one inside, or one very near to the others.
+Point3 randomPoint(const TriangleMesh& mesh, Random& random)
+{
+  const Index t = static_cast<Index>(random() % mesh.triangleCount());
+  double u = uniform(random, 0.0, 1.0);
+  double v = uniform(random, 0.0, 1.0);
+  if (u + v > 1.0)
+  {
+    u = 1.0 - u;
+    v = 1.0 - v;
+  }
+  switch (random() % 6)
+  {
+    case 0:
+      u = v = 0.0;
+      break;
+    case 1:
+      u = 0.0;
+      break;
+    case 2:
+      u *= 3e-3;
+      break;
+    case 3:
+      u *= 2e-3;
+      v *= 2e-3;
+      break;
+    default:
+      break;
+  }
+  const Triangle& c = mesh.triangle(t);
+  return (1.0 - u - v) * mesh.point(c[0]) + u * mesh.point(c[1]) + v * mesh.point(c[2]);
+}
+
+TriangleMesh randomSurface(Random& random)
+{
+  const Index n = 2 + static_cast<Index>(random() % 9);
+  const TriangleMesh flat = mapped(grid(n), [&random, n](const Point3& p) {
+    const bool inner = p.x() > 0 && p.x() < n && p.y() > 0 && p.y() < n;
+    const double d = inner ? 0.3 : 0.0;
+    return Point3((p.x() + uniform(random, -d, d)) / n, (p.y() + uniform(random, -d, d)) / n, 0.0);
+  });
+  const double a = uniform(random, 0.0, 0.3);
+  const double f = uniform(random, 0.5, 6.0);
+  // Some are squeezed until their triangles are needles.
+  const double squeeze = random() % 4 == 0 ? std::pow(10.0, uniform(random, -9.0, 0.0)) : 1.0;
+  return mapped(flat, [a, f, squeeze](const Point3& p) {
+    return Point3(p.x(), squeeze * p.y(), a * std::sin(f * p.x()) * std::cos(f * squeeze * p.y()));
+  });
+}
+}
+
+TEST(CurveImprint, NoRandomCurvesOnRandomSurfacesBreakTheMesh)
+{
+  Random random(20080301);
+  int done = 0;
+  const int cases = 600;
+  for (int k = 0; k < cases && !HasFailure(); ++k)
+  {
+    SCOPED_TRACE("case " + std::to_string(k));
+    const TriangleMesh mesh = k % 10 == 9 ? torus(9 + k % 7) : randomSurface(random);
+    std::vector<Polyline> curves(1 + random() % 5);
+    for (Polyline& curve : curves)
+    {
+      const std::size_t count = 2 + random() % 6;
+      while (curve.points.size() < count)
+      {
+        curve.points.push_back(randomPoint(mesh, random));
+      }
+    }
+    ImprintOptions options;
+    options.snap = std::pow(10.0, uniform(random, -4.0, -0.8));
+    const auto result = imprintCurves(mesh, curves, options);
+    if (result.status.code == StatusCode::CurveLeavesSurface ||
+      result.status.code == StatusCode::CurveTooShort)
+    {
+      continue;
+    }
+    ++done;
+    expectSameSurface(mesh, result);
+    const auto again = imprintCurves(mesh, curves, options);
+    EXPECT_EQ(again.mesh.triangles(), result.mesh.triangles());
+  }
+  EXPECT_GT(done, cases / 2);
+  RecordProperty("done", done);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Status.h"
 #include "Cloth/ClothMaterial.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <fstream>
 #include <limits>
 #include <random>
@@ -220,4 +222,17 @@ TEST(Errors, BrokenPromisesKeepAResult)
   EXPECT_EQ(run(cushion(6, 6, 0.4), cloth), StatusCode::MissingGrain);
   cloth.cloth->material.warp = -1.0;
   EXPECT_EQ(run(cushion(6, 6, 0.4), cloth), StatusCode::InvalidOption);
+}
+
+TEST(Status, AListOfIdsIsCutWhereItGetsLongAndSaysHowManyAreLeft)
+{
+  EXPECT_EQ(listIds(Indices{}, 3), "");
+  EXPECT_EQ(listIds(Indices{ 4, 7 }, 3), "4, 7");
+  EXPECT_EQ(listIds(Indices{ 4, 7, 9, 11, 12 }, 3), "4, 7, 9 and 2 more");
+}
+
+TEST(FloatingPointTraps, AreOnInThisProgram)
+{
+  const int wanted = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
+  EXPECT_EQ(fegetexcept() & wanted, wanted);
 }

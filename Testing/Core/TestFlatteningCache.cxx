@@ -55,11 +55,6 @@ Surface withPoint(const Surface& surface, Index vertex, const Point3& place)
   other.mesh = TriangleMesh(std::move(points), surface.mesh.triangles());
   return other;
 }
-
-const LinearSolver* factorOf(FlatteningCache& cache, InteriorWeights weights)
-{
-  return cache.pieces.at(0).interiors.patches.at(0).factor(weights, {});
-}
 }
 
 TEST(FlatteningCache, ChangesNoBitOfAnyResult)
@@ -179,27 +174,6 @@ TEST(FlatteningCache, ServesAfterARefusal)
   expectTheSame(surface, {}, cache);
   EXPECT_TRUE(flatten(refused, {}, {}, &cache).status.refused());
   expectTheSame(surface, {}, cache);
-}
-
-TEST(FlatteningCache, KeepsFactorsWhereTheSurfaceIsTheSameAndTheirPatternWhereItMoves)
-{
-  FlatteningCache cache;
-  Surface surface = curvedCushion();
-  const FlatteningOptions options = optionsOf(Scheme::Global, InteriorMethod::AsRigidAsPossible);
-  flatten(surface, options, {}, &cache);
-  const LinearSolver* const first = factorOf(cache, InteriorWeights::Cotangent);
-  ASSERT_NE(first, nullptr);
-  const Index unknowns = first->positive();
-  surface.curves[0].type = CurveType::Key;
-  flatten(surface, options, {}, &cache);
-  EXPECT_EQ(factorOf(cache, InteriorWeights::Cotangent), first);
-  const Surface moved = curvedCushion(0.2);
-  flattenSurface(moved.mesh, surface.curves, options, {}, &cache);
-  EXPECT_EQ(factorOf(cache, InteriorWeights::Cotangent), first);
-  surface.curves.pop_back();
-  flatten(surface, options, {}, &cache);
-  EXPECT_NE(factorOf(cache, InteriorWeights::Cotangent)->positive(), unknowns)
-    << "other wire-patches";
 }
 
 TEST(FlatteningCache, ServesAfterARunThatWasCancelled)

@@ -2,9 +2,13 @@
 // Curves anywhere on a surface: holes, darts that meet, wires that end or float inside.
 #include "ClosedMeshes.h"
 #include "Flattened.h"
+#include "MeshTriangles.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -177,5 +181,199 @@ TEST(FlatteningTopology, SeamsCutAClosedSurfaceIntoFlatPieces)
   {
     EXPECT_NEAR(triangle.areaRatio, 1.0, 1e-12);
     EXPECT_NEAR(triangle.aspectRatio, 1.0, 1e-12);
+  }
+}
+
+namespace
+{
+/// Walks along random edges of the mesh; they cross, touch and retrace each other as chance has it.
+std::vector<FeatureCurve> randomCurves(const TriangleMesh& mesh, unsigned seed, bool keys)
+{
+  std::mt19937 random(seed);
+  std::vector<FeatureCurve> curves;
+  const Index count = 1 + static_cast<Index>(random() % 6);
+  for (Index c = 0; c < count; ++c)
+  {
+    auto type = static_cast<CurveType>(random() % 4);
+    if (type == CurveType::Key && !keys)
+    {
+      type = CurveType::Accessory;
+    }
+    Indices chain{ static_cast<Index>(random() % mesh.vertexCount()) };
+    const std::size_t steps = 1 + random() % 12;
+    while (chain.size() <= steps)
+    {
+      Indices neighbours;
+      for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+      {
+        if (mesh.from(h) == chain.back())
+        {
+          neighbours.push_back(mesh.to(h));
+        }
+        else if (mesh.to(h) == chain.back() && mesh.twin(h) == none)
+        {
+          neighbours.push_back(mesh.from(h));
+        }
+      }
+      chain.push_back(neighbours[random() % neighbours.size()]);
+    }
+    curves.push_back(curveOf(type, "c" + std::to_string(c), std::move(chain)));
+  }
+  return curves;
+}
+
+FlatteningOptions optionsOf(unsigned seed)
+{
+  FlatteningOptions options;
+  options.scheme = seed % 2 == 0 ? Scheme::Global : Scheme::Progressive;
+  options.angles.method = seed % 3 == 0 ? AngleMethod::Sequential : AngleMethod::Newton;
+  options.arrange = false;
+  return options;
+}
+}
+
+TEST(RandomCurves, FlatSurfacesFlattenToThemselves)
+{
+  Surface surface = flatPatch(7, 6);
+  for (unsigned seed = 0; seed < 300; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    surface.curves = randomCurves(surface.mesh, seed, true);
+    const FlatteningResult result = flatten(surface, optionsOf(seed));
+    // Cuts in a flat sheet leave banks that touch; they are no overlap.
+    ASSERT_TRUE(result.status.ok()) << result.status.message;
+    for (const PieceReport& piece : result.pieces)
+    {
+      EXPECT_LT(piece.objective, 1e-20);
+    }
+    EXPECT_LT(worstPiece(surface, result), 1e-9);
+  }
+}
+
+TEST(RandomCurves, WiresOfACurvedSurfaceMeet)
+{
+  Surface surface = cushion(7, 6, 0.12);
+  int converged = 0;
+  const unsigned count = 300;
+  for (unsigned seed = 0; seed < count; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    surface.curves = randomCurves(surface.mesh, seed, false);
+    FlatteningOptions options = optionsOf(seed);
+    options.angles.method = AngleMethod::Newton;
+    const FlatteningResult result = flatten(surface, options);
+    ASSERT_FALSE(result.status.refused()) << result.status.message;
+    for (const Point2& p : result.positions)
+    {
+      ASSERT_TRUE(std::isfinite(p.x()) && std::isfinite(p.y()));
+    }
+    const double worst = worstLength(result);
+    // Whoever reads the status is never told that all is well when it is not.
+    if (result.status.ok())
+    {
+      EXPECT_LT(worst, 1e-10);
+    }
+    converged += worst < 1e-10 ? 1 : 0;
+  }
+  EXPECT_EQ(converged, static_cast<int>(count));
+}
+
+namespace
+{
+/// Meridians from a pole through parallels, sagging by a height.
+TriangleMesh dome(Index meridians, Index parallels, double height)
+{
+  Points3 points{ { 0.0, 0.0, height } };
+  for (Index j = 1; j <= parallels; ++j)
+  {
+    const double r = static_cast<double>(j) / parallels;
+    for (Index i = 0; i < meridians; ++i)
+    {
+      const double a = 2.0 * pi * i / meridians;
+      points.emplace_back(r * std::cos(a), r * std::sin(a), height * std::cos(1.3 * r));
+    }
+  }
+  return { std::move(points), ringTriangles(meridians, parallels, meridians) };
+}
+
+/// Of the boundary edges, between the surface and the plane.
+double greatestLengthError(const FlatteningResult& result)
+{
+  const TriangleMesh& mesh = result.cut->mesh;
+  double greatest = 0.0;
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    if (mesh.twin(h) == none)
+    {
+      const double flat = (result.positions[mesh.to(h)] - result.positions[mesh.from(h)]).norm();
+      greatest = std::max(greatest, std::abs(flat - mesh.length(h)) / mesh.length(h));
+    }
+  }
+  return greatest;
+}
+}
+
+TEST(HighValence, DomesWithAPoleKeepTheirBoundarysLengthInEveryScheme)
+{
+  for (const auto& [meridians, parallels] :
+    std::vector<std::pair<Index, Index>>{ { 13, 2 }, { 32, 6 }, { 100, 3 }, { 1000, 2 } })
+  {
+    const TriangleMesh mesh = dome(meridians, parallels, 0.4);
+    for (Scheme scheme : { Scheme::Progressive, Scheme::Global, Scheme::Isometric })
+    {
+      const FlatteningResult result = flattenSurface(mesh, {}, withScheme(scheme), {});
+      EXPECT_TRUE(result.status.ok()) << meridians << ": " << result.status.message;
+      ASSERT_EQ(result.positions.size(), static_cast<std::size_t>(mesh.vertexCount()));
+      EXPECT_LT(greatestLengthError(result), 1e-9) << meridians;
+    }
+  }
+}
+
+TEST(HighValence, ConesAndDomesOfTensOfThousandsOfTrianglesTakeLittleMemory)
+{
+  // All factors of a sound order take less; a dense front of the ring would take 7 GB.
+  Execution execution;
+  execution.factorMemory = 120'000'000;
+  for (const auto& [meridians, parallels] :
+    std::vector<std::pair<Index, Index>>{ { 30000, 1 }, { 5600, 5 } })
+  {
+    const TriangleMesh mesh = dome(meridians, parallels, 0.4);
+    for (Scheme scheme : { Scheme::Global, Scheme::Isometric })
+    {
+      const FlatteningResult result = flattenSurface(mesh, {}, withScheme(scheme), execution);
+      EXPECT_TRUE(result.status.ok()) << result.status.message;
+      ASSERT_FALSE(result.positions.empty());
+      EXPECT_LT(greatestLengthError(result), 1e-9);
+    }
+  }
+}
+
+TEST(HighValence, WiresByTheThousandMeetInOneVertex)
+{
+  // Half of the spokes of a flat half disc whose hub is on the boundary, in any numbering.
+  constexpr Index spokes = 6000;
+  Points3 points{ { 0.0, 0.0, 0.0 } };
+  std::vector<FeatureCurve> curves;
+  for (Index k = 0; k <= spokes; ++k)
+  {
+    const double a = pi * k / spokes;
+    points.emplace_back(std::cos(a), std::sin(a), 0.0);
+    if (k % 2 == 1)
+    {
+      curves.push_back(accessory("spoke " + std::to_string(k), { 0, k + 1 }));
+    }
+  }
+  const TriangleMesh mesh(points, ringTriangles(spokes, 1, spokes + 1));
+  Execution execution;
+  execution.factorMemory = 50'000'000;
+  for (Scheme scheme : { Scheme::Progressive, Scheme::Global, Scheme::Isometric })
+  {
+    const FlatteningResult result = flattenSurface(mesh, curves, withScheme(scheme), execution);
+    EXPECT_TRUE(result.status.ok()) << result.status.message;
+    ASSERT_FALSE(result.positions.empty());
+    for (const Wire& wire : result.wires)
+    {
+      EXPECT_NEAR(wire.flatLength, wire.restLength, 1e-9 * wire.restLength);
+    }
   }
 }

@@ -2,6 +2,7 @@
 // A free boundary: the least energy that an independent minimizer finds, named lengths exact.
 #include "Embedding/ConvexEmbedding.h"
 #include "Flattened.h"
+#include "ModelDerivatives.h"
 #include "SphereCap.h"
 #include "StatusTesting.h"
 
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -61,7 +61,12 @@ public:
     {
       this->X.segment<2>(2 * v) = start[v];
     }
-    this->minimize();
+    const auto function = [this](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
+      return this->evaluate(x, gradient);
+    };
+    minimizeByGradients(function, this->X, 20000, 1e-8);
+    Eigen::VectorXd gradient;
+    this->evaluate(this->X, gradient);
   }
 
   /// Of the triangles alone.
@@ -110,54 +115,6 @@ private:
       gradient.segment<2>(2 * a) -= slope;
     }
     return sum;
-  }
-
-  void minimize()
-  {
-    constexpr std::size_t memory = 50;
-    std::deque<std::pair<Eigen::VectorXd, Eigen::VectorXd>> pairs;
-    Eigen::VectorXd gradient;
-    double value = this->evaluate(this->X, gradient);
-    for (int step = 0; step < 20000 && gradient.norm() > 1e-8; ++step)
-    {
-      Eigen::VectorXd direction = -gradient;
-      std::vector<double> factors;
-      for (const auto& [s, y] : pairs)
-      {
-        factors.push_back(s.dot(direction) / s.dot(y));
-        direction -= factors.back() * y;
-      }
-      direction *= pairs.empty()
-        ? 1e-2 / gradient.norm()
-        : pairs.front().first.dot(pairs.front().second) / pairs.front().second.squaredNorm();
-      for (std::size_t k = pairs.size(); k-- > 0;)
-      {
-        const auto& [s, y] = pairs[k];
-        direction += (factors[k] - y.dot(direction) / s.dot(y)) * s;
-      }
-      const double slope = gradient.dot(direction);
-      double scale = 1.0;
-      Eigen::VectorXd next;
-      double there = this->evaluate(this->X + scale * direction, next);
-      while (!(there <= value + 1e-4 * scale * slope) && scale > 1e-16)
-      {
-        scale *= 0.5;
-        there = this->evaluate(this->X + scale * direction, next);
-      }
-      if (scale <= 1e-16 || value - there < 1e-13 * value)
-      {
-        break;
-      }
-      if ((next - gradient).dot(direction) > 0.0)
-      {
-        pairs.emplace_front(scale * direction, next - gradient);
-        pairs.resize(std::min(pairs.size(), memory));
-      }
-      this->X += scale * direction;
-      gradient = next;
-      value = there;
-    }
-    this->evaluate(this->X, gradient);
   }
 
   const TriangleMesh& Mesh;

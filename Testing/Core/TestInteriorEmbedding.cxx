@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Embedding/InteriorEmbedding.h"
-
+#include "Embedding/RigidEmbedding.h"
 #include "Flattened.h"
 #include "Quality/FlatteningQuality.h"
 #include "Reference/InteriorRelaxation.h"
@@ -208,4 +208,76 @@ TEST(InteriorEmbedding, APieceWithoutInteriorVerticesIsLeftAsItIs)
     EXPECT_EQ(result.iterations, 0);
     EXPECT_EQ(positions, before);
   }
+}
+
+TEST(RigidEmbedding, EndsWhereTheLocalGlobalMethodEnds)
+{
+  // The classic iteration, with dense matrices and to its bitter end, from positions that stretch
+  // and shear a cushion.
+  const WiredSurface wired(cushion(7, 6, 0.5));
+  InteriorSystem system;
+  system.update(collectInteriorPatches(wired.piece, wired.network).front(), wired.piece.mesh);
+  const Indices& vertices = system.patch().vertices;
+  const Index free = system.patch().freeCount;
+  Eigen::MatrixXd start(static_cast<Eigen::Index>(vertices.size()), 2);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    const Point3& p = wired.piece.mesh.point(vertices[i]);
+    start.row(static_cast<Eigen::Index>(i)) << 1.1 * p.x() + 0.2 * p.y(), 0.8 * p.y();
+  }
+  RigidEmbedding embedding(system, system.factor(InteriorWeights::Cotangent, {}), start);
+  for (int k = 0; k < 50 && embedding.iterate(0.0) == RigidEmbedding::State::Running; ++k)
+  {
+  }
+  const auto count = static_cast<Eigen::Index>(vertices.size());
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(count, count);
+  std::vector<std::array<Complex, 3>> flat; // corners of each triangle laid into the plane
+  const std::vector<EdgeWeights> weights = system.edgeWeights(InteriorWeights::Cotangent);
+  const auto forEdges = [&](const auto& visit) {
+    for (std::size_t t = 0; t < weights.size(); ++t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        visit(t, k, (k + 1) % 3, (k + 2) % 3);
+      }
+    }
+  };
+  for (const Triangle& c : system.patch().triangles)
+  {
+    const Point3& origin = wired.piece.mesh.point(vertices[c[0]]);
+    const Point3 u = wired.piece.mesh.point(vertices[c[1]]) - origin;
+    const Point3 v = wired.piece.mesh.point(vertices[c[2]]) - origin;
+    flat.push_back({ 0.0, u.norm(), Complex(u.dot(v), u.cross(v).norm()) / u.norm() });
+  }
+  forEdges([&](std::size_t t, int k, int a, int b) {
+    const Triangle& c = system.patch().triangles[t];
+    for (const auto& [i, j] : { std::pair(c[a], c[b]), std::pair(c[b], c[a]) })
+    {
+      stiffness(i, i) += weights[t][k];
+      stiffness(i, j) -= weights[t][k];
+    }
+  });
+  const Eigen::LLT<Eigen::MatrixXd> global(stiffness.topLeftCorner(free, free));
+  Eigen::VectorXcd positions = start.col(0) + Complex(0.0, 1.0) * start.col(1);
+  for (int iteration = 0; iteration < 2000; ++iteration)
+  {
+    std::vector<Complex> turn(flat.size(), 0.0);
+    forEdges([&](std::size_t t, int k, int a, int b) {
+      const Triangle& c = system.patch().triangles[t];
+      turn[t] +=
+        weights[t][k] * std::conj(flat[t][a] - flat[t][b]) * (positions[c[a]] - positions[c[b]]);
+    });
+    Eigen::VectorXcd pull = Eigen::VectorXcd::Zero(count);
+    forEdges([&](std::size_t t, int k, int a, int b) {
+      const Triangle& c = system.patch().triangles[t];
+      const Complex side = weights[t][k] * turn[t] / std::abs(turn[t]) * (flat[t][a] - flat[t][b]);
+      pull[c[a]] += side;
+      pull[c[b]] -= side;
+    });
+    pull -= stiffness.rightCols(count - free) * positions.tail(count - free);
+    positions.head(free).real() = global.solve(pull.head(free).real());
+    positions.head(free).imag() = global.solve(pull.head(free).imag());
+  }
+  EXPECT_LT((positions.real() - embedding.positions().col(0)).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((positions.imag() - embedding.positions().col(1)).cwiseAbs().maxCoeff(), 1e-9);
 }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Angles/AngleSolver.h"
 #include "Angles/KeyRelease.h"
+#include "Angles/ReleaseAdvice.h"
+#include "Flattened.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <set>
 
 using namespace flattening;
@@ -61,24 +65,6 @@ TEST(KeyRelease, ReleasesOneCurveWhereOneIsEnough)
   EXPECT_EQ(result.status.remedies.front().subject, "\"key3\"");
 }
 
-TEST(KeyRelease, OfSeveralSingleCurvesTakesTheOneWithTheLeastObjective)
-{
-  const Release result = release(
-    5, [](const std::set<Index>&) { return true; },
-    [](const std::set<Index>& r) { return std::abs(*r.begin() - 2.2); });
-  EXPECT_EQ(result.released, (Indices{ 2 }));
-}
-
-TEST(KeyRelease, GoesOnToPairsAndThenToAll)
-{
-  const Release pair = release(
-    5, [](const std::set<Index>& r) { return r.count(0) && r.count(4); }, one);
-  EXPECT_EQ(pair.released, (Indices{ 0, 4 }));
-  const Release all = release(
-    5, [](const std::set<Index>& r) { return r.size() == 5; }, one);
-  EXPECT_EQ(all.released, (Indices{ 0, 1, 2, 3, 4 }));
-}
-
 TEST(KeyRelease, LeavesTheInnocentAloneHoweverManyKeysThereAre)
 {
   const Release result = release(
@@ -91,30 +77,44 @@ TEST(KeyRelease, LeavesTheInnocentAloneHoweverManyKeysThereAre)
   EXPECT_EQ(result.status.message.find("\"key4\""), std::string::npos);
 }
 
-TEST(KeyRelease, OfKeysThatClashInPairsReleasesOneOfEachPairWithTheLeastObjective)
+TEST(KeyRelease, ReleasesTheFewestAndOfAsManyThoseOfTheLeastObjective)
 {
-  const Release result = release(
-    20,
-    [](const std::set<Index>& r) {
-      return (r.count(2) || r.count(11)) && (r.count(5) || r.count(6)) &&
-        (r.count(14) || r.count(19));
-    },
-    [](const std::set<Index>& r) {
-      return 10.0 - (r.count(11) ? 1.0 : 0.0) - (r.count(5) ? 2.0 : 0.0) -
-        (r.count(19) ? 3.0 : 0.0);
-    });
-  EXPECT_EQ(result.released, (Indices{ 5, 11, 19 }));
-}
-
-TEST(KeyRelease, OneKeyThatClashesWithManyIsReleasedInPlaceOfThem)
-{
-  const Release result = release(
-    20,
-    [](const std::set<Index>& r) {
-      return r.count(7) || (r.count(1) && r.count(4) && r.count(12) && r.count(16));
-    },
-    one);
-  EXPECT_EQ(result.released, (Indices{ 7 }));
+  using Keys = std::set<Index>;
+  struct Case
+  {
+    Index count;
+    std::function<bool(const Keys&)> works;
+    std::function<double(const Keys&)> cost;
+    Indices released;
+  };
+  const std::vector<Case> cases{
+    { 5, [](const Keys&) { return true; }, [](const Keys& r) { return std::abs(*r.begin() - 2.2); },
+      { 2 } },
+    { 5, [](const Keys& r) { return r.count(0) && r.count(4); }, one, { 0, 4 } },
+    { 5, [](const Keys& r) { return r.size() == 5; }, one, { 0, 1, 2, 3, 4 } },
+    { 5, [](const Keys&) { return false; }, one, {} },
+    // One of each of three pairs that clash.
+    { 20,
+      [](const Keys& r) {
+        return (r.count(2) || r.count(11)) && (r.count(5) || r.count(6)) &&
+          (r.count(14) || r.count(19));
+      },
+      [](const Keys& r) {
+        return 10.0 - (r.count(11) ? 1.0 : 0.0) - (r.count(5) ? 2.0 : 0.0) -
+          (r.count(19) ? 3.0 : 0.0);
+      },
+      { 5, 11, 19 } },
+    // One that clashes with four others.
+    { 20,
+      [](const Keys& r) {
+        return r.count(7) || (r.count(1) && r.count(4) && r.count(12) && r.count(16));
+      },
+      one, { 7 } },
+  };
+  for (const Case& c : cases)
+  {
+    EXPECT_EQ(release(c.count, c.works, c.cost).released, c.released);
+  }
 }
 
 TEST(KeyRelease, WhereAlmostAllClashNoneOfTheReleasedCanBeKept)
@@ -125,10 +125,57 @@ TEST(KeyRelease, WhereAlmostAllClashNoneOfTheReleasedCanBeKept)
   EXPECT_LT(result.solves, 200);
 }
 
-TEST(KeyRelease, ReleasesNothingWhereNoReleaseHelps)
+TEST(ReleaseAdvice, SensitivityIsTheChangeOfTheOptimumWhenACurveGrows)
 {
-  const Release result = release(
-    5, [](const std::set<Index>&) { return false; }, one);
-  EXPECT_TRUE(result.released.empty());
-  EXPECT_EQ(result.solves, 1);
+  Surface surface = cushion(6, 8, 0.3);
+  surface.curves = { columnCurve(6, 8, 3), rowCurve(6, 4) };
+  const WiredSurface wired(surface);
+  const ReleaseAdvice advice = adviseRelease(wired.network, wired.curves, wired.solve());
+  for (Index curve = 0; curve < 2; ++curve)
+  {
+    const auto optimum = [&](double factor) {
+      AngleProblem problem = wired.problem();
+      for (Index e = 0; e < wired.network.edgeCount(); ++e)
+      {
+        if (wired.network.edges[e].curve == curve)
+        {
+          problem.length[e] *= factor;
+        }
+      }
+      return solveAnglesByNewton(problem, {}, {}).objective;
+    };
+    const double step = 1e-5;
+    const double slope = (optimum(1.0 + step) - optimum(1.0 - step)) / (2.0 * step);
+    EXPECT_NEAR(advice.sensitivity[curve], slope, 1e-4 * (1.0 + std::abs(slope)));
+  }
+}
+
+TEST(ReleaseAdvice, OnTheQuarterSphereWithTwoArcsReleasingTheFirstGivesThePapersObjective)
+{
+  const Surface surface = quarterSphereWithTwoArcs();
+  const FlatteningResult result = flatten(surface, withScheme(Scheme::Global));
+  const ReleaseAdvice& advice = result.pieces[0].advice;
+  ASSERT_EQ(advice.ranking.size(), 2u);
+  // The long arc costs more; without it the piece is that of Fig. 11.
+  EXPECT_EQ(advice.ranking[0], 1);
+  EXPECT_NEAR(advice.first().objective, 0.197157, 1e-6);
+}
+
+TEST(ReleaseAdvice, WithTheDefaultsTellsWhatFlatteningWithoutTheCurveGives)
+{
+  Surface surface = quarterSphereWithTwoArcs();
+  const FlatteningResult both = flatten(surface);
+  const ReleaseAdvice& advice = both.pieces[0].advice;
+  ASSERT_TRUE(advice.first().solved);
+  surface.curves.erase(surface.curves.begin() + advice.ranking[0]);
+  const FlatteningResult without = flatten(surface);
+  ASSERT_TRUE(without.status.ok());
+  EXPECT_NEAR(advice.first().objective, without.pieces[0].objective, 1e-9);
+}
+
+TEST(ReleaseAdvice, IsSilentWhereTheSolutionIsGood)
+{
+  const Surface surface = quarterSphere();
+  const FlatteningResult result = flatten(surface);
+  EXPECT_FALSE(result.pieces[0].advice.first().solved);
 }

@@ -389,37 +389,6 @@ TEST(NewtonKkt, StepsByAnEarlierMatrixEndWhereThoseByTheirOwnDoWithFewerMatrices
   }
 }
 
-TEST(NewtonKkt, NearAMinimumEachStepIsTriedOnceThoughTheConstraintBends)
-{
-  // Of Maratos' kind: f grows beside the circle, and every step of Newton's along it leaves it, so
-  // that the merit function grows.
-  DenseModel model = onTheCircle();
-  int tried = 0;
-  model.f = [&tried](const Eigen::VectorXd& x) {
-    ++tried;
-    return 2.0 * (x.squaredNorm() - 1.0) - x[0];
-  };
-  model.gradient = [](const Eigen::VectorXd& x) {
-    return Eigen::VectorXd(4.0 * x - Eigen::Vector2d::UnitX());
-  };
-  model.hessian = [](const Eigen::VectorXd&) {
-    return Eigen::MatrixXd(4.0 * Eigen::MatrixXd::Identity(2, 2));
-  };
-  NewtonKktOptions options;
-  options.chordReduction = 0.1;
-  options.exactWithin = 1.0;
-  options.penaltyMargin = 50.0;
-  std::vector<int> triedBefore;
-  options.observe = [&](const NewtonKktRecord&) { triedBefore.push_back(tried); };
-  const NewtonKktState end = solved(model, Eigen::Vector2d(std::cos(0.1), std::sin(0.1)), options);
-  EXPECT_TRUE(end.converged());
-  EXPECT_LT((end.x - Eigen::Vector2d::UnitX()).norm(), 1e-9);
-  EXPECT_NEAR(end.multipliers[0], -3.0, 1e-8);
-  constexpr std::size_t near = 3; // iterations: what comes before is the way there
-  ASSERT_GT(triedBefore.size(), near + 3);
-  EXPECT_EQ(triedBefore.back() - triedBefore[near], int(triedBefore.size() - 1 - near));
-}
-
 TEST(PenaltyDescent, GivesTheMultipliersOfItsLastWeightWhereverItEnds)
 {
   // The point of x + y = 1 that is nearest to (2, 2) has the multiplier 1.5. It starts so near to

@@ -45,9 +45,6 @@ struct AngleSolution
   double closure = 0.0; ///< absolute, in the unit of length
   int iterations = 0;
   AngleMethod method = AngleMethod::Newton; ///< that solved it
-  /// False where no angles near those of the surface were found to start from that meet the turning
-  /// and 2 pi constraints (see DirectionsForm).
-  bool projected = true;
   std::vector<IterationRecord> history;
   /// Ok, NotConverged (theta is the best found), IncompatibleKeys (ids: nodes), Cancelled.
   Status status;

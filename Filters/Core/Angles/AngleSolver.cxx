@@ -52,7 +52,6 @@ AngleSolution finish(
   solution.sideDirection = form.directions(state.x);
   solution.length = form.lengths(state.x);
   solution.stretch = form.stretches(state.x);
-  solution.projected = form.projected();
   const Index loops = problem.network->loopCount();
   const double unit = form.unit();
   for (Index loop = 0; loop < loops; ++loop)

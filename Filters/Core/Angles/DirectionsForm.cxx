@@ -228,13 +228,9 @@ void DirectionsForm::projectAngles()
   normal.setFromTriplets(entries.begin(), entries.end());
   LinearSolver solver(LeadingColumns{ loopRow });
   this->Projected = net.alpha;
-  if (!solver.factorize(normal))
-  {
-    return;
-  }
+  solver.factorize(normal); // definite, since a piece has a boundary
   const Eigen::MatrixXd y = solver.solve(missing);
-  this->HasProjection = y.rows() == rows;
-  for (Index i = 0; i < net.nodeCount() && this->HasProjection; ++i)
+  for (Index i = 0; i < net.nodeCount() && y.rows() == rows; ++i)
   {
     const Index row = vertexRow[net.hostOfVertex[net.vertex[i]]];
     this->Projected[i] += y(loopRow + net.loop[i], 0) + (row == none ? 0.0 : y(row, 0));

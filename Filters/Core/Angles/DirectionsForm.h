@@ -51,8 +51,6 @@ public:
   Eigen::VectorXd unknowns(const std::vector<double>& theta) const;
   /// The angles nearest to the surface angles that meet the turning and 2 pi constraints.
   const std::vector<double>& projectedAngles() const { return this->Projected; }
-  /// False where these could not be found: then they are the surface angles.
-  bool projected() const { return this->HasProjection; }
 
   std::vector<double> angles(const Eigen::VectorXd& x) const;
   /// Per side.
@@ -85,7 +83,6 @@ private:
 
   const AngleProblem* Problem;
   std::vector<double> Projected;
-  bool HasProjection = false;
   std::vector<double> Branch; ///< c, per node
   std::vector<double> Offset; ///< per edge, its direction within its run
   Indices UnknownOfEdge;      ///< none for the fixed run

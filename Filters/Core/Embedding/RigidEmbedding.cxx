@@ -87,18 +87,18 @@ RigidEmbedding::RigidEmbedding(
   }
 }
 
-void RigidEmbedding::linearize(
-  const Eigen::MatrixXd& positions, std::vector<Linearized>& state) const
+std::vector<RigidEmbedding::Linearized> RigidEmbedding::linearize() const
 {
-  state.resize(this->Frames->size());
+  std::vector<Linearized> state(this->Frames->size());
   for (std::size_t t = 0; t < this->Frames->size(); ++t)
   {
     Linearized& s = state[t];
-    s.map = mapOf(this->Patch->triangles[t], (*this->Frames)[t], positions);
+    s.map = mapOf(this->Patch->triangles[t], (*this->Frames)[t], this->Positions);
     const double size = std::sqrt(std::norm(s.map.alpha));
     s.rotation = size > 0.0 ? s.map.alpha / size : Complex(1.0, 0.0);
     s.slack = 1.0 / std::max(size, 1e-8);
   }
+  return state;
 }
 
 double RigidEmbedding::energy(const Eigen::MatrixXd& positions) const
@@ -150,21 +150,6 @@ Eigen::MatrixXd RigidEmbedding::curvature(
   return sum.topRows(this->Patch->freeCount);
 }
 
-Eigen::MatrixXd RigidEmbedding::gradient(const Eigen::MatrixXd& positions) const
-{
-  std::vector<Linearized> state;
-  this->linearize(positions, state);
-  return this->gradient(state);
-}
-
-Eigen::MatrixXd RigidEmbedding::curvature(
-  const Eigen::MatrixXd& positions, const Eigen::MatrixXd& direction) const
-{
-  std::vector<Linearized> state;
-  this->linearize(positions, state);
-  return this->curvature(state, direction);
-}
-
 RigidEmbedding::Direction RigidEmbedding::newtonDirection(
   const std::vector<Linearized>& state, const Eigen::MatrixXd& descent, double enough) const
 {
@@ -208,8 +193,7 @@ RigidEmbedding::Direction RigidEmbedding::newtonDirection(
 
 RigidEmbedding::State RigidEmbedding::iterate(double energyTolerance)
 {
-  std::vector<Linearized> state;
-  this->linearize(this->Positions, state);
+  const std::vector<Linearized> state = this->linearize();
   const double before = this->energy(this->Positions);
   if (before <= nothing * this->Area)
   {

@@ -38,18 +38,13 @@ public:
 
   const Eigen::MatrixXd& positions() const { return this->Positions; }
 
-  /// Half of the sum of A_t |J_t - R_t|^2.
-  double energy(const Eigen::MatrixXd& positions) const;
-  /// Its gradient by the interior positions.
-  Eigen::MatrixXd gradient(const Eigen::MatrixXd& positions) const;
-  /// Its second derivative at the given positions along a direction of the interior vertices.
-  Eigen::MatrixXd curvature(
-    const Eigen::MatrixXd& positions, const Eigen::MatrixXd& direction) const;
-
 private:
   struct Linearized;
 
-  void linearize(const Eigen::MatrixXd& positions, std::vector<Linearized>& state) const;
+  std::vector<Linearized> linearize() const;
+  /// Half of the sum of A_t |J_t - R_t|^2.
+  double energy(const Eigen::MatrixXd& positions) const;
+  /// Its gradient by the interior positions, and its second derivative along a direction of them.
   Eigen::MatrixXd gradient(const std::vector<Linearized>& state) const;
   Eigen::MatrixXd curvature(
     const std::vector<Linearized>& state, const Eigen::MatrixXd& direction) const;

@@ -42,11 +42,6 @@ std::vector<std::string> fallbacks(const PieceContext& context, const PieceSolut
     all.emplace_back("the wires were solved by Newton's method: the sequential one of the paper "
                      "cannot choose the lengths of elastic curves and connectors");
   }
-  if (!flat.angles.projected)
-  {
-    all.emplace_back("no angles that turn by whole turns were found near those of the surface; the "
-                     "wires were solved from the angles of the surface as they are");
-  }
   if (flat.report.repaired)
   {
     all.emplace_back("the patches could not all be closed one after the other; the wires have the "

@@ -162,10 +162,10 @@ constexpr double leastGain = 1.0 - 1e-14;
 class Straightening
 {
 public:
-  Straightening(const TriangleMesh& mesh, GeodesicPath& geodesic, std::size_t mostTurns)
+  Straightening(const TriangleMesh& mesh, GeodesicPath& geodesic)
     : Mesh(mesh)
     , Geodesic(geodesic)
-    , Left(mostTurns)
+    , Left(fewestTurns + turnsPerVertex * static_cast<std::size_t>(mesh.vertexCount()))
     , Fresh(geodesic.vertices.size(), 1)
   {
   }
@@ -344,13 +344,7 @@ void appendVertex(
 
 Indices straighten(const TriangleMesh& mesh, GeodesicPath& geodesic)
 {
-  return straighten(
-    mesh, geodesic, fewestTurns + turnsPerVertex * static_cast<std::size_t>(mesh.vertexCount()));
-}
-
-Indices straighten(const TriangleMesh& mesh, GeodesicPath& geodesic, std::size_t mostTurns)
-{
-  return Straightening(mesh, geodesic, mostTurns).run();
+  return Straightening(mesh, geodesic).run();
 }
 
 GeodesicPath geodesicAlong(const TriangleMesh& mesh, const SurfacePath& path)

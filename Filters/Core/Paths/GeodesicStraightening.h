@@ -32,8 +32,6 @@ inline constexpr double straightAngle = 5e-10;
 /// \return the vertices where rounding left a smaller angle than straightAngle allows, and where
 /// the turns were used up, ten for each vertex of the mesh and a thousand more; none as a rule.
 Indices straighten(const TriangleMesh& mesh, GeodesicPath& geodesic);
-/// As above. \param mostTurns how often the path is led round a vertex
-Indices straighten(const TriangleMesh& mesh, GeodesicPath& geodesic, std::size_t mostTurns);
 
 /// A path along points of which each two neighbours lie in the triangle between them.
 GeodesicPath geodesicAlong(const TriangleMesh& mesh, const SurfacePath& path);

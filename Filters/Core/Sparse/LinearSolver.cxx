@@ -84,7 +84,7 @@ Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> leadingColumnsFirs
 }
 }
 
-/// What the methods have in common.
+/// What the methods have in common. Matrices are compressed.
 struct LinearSolver::Backend
 {
   virtual ~Backend() = default;
@@ -111,7 +111,6 @@ struct LinearSolver::SimplicialBackend : LinearSolver::Backend
   {
     this->PlaceOfColumn = leadingColumnsFirst(matrix, this->Leading);
     SparseMatrix numbered = matrix;
-    numbered.makeCompressed();
     this->Stored = numbered.nonZeros();
     std::iota(numbered.valuePtr(), numbered.valuePtr() + this->Stored, 0.0);
     SparseMatrix lower(matrix.rows(), matrix.cols());
@@ -135,12 +134,6 @@ struct LinearSolver::SimplicialBackend : LinearSolver::Backend
     if (this->Bytes > execution.factorMemory)
     {
       throwOutOfMemory(this->Bytes);
-    }
-    if (!matrix.isCompressed())
-    {
-      SparseMatrix compressed = matrix;
-      compressed.makeCompressed();
-      return this->factorize(compressed, execution);
     }
     if (matrix.nonZeros() != this->Stored)
     {
@@ -293,6 +286,12 @@ double factorizationWork(double unknowns)
 bool LinearSolver::factorize(const SparseMatrix& matrix, const Execution& execution)
 {
   this->Factorized = false;
+  if (!matrix.isCompressed())
+  {
+    SparseMatrix compressed = matrix;
+    compressed.makeCompressed();
+    return this->factorize(compressed, execution);
+  }
   if (!this->Analyzed && !this->analyze(matrix))
   {
     return false;

@@ -45,7 +45,8 @@ public:
   LinearSolver(LinearSolver&&) noexcept;
   LinearSolver& operator=(LinearSolver&&) noexcept;
 
-  /// Finds an elimination order for the pattern of the matrix. False where it is not square.
+  /// Finds an elimination order for the pattern of a compressed matrix. False where it is not
+  /// square.
   bool analyze(const SparseMatrix& matrix);
   /// Factors a matrix of the pattern given to analyze(). False where a pivot is zero, an entry not
   /// finite, or the run is cancelled.

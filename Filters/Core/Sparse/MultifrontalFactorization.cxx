@@ -175,13 +175,6 @@ double work(const SupernodalStructure::Supernode& node)
 void MultifrontalFactorization::analyze(
   const Eigen::SparseMatrix<double>& matrix, const Dissection& dissection)
 {
-  if (!matrix.isCompressed())
-  {
-    Eigen::SparseMatrix<double> compressed = matrix;
-    compressed.makeCompressed();
-    this->analyze(compressed, dissection);
-    return;
-  }
   this->Structure = SupernodalStructure(matrix, dissection);
   this->Diagonal.resize(this->Structure.size());
   this->chooseTasks();
@@ -262,12 +255,6 @@ void MultifrontalFactorization::chooseTasks()
 bool MultifrontalFactorization::factorize(
   const Eigen::SparseMatrix<double>& matrix, const Execution& execution)
 {
-  if (!matrix.isCompressed())
-  {
-    Eigen::SparseMatrix<double> compressed = matrix;
-    compressed.makeCompressed();
-    return this->factorize(compressed, execution);
-  }
   if (matrix.nonZeros() != this->Structure.storedCount())
   {
     return false;

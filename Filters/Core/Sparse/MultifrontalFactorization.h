@@ -112,7 +112,8 @@ public:
   FactorPrecision precision() const { return this->Blocks.precision(); }
   /// Keeps the next factors in this way. There is none until then.
   void setPrecision(FactorPrecision precision) { this->Blocks = FactorBlocks(precision); }
-  /// Finds the structure for the pattern of a symmetric matrix; the lower triangle is read.
+  /// Finds the structure for the pattern of a symmetric, compressed matrix; the lower triangle is
+  /// read.
   /// \param dissection of its columns.
   void analyze(const Eigen::SparseMatrix<double>& matrix, const Dissection& dissection);
   /// Factors a matrix of that pattern. False where it is of another, a pivot is zero or not finite,

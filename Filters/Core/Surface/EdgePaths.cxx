@@ -67,20 +67,6 @@ Indices EdgePaths::path(Index vertex) const
   return path;
 }
 
-Index EdgePaths::farthest() const
-{
-  Index best = none;
-  for (std::size_t v = 0; v < this->Before.size(); ++v)
-  {
-    const bool reached = this->Before[v] != none;
-    if (reached && (best == none || this->Distance[v] > this->Distance[best]))
-    {
-      best = static_cast<Index>(v);
-    }
-  }
-  return best;
-}
-
 std::vector<Indices> joiningPaths(
   const TriangleMesh& mesh, std::vector<Indices> loops, const std::vector<char>& barred)
 {

@@ -26,8 +26,6 @@ public:
   double distance(Index vertex) const { return this->Distance[vertex]; }
   /// From a start to the vertex. \pre reaches(vertex)
   Indices path(Index vertex) const;
-  /// The reached vertex that is farthest; of equally far ones the first.
-  Index farthest() const;
 
 private:
   std::vector<double> Distance;

@@ -51,6 +51,27 @@ Indices pairSides(const std::vector<HalfedgeKey>& sides)
   return partner;
 }
 
+std::vector<Indices> crowdedEdges(const std::vector<HalfedgeKey>& sides)
+{
+  std::vector<Indices> crowded;
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end)
+  {
+    while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high)
+    {
+      ++end;
+    }
+    if (end - i > 2)
+    {
+      crowded.emplace_back();
+      for (std::size_t k = i; k < end; ++k)
+      {
+        crowded.back().push_back(sides[k].halfedge);
+      }
+    }
+  }
+  return crowded;
+}
+
 Indices pairOrientedSides(const Triangles& triangles, std::size_t vertexCount)
 {
   // Sides that leave or reach a vertex from one with a greater id, as a list a vertex.

@@ -20,8 +20,11 @@ std::vector<HalfedgeKey> sortedSides(const Triangles& triangles, std::size_t ver
 /// Per half-edge the other one of its edge; none where it is alone. \param sides as sorted.
 Indices pairSides(const std::vector<HalfedgeKey>& sides);
 
-/// The same in less time where the surface is in order: at most two triangles at an edge, which run
-/// along it in opposite directions and have different third corners. Empty where it is not, or
-/// where too many edges meet in a vertex to be quick.
+/// The half-edges of each edge of more than two triangles. \param sides as sorted.
+std::vector<Indices> crowdedEdges(const std::vector<HalfedgeKey>& sides);
+
+/// As pairSides() in less time where the surface is in order: at most two triangles at an edge,
+/// which run along it in opposite directions and have different third corners. Empty where it is
+/// not, or where too many edges meet in a vertex to be quick.
 Indices pairOrientedSides(const Triangles& triangles, std::size_t vertexCount);
 }

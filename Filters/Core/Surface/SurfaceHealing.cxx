@@ -325,36 +325,9 @@ struct Parts
   bool isSpeck(Index part) const { return this->area[part] < speckArea * this->largest; }
 };
 
-/// All half-edges of an edge of more than two triangles.
-using CrowdedEdge = Indices;
-
-std::vector<CrowdedEdge> crowdedEdges(const std::vector<HalfedgeKey>& sides)
-{
-  std::vector<CrowdedEdge> crowded;
-  for (std::size_t i = 0; i < sides.size();)
-  {
-    std::size_t end = i;
-    while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high)
-    {
-      ++end;
-    }
-    if (end - i > 2)
-    {
-      CrowdedEdge edge;
-      for (; i < end; ++i)
-      {
-        edge.push_back(sides[i].halfedge);
-      }
-      crowded.push_back(std::move(edge));
-    }
-    i = end;
-  }
-  return crowded;
-}
-
 /// The two triangles of a crowded edge that go on evenly, if they do more clearly than all others.
 /// \param alike only triangles that are oriented alike
-std::pair<Index, Index> clearPair(const Draft& draft, const CrowdedEdge& edge, bool alike)
+std::pair<Index, Index> clearPair(const Draft& draft, const Indices& edge, bool alike)
 {
   const auto start = [&draft](Index h) { return draft.triangles[h / 3][h % 3]; };
   struct Bend
@@ -394,14 +367,14 @@ std::pair<Index, Index> clearPair(const Draft& draft, const CrowdedEdge& edge, b
 
 /// Decides which triangles go on with each other at a crowded edge. \param parts with all such
 /// edges cut. \return whether it is clear
-bool pairAtEdge(const Draft& draft, const Parts& parts, CrowdedEdge edge, Indices& partner)
+bool pairAtEdge(const Draft& draft, const Parts& parts, Indices edge, Indices& partner)
 {
   const auto partOf = [&parts](Index h) { return parts.ofTriangle[h / 3]; };
   const auto pair = [&partner](Index h, Index g) {
     partner[h] = g;
     partner[g] = h;
   };
-  CrowdedEdge large;
+  Indices large;
   std::copy_if(edge.begin(), edge.end(), std::back_inserter(large),
     [&](Index h) { return !parts.isFin(partOf(h)); });
   if (large.size() == 2)
@@ -410,7 +383,7 @@ bool pairAtEdge(const Draft& draft, const Parts& parts, CrowdedEdge edge, Indice
     return true;
   }
   edge = large.size() > 2 ? large : edge;
-  std::map<Index, CrowdedEdge> byPart;
+  std::map<Index, Indices> byPart;
   for (const Index h : edge)
   {
     byPart[partOf(h)].push_back(h);
@@ -535,9 +508,9 @@ void report(HealedSurface& result, SurfaceDefect defect, ElementKind kind, Indic
 Status separateParts(Draft& draft, Specks specksAre, HealedSurface& result)
 {
   const std::vector<HalfedgeKey> sides = sortedSides(draft.triangles, draft.points.size());
-  const std::vector<CrowdedEdge> crowded = crowdedEdges(sides);
+  const std::vector<Indices> crowded = crowdedEdges(sides);
   Indices partner = pairSides(sides);
-  for (const CrowdedEdge& edge : crowded)
+  for (const Indices& edge : crowded)
   {
     for (const Index h : edge)
     {
@@ -547,7 +520,7 @@ Status separateParts(Draft& draft, Specks specksAre, HealedSurface& result)
   if (!crowded.empty())
   {
     const Parts sheets(draft, partner);
-    for (const CrowdedEdge& edge : crowded)
+    for (const Indices& edge : crowded)
     {
       if (!pairAtEdge(draft, sheets, edge, partner))
       {
@@ -563,7 +536,7 @@ Status separateParts(Draft& draft, Specks specksAre, HealedSurface& result)
   }
   const Parts parts(draft, partner);
   std::vector<char> cameOff(parts.area.size(), 0);
-  for (const CrowdedEdge& edge : crowded)
+  for (const Indices& edge : crowded)
   {
     for (const Index h : edge)
     {
@@ -586,7 +559,7 @@ Status separateParts(Draft& draft, Specks specksAre, HealedSurface& result)
     cameOff[part] = fin ? 1 : 0;
   }
   Indices separated;
-  for (const CrowdedEdge& edge : crowded)
+  for (const Indices& edge : crowded)
   {
     Index kept = 0;
     for (const Index h : edge)

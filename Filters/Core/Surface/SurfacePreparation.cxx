@@ -90,17 +90,17 @@ Status orientTriangles(
       "triangles " + listIds(bad) + " have the same three corners as another",
       { ElementKind::Cells, bad }, { Remedy::RemoveDoubles, Remedy::SeparateSides } };
   }
-  for (std::size_t i = 0; i + 2 < sides.size(); ++i)
+  const std::vector<Indices> crowded = crowdedEdges(sides);
+  if (!crowded.empty())
   {
-    if (sides[i].low == sides[i + 2].low && sides[i].high == sides[i + 2].high)
+    for (const Index h : crowded.front())
     {
-      for (std::size_t k = i;
-           k < sides.size() && sides[k].low == sides[i].low && sides[k].high == sides[i].high; ++k)
-      {
-        bad.push_back(sides[k].halfedge / 3);
-      }
-      return crowdedEdge(pointIds[sides[i].low], pointIds[sides[i].high], bad);
+      bad.push_back(h / 3);
     }
+    const Triangle& t = triangles[bad.front()];
+    const Index k = crowded.front().front() % 3;
+    const auto [low, high] = std::minmax({ t[k], t[(k + 1) % 3] });
+    return crowdedEdge(pointIds[low], pointIds[high], bad);
   }
   partner = pairSides(sides);
   const Indices oneSided = turnOver(triangles, partner, reversed);
@@ -223,9 +223,8 @@ Indices usedPoints(const Triangles& triangles, std::size_t pointCount)
   return points;
 }
 
-/// Makes vertices of the points, one of all that coincide, and fills in which is which.
-Points3 joinPoints(const Points3& points, const Indices& used, CoincidentPoints coincidentPoints,
-  PreparedSurface& result)
+/// As firstInPlace(), of points that triangles use.
+Indices firstAmong(const Points3& points, const Indices& used, CoincidentPoints coincident)
 {
   Points3 candidates;
   candidates.reserve(used.size());
@@ -233,22 +232,35 @@ Points3 joinPoints(const Points3& points, const Indices& used, CoincidentPoints 
   {
     candidates.push_back(points[p]);
   }
-  const Indices coincident = findCoincident(candidates, coincidentPoints);
+  const Indices among = findCoincident(candidates, coincident);
+  Indices first(points.size());
+  std::iota(first.begin(), first.end(), 0);
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    first[used[i]] = used[among[i]];
+  }
+  return first;
+}
+
+/// Makes vertices of the points, one of all that coincide, and fills in which is which.
+Points3 joinPoints(
+  const Points3& points, const Indices& used, const Indices& first, PreparedSurface& result)
+{
   result.vertexOfPoint.assign(points.size(), none);
   Points3 joined;
-  joined.reserve(candidates.size());
-  result.originalPoint.reserve(candidates.size());
-  for (std::size_t i = 0; i < candidates.size(); ++i)
+  joined.reserve(used.size());
+  result.originalPoint.reserve(used.size());
+  for (const Index p : used)
   {
-    if (coincident[i] == static_cast<Index>(i))
+    if (first[p] == p)
     {
-      result.vertexOfPoint[used[i]] = static_cast<Index>(joined.size());
-      result.originalPoint.push_back(used[i]);
-      joined.push_back(candidates[i]);
+      result.vertexOfPoint[p] = static_cast<Index>(joined.size());
+      result.originalPoint.push_back(p);
+      joined.push_back(points[p]);
     }
     else
     {
-      result.vertexOfPoint[used[i]] = result.vertexOfPoint[used[coincident[i]]];
+      result.vertexOfPoint[p] = result.vertexOfPoint[first[p]];
     }
   }
   return joined;
@@ -301,7 +313,8 @@ PreparedSurface prepare(
       { ElementKind::Points, bad }, { Remedy::MendPoints } });
   }
   PreparedSurface result;
-  Points3 joined = joinPoints(points, used, resolved(coincidentPoints, used, triangles), result);
+  const Indices first = firstAmong(points, used, resolved(coincidentPoints, used, triangles));
+  Points3 joined = joinPoints(points, used, first, result);
   Triangles cells = renumbered(triangles, result.vertexOfPoint, joined, bad);
   if (!bad.empty())
   {
@@ -408,19 +421,7 @@ Status crowdedEdge(Index low, Index high, const Indices& triangles)
 Indices firstInPlace(const Points3& points, const Triangles& triangles, CoincidentPoints coincident)
 {
   const Indices used = usedPoints(triangles, points.size());
-  Points3 candidates;
-  for (const Index p : used)
-  {
-    candidates.push_back(points[p]);
-  }
-  const Indices among = findCoincident(candidates, resolved(coincident, used, triangles));
-  Indices first(points.size());
-  std::iota(first.begin(), first.end(), 0);
-  for (std::size_t i = 0; i < used.size(); ++i)
-  {
-    first[used[i]] = used[among[i]];
-  }
-  return first;
+  return firstAmong(points, used, resolved(coincident, used, triangles));
 }
 
 PreparedSurface prepareSurface(
