@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFeatureCurveAlgorithm.h"
 
-#include "CurvedSurface.h"
+#include "CurvedPolyData.h"
 #include "Distribution.h"
 #include "FieldArrays.h"
 #include "FilterExecution.h"
@@ -34,7 +34,7 @@ namespace bridge
 /// What a filter keeps from one run to the next.
 struct KeptRun
 {
-  std::shared_ptr<CurvedSurface> source;
+  std::shared_ptr<CurvedPolyData> source;
   FlatteningCache pieces;
 };
 }
@@ -196,7 +196,7 @@ void vtkFeatureCurveAlgorithm::FinishData(vtkInformationVector* outputVector)
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorithm::LoadInput(
+std::shared_ptr<const flattening::bridge::CurvedPolyData> vtkFeatureCurveAlgorithm::LoadInput(
   vtkInformationVector** inputVector)
 {
   const flattening::bridge::ConnectedCurves connected =
@@ -212,20 +212,20 @@ std::shared_ptr<const flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorith
   else if (!this->Kept)
   {
     this->Kept = std::make_unique<flattening::bridge::KeptRun>();
-    this->Kept->source = std::make_shared<flattening::bridge::CurvedSurface>();
+    this->Kept->source = std::make_shared<flattening::bridge::CurvedPolyData>();
   }
   const auto source =
-    this->Kept ? this->Kept->source : std::make_shared<flattening::bridge::CurvedSurface>();
+    this->Kept ? this->Kept->source : std::make_shared<flattening::bridge::CurvedPolyData>();
   flattening::bridge::loadCurvedSurface(vtkPolyData::GetData(inputVector[0]), curves,
     options.coincidentPoints,
-    options.healSurface ? flattening::bridge::Defects::Heal : flattening::bridge::Defects::Refuse,
-    options.imprint, flattening::bridge::executionOf(this), *source);
-  const auto blamed = std::find(curves.begin(), curves.end(), source->blamed);
-  this->StatusConnection =
-    blamed == curves.end() ? -1 : connected.connections[blamed - curves.begin()];
+    options.healSurface ? flattening::Defects::Heal : flattening::Defects::Refuse, options.imprint,
+    flattening::bridge::executionOf(this), *source);
+  // The surface's own curves, source 0, have no connection.
+  const auto blamed = static_cast<std::size_t>(std::max(source->blamed, 0));
+  this->StatusConnection = blamed == 0 ? -1 : connected.connections[blamed - 1];
   if (this->StatusConnection >= 0)
   {
-    const std::string& block = connected.blocks[static_cast<std::size_t>(blamed - curves.begin())];
+    const std::string& block = connected.blocks[blamed - 1];
     std::string place = inputVector[1]->GetNumberOfInformationObjects() > 1
       ? "connection " + std::to_string(this->StatusConnection)
       : "";
@@ -234,7 +234,7 @@ std::shared_ptr<const flattening::bridge::CurvedSurface> vtkFeatureCurveAlgorith
       (place.empty() ? "" : place + " of the curves: ") + source->outcome.message;
   }
   const bool loaded = this->Conclude(source->outcome) &&
-    this->Conclude(flattening::bridge::applyTolerances(this->CurveTolerances, *source));
+    this->Conclude(flattening::applyTolerances(this->CurveTolerances, *source));
   if (!loaded)
   {
     return nullptr;

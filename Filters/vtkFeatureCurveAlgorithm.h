@@ -64,7 +64,7 @@ namespace flattening
 namespace bridge
 {
 struct ConnectedCurves;
-struct CurvedSurface;
+struct CurvedPolyData;
 struct KeptRun;
 }
 struct FlatteningCache;
@@ -223,7 +223,7 @@ protected:
   /**
    * Reads surface and curves. Null after a refusal, which has been told then.
    */
-  std::shared_ptr<const flattening::bridge::CurvedSurface> LoadInput(
+  std::shared_ptr<const flattening::bridge::CurvedPolyData> LoadInput(
     vtkInformationVector** inputVector);
 
   /**

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFeatureCurveCutter.h"
 
+#include "AttributeArrays.h"
 #include "Flattening/WireReport.h"
 #include "FlatteningOutput.h"
+#include "Report/FlatteningArrays.h"
 #include "SurfaceOutput.h"
 
 #include "vtkInformation.h"
@@ -33,9 +35,11 @@ int vtkFeatureCurveCutter::RequestData(vtkInformation* vtkNotUsed(request),
     const flattening::CutSurface cut = flattening::cutSurface(mesh, curves);
     if (this->Conclude(source->outcomeOfStage(cut.status)))
     {
-      bridge::writeCutSurface(*source, cut, bridge::makePoints(cut.mesh.points()), surface);
-      bridge::writeSeamPairs(cut, surface);
-      bridge::writeWires(flattening::traceWires(mesh, cut, curves), curves, surface,
+      const flattening::CutArrays arrays = flattening::cutArrays(*source, cut);
+      const std::vector<flattening::Wire> wires = flattening::traceWires(mesh, cut, curves);
+      bridge::writeCutSurface(*source, cut, arrays, bridge::makePoints(arrays.points), surface);
+      bridge::addColumns(surface->GetFieldData(), { flattening::seamPairs(cut) });
+      bridge::writeWires(wires, flattening::wireArrays(wires, curves), surface,
         vtkPolyData::GetData(outputVector, 1));
     }
   }

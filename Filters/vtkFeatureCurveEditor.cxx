@@ -6,8 +6,8 @@
 #include "Editing/CurveDrawing.h"
 #include "Editing/CurveEditor.h"
 #include "Editing/CurveSnapping.h"
+#include "Input/StatusWords.h"
 #include "Paths/PathDistance.h"
-#include "StatusOutput.h"
 #include "SurfaceInput.h"
 
 #include "vtkMath.h"
@@ -316,7 +316,7 @@ bool vtkFeatureCurveEditor::Carry(const Command& command)
     return this->Refuse(noSurface);
   }
   const Status status = command(this->Drawn->editor);
-  this->Message = bridge::inWords(status);
+  this->Message = flattening::inWords(status);
   if (status.refused())
   {
     return false;
@@ -334,11 +334,11 @@ bool vtkFeatureCurveEditor::SetSurface(vtkPolyData* surface)
   }
   try
   {
-    bridge::LoadedSurface loaded =
-      bridge::loadSurface(surface, CoincidentPoints::Automatic, bridge::Defects::Heal);
+    flattening::LoadedSurface loaded =
+      bridge::loadSurface(surface, CoincidentPoints::Automatic, flattening::Defects::Heal);
     if (loaded.outcome.refused() || loaded.prepared.mesh.triangleCount() == 0)
     {
-      return this->Refuse(bridge::inWords(loaded.outcome));
+      return this->Refuse(flattening::inWords(loaded.outcome));
     }
     this->Drawn = std::make_unique<bridge::CurveEditorModel>(std::move(loaded.prepared.mesh));
     this->Message.clear();

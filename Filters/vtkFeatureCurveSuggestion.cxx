@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFeatureCurveSuggestion.h"
 
-#include "CurvedSurface.h"
+#include "CurvedPolyData.h"
 #include "Design/LineSuggestion.h"
 #include "FieldArrays.h"
 #include "FilterExecution.h"
@@ -10,9 +10,9 @@
 #include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
+#include "Report/ReportColumns.h"
 #include "Suggestion/CurveSuggestion.h"
 #include "Suggestion/RegionWeights.h"
-#include "TableColumns.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -60,7 +60,7 @@ std::string candidates(vtkCellData* cells)
 
 /// The weights of the surface's triangles in a cell array of the input. An empty name: none.
 /// InvalidOption: there is no cell array of that name with one number for each cell.
-Status readWeights(const CurvedSurface& source, const std::string& array, RegionWeights& weights)
+Status readWeights(const CurvedPolyData& source, const std::string& array, RegionWeights& weights)
 {
   weights.clear();
   if (array.empty())
@@ -128,9 +128,9 @@ void writeLines(const std::vector<SuggestedCurve>& rows, vtkPolyData* output)
 }
 
 /// The lines that were tried and not proposed.
-vtkSmartPointer<vtkTable> leftOutLines(const CurveSuggestions& suggestions)
+Columns leftOutLines(const CurveSuggestions& suggestions)
 {
-  auto table = vtkSmartPointer<vtkTable>::New();
+  Columns table;
   const TableColumns<SuggestedCurve> columns(table, suggestions.leftOut);
   columns.add("Name", [](const SuggestedCurve& line) { return line.curve.name; });
   columns.add("Type", [](const SuggestedCurve& line) { return curveTypeName(line.curve.type); });
@@ -145,8 +145,9 @@ vtkSmartPointer<vtkTable> leftOutLines(const CurveSuggestions& suggestions)
 }
 
 /// Writes one row: how the search ended.
-void writeSearch(const CurveSuggestions& suggestions, vtkTable* table)
+Columns searchTable(const CurveSuggestions& suggestions)
 {
+  Columns table;
   const std::vector<const CurveSuggestions*> rows{ &suggestions };
   const TableColumns<const CurveSuggestions*> columns(table, rows);
   columns.add("BoundMet", &CurveSuggestions::boundMet);
@@ -154,6 +155,7 @@ void writeSearch(const CurveSuggestions& suggestions, vtkTable* table)
   columns.add("StrainAfter", &CurveSuggestions::strainAfter);
   columns.add("Trials", &CurveSuggestions::trials);
   columns.add("Work", &CurveSuggestions::work);
+  return table;
 }
 
 /// Curves and then proposed cuts as polylines with points of their own; the arrays are those of
@@ -404,8 +406,10 @@ int vtkFeatureCurveSuggestion::RequestData(
   if (!this->IsRefused())
   {
     vtkPolyData::GetData(outputVector, 5)->ShallowCopy(all);
-    flattening::bridge::writeSearch(suggestions, vtkTable::GetData(outputVector, 6));
-    this->LeftOutLines = flattening::bridge::leftOutLines(suggestions);
+    flattening::bridge::writeTable(
+      flattening::bridge::searchTable(suggestions), vtkTable::GetData(outputVector, 6));
+    this->LeftOutLines =
+      flattening::bridge::makeTable(flattening::bridge::leftOutLines(suggestions));
     const std::string shortfall = this->SuggestedCuts == LINES
       ? std::string()
       : flattening::bridge::describeShortfall(suggestions, this->Bound, source->curves.polylines);

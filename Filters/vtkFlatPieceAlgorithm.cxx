@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFlatPieceAlgorithm.h"
 
-#include "ClothInput.h"
-#include "CurvedSurface.h"
+#include "AttributeArrays.h"
+#include "CurvedPolyData.h"
 #include "Distribution.h"
 #include "FilterExecution.h"
 #include "Flattening/PieceArrangement.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "FlatteningOutput.h"
-#include "FlatteningTables.h"
+#include "Input/ClothInput.h"
 #include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
-#include "PieceSizes.h"
+#include "Report/FlatteningArrays.h"
+#include "Report/FlatteningTables.h"
+#include "Report/PieceSizes.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCompositeDataIterator.h"
@@ -191,7 +193,7 @@ vtkFlatPieceAlgorithm::vtkFlatPieceAlgorithm()
 {
   this->SetTablePort(piecePort);
   this->SetTablePort(curvePort);
-  this->Reports = std::make_unique<flattening::bridge::ReportTables>();
+  this->Reports = std::make_unique<flattening::bridge::KeptTables>();
   this->SetDefaultOptions();
 }
 
@@ -258,11 +260,12 @@ void vtkFlatPieceAlgorithm::FinishData(vtkInformationVector* outputVector)
   this->Superclass::FinishData(outputVector);
   if (this->IsRefused() && this->GetStatusCode() != NOT_RUN)
   {
-    this->Reports = std::make_unique<flattening::bridge::ReportTables>();
+    this->Reports = std::make_unique<flattening::bridge::KeptTables>();
     this->SizeWarning.clear();
     std::fill_n(this->Seconds, 4, 0.0);
-    flattening::bridge::writeRefusalRow(
-      this->GetStatusName(), this->GetStatusMessage(), vtkTable::GetData(outputVector, piecePort));
+    flattening::bridge::writeTable(
+      flattening::refusalTable(this->GetStatusName(), this->GetStatusMessage()),
+      vtkTable::GetData(outputVector, piecePort));
   }
 }
 
@@ -283,7 +286,7 @@ flattening::FlatteningOptions vtkFlatPieceAlgorithm::Settings()
   const std::string& material = this->MaterialFile.empty() ? this->Material : this->MaterialFile;
   if (!material.empty())
   {
-    options.cloth = flattening::bridge::readCloth(material, this->Grain);
+    options.cloth = flattening::readCloth(material, this->Grain);
   }
   return options;
 }
@@ -293,7 +296,7 @@ void vtkFlatPieceAlgorithm::ListMaterials(vtkTable* materials)
 {
   if (materials)
   {
-    flattening::bridge::writeMaterials(materials);
+    flattening::bridge::writeTable(flattening::materialTable(), materials);
   }
 }
 
@@ -304,9 +307,10 @@ int vtkFlatPieceAlgorithm::RequestData(vtkInformation* vtkNotUsed(request),
   this->Begin(outputVector);
   flattening::FlatteningOptions options = this->Settings();
   const auto source = this->LoadInput(inputVector);
-  if (source && this->Conclude(source->pinVertices(this->Pins, options.conformal.pins)))
+  if (source &&
+    this->Conclude(source->pinVertices({ this->Pins[0], this->Pins[1] }, options.conformal.pins)))
   {
-    this->Warn(flattening::bridge::describeShortEnds(*source));
+    this->Warn(flattening::describeShortEnds(*source));
     const flattening::FlatteningResult result = flattening::flattenSurface(source->imprinted.mesh,
       source->imprinted.curves, options, flattening::bridge::executionOf(this), this->KeptPieces());
     if (this->Conclude(source->outcomeOfStage(
@@ -314,12 +318,11 @@ int vtkFlatPieceAlgorithm::RequestData(vtkInformation* vtkNotUsed(request),
     {
       if (!result.leftOut.empty())
       {
-        this->Warn({ flattening::bridge::describeLeftOut(*source, result) });
+        this->Warn({ flattening::describeLeftOut(*source, result) });
       }
-      this->Warn(flattening::bridge::describeVerdicts(*source, result));
+      this->Warn(flattening::describeVerdicts(*source, result));
       const std::string unit = this->LengthUnitOf(inputVector);
-      this->WriteFlattening(*source, result, unit, outputVector);
-      flattening::bridge::writeSheetMaterial(options, vtkPolyData::GetData(outputVector, 0));
+      this->WriteFlattening(*source, result, options, unit, outputVector);
       if (!unit.empty() && !this->SizeWarning.empty())
       {
         this->Warn({ this->SizeWarning });
@@ -331,18 +334,21 @@ int vtkFlatPieceAlgorithm::RequestData(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
-void vtkFlatPieceAlgorithm::WriteFlattening(const flattening::bridge::CurvedSurface& source,
-  const flattening::FlatteningResult& result, const std::string& unit,
-  vtkInformationVector* outputVector)
+void vtkFlatPieceAlgorithm::WriteFlattening(const flattening::bridge::CurvedPolyData& source,
+  const flattening::FlatteningResult& result, const flattening::FlatteningOptions& options,
+  const std::string& unit, vtkInformationVector* outputVector)
 {
   namespace bridge = flattening::bridge;
   vtkPolyData* const flat = vtkPolyData::GetData(outputVector, 0);
-  bridge::writeFlattening(source, result, flat, vtkPolyData::GetData(outputVector, 1),
+  bridge::writeFlattening(source, result, options, flat, vtkPolyData::GetData(outputVector, 1),
     vtkPolyData::GetData(outputVector, 2));
-  bridge::writePieceTable(source, result, unit, flat, vtkTable::GetData(outputVector, piecePort));
-  bridge::writeCurveTable(result.curves, vtkTable::GetData(outputVector, curvePort));
-  this->Reports = std::make_unique<bridge::ReportTables>(source, result);
-  this->SizeWarning = bridge::sizeWarning(bridge::pieceSizes(result), unit);
+  bridge::writeTable(
+    flattening::pieceTable(source, result, unit, bridge::textsOfCells(flat, "PieceName")),
+    vtkTable::GetData(outputVector, piecePort));
+  bridge::writeTable(
+    flattening::curveTable(result.curves), vtkTable::GetData(outputVector, curvePort));
+  this->Reports = std::make_unique<bridge::KeptTables>(flattening::ReportTables(source, result));
+  this->SizeWarning = flattening::sizeWarning(flattening::pieceSizes(result), unit);
   const flattening::StageSeconds& seconds = result.seconds;
   const double all[4] = { seconds.wires, seconds.interior, seconds.quality, seconds.total };
   std::copy_n(all, 4, this->Seconds);

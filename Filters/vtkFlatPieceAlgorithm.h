@@ -65,10 +65,11 @@ class vtkTable;
 
 namespace flattening
 {
+struct FlatteningOptions;
 struct FlatteningResult;
 namespace bridge
 {
-struct ReportTables;
+struct KeptTables;
 }
 }
 
@@ -253,9 +254,9 @@ protected:
   /**
    * Writes a result to the five outputs and keeps it for the methods.
    */
-  void WriteFlattening(const flattening::bridge::CurvedSurface& source,
-    const flattening::FlatteningResult& result, const std::string& unit,
-    vtkInformationVector* outputVector);
+  void WriteFlattening(const flattening::bridge::CurvedPolyData& source,
+    const flattening::FlatteningResult& result, const flattening::FlatteningOptions& options,
+    const std::string& unit, vtkInformationVector* outputVector);
 
   vtkIdType Pins[2] = { -1, -1 }; ///< of the conformal map
 
@@ -263,7 +264,7 @@ private:
   vtkFlatPieceAlgorithm(const vtkFlatPieceAlgorithm&) = delete;
   void operator=(const vtkFlatPieceAlgorithm&) = delete;
 
-  std::unique_ptr<flattening::bridge::ReportTables> Reports; // of the last run
+  std::unique_ptr<flattening::bridge::KeptTables> Reports; // of the last run
   std::string SizeWarning;
   double Seconds[4] = { 0.0, 0.0, 0.0, 0.0 };
   // Options have the defaults of the algorithms.

@@ -5,11 +5,11 @@
 #include "Base/Memory.h"
 #include "Distribution.h"
 #include "FieldArrays.h"
+#include "Input/StatusWords.h"
 #include "ListChanges.h"
 #include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
-#include "StatusOutput.h"
 #include "Surface/SurfaceHealing.h"
 #include "Surface/SurfacePreparation.h"
 #include "SurfaceInput.h"
@@ -480,7 +480,7 @@ void vtkFlatteningAlgorithm::Triangulate(vtkPolyData* surface, vtkPolyData* tria
 {
   using namespace flattening;
   triangles->Initialize();
-  const bridge::SurfaceTriangles read = bridge::readTriangles(surface);
+  const flattening::SurfaceTriangles read = bridge::readTriangles(surface);
   const auto exists = [&read](Index p) {
     return p >= 0 && p < static_cast<Index>(read.points.size()) && isUsable(read.points[p]);
   };
@@ -501,8 +501,8 @@ vtkSmartPointer<vtkStringArray> vtkFlatteningAlgorithm::Heal(
 {
   using namespace flattening;
   auto sentences = vtkSmartPointer<vtkStringArray>::New();
-  const bridge::LoadedSurface loaded =
-    bridge::loadSurface(surface, CoincidentPoints::Automatic, bridge::Defects::Heal);
+  const flattening::LoadedSurface loaded =
+    bridge::loadSurface(surface, CoincidentPoints::Automatic, flattening::Defects::Heal);
   for (const std::string& sentence : loaded.mendings)
   {
     sentences->InsertNextValue(sentence);
@@ -547,8 +547,8 @@ vtkSmartPointer<vtkStringArray> vtkFlatteningAlgorithm::Heal(
   triangles->SetLines(surface->GetLines());
   triangles->SetPolys(bridge::makeTriangles(cells));
   triangles->GetFieldData()->ShallowCopy(surface->GetFieldData());
-  std::vector<vtkIdType> cellOf(surface->GetNumberOfVerts() + surface->GetNumberOfLines());
-  std::iota(cellOf.begin(), cellOf.end(), vtkIdType{ 0 });
+  std::vector<std::int64_t> cellOf(surface->GetNumberOfVerts() + surface->GetNumberOfLines());
+  std::iota(cellOf.begin(), cellOf.end(), std::int64_t{ 0 });
   cellOf.insert(
     cellOf.end(), loaded.input.cellOfTriangle.begin(), loaded.input.cellOfTriangle.end());
   bridge::copyCellData(surface->GetCellData(), cellOf, triangles);
@@ -586,8 +586,8 @@ void vtkFlatteningAlgorithm::Keep(const flattening::Status& outcome)
 {
   this->StatusCode = static_cast<int>(outcome.code);
   this->StatusDefect = outcome.message;
-  this->StatusMessage = flattening::bridge::inWords(outcome);
-  this->StatusIdKind = flattening::bridge::kindName(outcome.ids.kind);
+  this->StatusMessage = flattening::inWords(outcome);
+  this->StatusIdKind = flattening::kindName(outcome.ids.kind);
   // New arrays: the caller may have kept those of the last run.
   this->StatusIds = vtkSmartPointer<vtkIdTypeArray>::New();
   this->StatusRemedies = vtkSmartPointer<vtkStringArray>::New();

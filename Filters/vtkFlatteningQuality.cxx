@@ -58,14 +58,17 @@ void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t most
   output->SetPolys(makeTriangles(map.surface.input.triangles));
   output->GetPointData()->ShallowCopy(wholePointArrays(input, warnings));
   copyCellData(wholeCellArrays(input, warnings), map.surface.input.cellOfTriangle, output);
-  writeTriangleQuality(quality.triangles, output);
+  Columns cells;
+  addTriangleQuality(quality.triangles, cells);
+  addColumns(output->GetCellData(), cells);
 
   vtkFieldData* field = output->GetFieldData();
   field->PassData(fieldArrays(input, warnings));
   writeOverlapEdges(map, overlaps.listed, field);
 
   const std::vector<QualitySummary> rows{ quality.summary };
-  const TableColumns<QualitySummary> columns(measures, rows);
+  Columns table;
+  const TableColumns<QualitySummary> columns(table, rows);
   using Summary = const QualitySummary&;
   addSummaries(columns, [](Summary summary) -> Summary { return summary; });
   columns.add("Overlaps", [&overlaps](Summary) { return overlaps.count; });
@@ -74,6 +77,7 @@ void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t most
   columns.add("Triangles", [&mesh](Summary) { return mesh.triangleCount(); });
   columns.add("Vertices", [&mesh](Summary) { return mesh.vertexCount(); });
   columns.add("Mirrored", [&map](Summary) { return map.mirrored; });
+  writeTable(table, measures);
 }
 }
 }

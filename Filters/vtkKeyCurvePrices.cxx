@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkKeyCurvePrices.h"
 
-#include "CurvedSurface.h"
+#include "CurvedPolyData.h"
 #include "Design/KeyPrices.h"
 #include "FilterExecution.h"
 #include "Flattening/FlatteningOptions.h"
-#include "TableColumns.h"
+#include "Report/ReportColumns.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -42,8 +42,7 @@ std::string namesOf(const std::vector<FeatureCurve>& curves, const Indices& ids)
 }
 
 /// Output 5 of vtkKeyCurvePrices.
-void writeKeyPrices(
-  const std::vector<FeatureCurve>& curves, const KeyPrices& prices, vtkTable* table)
+Columns keyPriceTable(const std::vector<FeatureCurve>& curves, const KeyPrices& prices)
 {
   constexpr double no = std::numeric_limits<double>::quiet_NaN();
   std::vector<Row> rows{ { "all keys", none, no, prices.all } };
@@ -55,6 +54,7 @@ void writeKeyPrices(
   }
   rows.push_back({ "no key", none, no, prices.none });
 
+  Columns table;
   const TableColumns<Row> columns(table, rows);
   columns.add("Trial", &Row::what);
   columns.add("Status", [](const Row& row) { return statusName(row.trial.status); });
@@ -64,6 +64,7 @@ void writeKeyPrices(
   columns.add("StrainP95", [](const Row& row) { return row.trial.strainP95; });
   columns.add(
     "Released", [&curves](const Row& row) { return namesOf(curves, row.trial.released); });
+  return table;
 }
 }
 }
@@ -102,8 +103,9 @@ int vtkKeyCurvePrices::RequestData(
   this->Superclass::RequestData(request, inputVector, outputVector);
   if (!this->IsRefused())
   {
-    flattening::bridge::writeKeyPrices(
-      source->imprinted.curves, prices, vtkTable::GetData(outputVector, pricePort));
+    flattening::bridge::writeTable(
+      flattening::bridge::keyPriceTable(source->imprinted.curves, prices),
+      vtkTable::GetData(outputVector, pricePort));
   }
   return 1;
 }

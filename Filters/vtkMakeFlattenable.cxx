@@ -2,18 +2,18 @@
 #include "vtkMakeFlattenable.h"
 
 #include "BodyInput.h"
-#include "CurvedSurface.h"
+#include "CurvedPolyData.h"
 #include "FieldArrays.h"
 #include "FilterExecution.h"
 #include "FlatteningOutput.h"
-#include "FlatteningTables.h"
 #include "ImprintOutput.h"
 #include "ListChanges.h"
 #include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
+#include "Report/FlatteningTables.h"
+#include "Report/ReportColumns.h"
 #include "Reshaping/FlattenableSurface.h"
-#include "TableColumns.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
@@ -57,8 +57,9 @@ void writeShift(const TriangleMesh& design, const FlattenableSurface& result, vt
 }
 
 /// Writes the one row of the measures, and one row per flattening of the search.
-void writeShiftMeasures(const FlattenableSurface& result, vtkTable* table)
+Columns shiftTable(const FlattenableSurface& result)
 {
+  Columns table;
   const std::vector<SurfaceShift> rows{ result.shift };
   const TableColumns<SurfaceShift> columns(table, rows);
   using Shift = const SurfaceShift&;
@@ -74,19 +75,22 @@ void writeShiftMeasures(const FlattenableSurface& result, vtkTable* table)
   columns.add("RelativeShiftMean", [](Shift shift) { return shift.mean / shift.size; });
   columns.add("RelativeShiftP95", [](Shift shift) { return shift.p95 / shift.size; });
   columns.add("RelativeShiftMax", [](Shift shift) { return shift.max / shift.size; });
+  return table;
 }
 
-void writeShiftTrials(const std::vector<FlattenableTrial>& trials, vtkTable* table)
+Columns shiftTrialTable(const std::vector<FlattenableTrial>& trials)
 {
+  Columns table;
   const TableColumns<FlattenableTrial> columns(table, trials);
   columns.add("Anchor", &FlattenableTrial::anchor);
   columns.add("Share", &FlattenableTrial::share);
   columns.add("Strain", &FlattenableTrial::strain);
   columns.add("Shift", &FlattenableTrial::shift);
+  return table;
 }
 
 /// Finds the curves of these names; refuses a name that no curve has.
-Status findCurves(const std::set<std::string>& names, const CurvedSurface& source, Indices& curves)
+Status findCurves(const std::set<std::string>& names, const CurvedPolyData& source, Indices& curves)
 {
   const std::vector<FeatureCurve>& all = source.imprinted.curves;
   for (const std::string& name : names)
@@ -112,7 +116,7 @@ Status findCurves(const std::set<std::string>& names, const CurvedSurface& sourc
 /// Writes the moved surface and its curves as vtkMakeFlattenable documents.
 /// \param moved the source with its mesh moved
 /// \param warnings get a sentence for each array of the curves that is left out
-void writeMovedSurface(const CurvedSurface& source, const CurvedSurface& moved,
+void writeMovedSurface(const CurvedPolyData& source, const CurvedPolyData& moved,
   const FlattenableSurface& result, vtkPolyData* surface, vtkPolyData* curves,
   std::vector<std::string>& warnings)
 {
@@ -215,7 +219,7 @@ int vtkMakeFlattenable::RequestData(vtkInformation* vtkNotUsed(request),
   if (source && this->Conclude(body.outcome) &&
     this->Conclude(bridge::findCurves(this->KeptCurves, *source, options.kept)))
   {
-    this->Warn(bridge::describeShortEnds(*source));
+    this->Warn(flattening::describeShortEnds(*source));
     const flattening::FlattenableSurface result = flattening::makeFlattenable(
       source->imprinted.mesh, source->imprinted.curves, options, bridge::executionOf(this));
     if (this->Conclude(source->outcomeOfStage(
@@ -224,27 +228,28 @@ int vtkMakeFlattenable::RequestData(vtkInformation* vtkNotUsed(request),
       std::vector<std::string> warnings;
       if (!result.after.leftOut.empty())
       {
-        warnings.push_back(bridge::describeLeftOut(*source, result.after));
+        warnings.push_back(flattening::describeLeftOut(*source, result.after));
       }
       if (!result.boundMet)
       {
         warnings.push_back(bridge::describeShortfall(result, options));
       }
       const std::string unit = this->LengthUnitOf(inputVector);
-      bridge::CurvedSurface moved = *source;
+      bridge::CurvedPolyData moved = *source;
       moved.imprinted.mesh = result.mesh;
-      this->WriteFlattening(moved, result.after, unit, outputVector);
-      bridge::writeSheetMaterial(options.flattening, output(0));
+      this->WriteFlattening(moved, result.after, options.flattening, unit, outputVector);
       output(2)->GetPointData()->SetNormals(nullptr); // those of the design
       bridge::writeMovedSurface(
         *source, moved, result, output(surfacePort), output(surfacePort + 1), warnings);
       const vtkNew<vtkPolyData> wires;
       const vtkNew<vtkPolyData> cut;
-      bridge::writeFlattening(*source, result.before, output(beforePort), wires, cut);
-      bridge::writePieceTable(*source, result.before, unit, output(beforePort),
+      bridge::writeFlattening(
+        *source, result.before, options.flattening, output(beforePort), wires, cut);
+      bridge::writeTable(flattening::pieceTable(*source, result.before, unit,
+                           bridge::textsOfCells(output(beforePort), "PieceName")),
         vtkTable::GetData(outputVector, piecesBeforePort));
-      bridge::writeShiftMeasures(result, vtkTable::GetData(outputVector, measurePort));
-      bridge::writeShiftTrials(result.trials, this->Trials);
+      bridge::writeTable(bridge::shiftTable(result), vtkTable::GetData(outputVector, measurePort));
+      this->Trials = bridge::makeTable(bridge::shiftTrialTable(result.trials));
       this->Warn(warnings);
     }
   }

@@ -4,18 +4,18 @@
 #include "AttributeArrays.h"
 #include "Base/Types.h"
 #include "BodyInput.h"
-#include "ClothInput.h"
 #include "Cut/SurfaceCut.h"
 #include "FilterExecution.h"
+#include "Input/ClothInput.h"
+#include "Input/StatusWords.h"
 #include "ListChanges.h"
 #include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
 #include "QualityInput.h"
+#include "Report/ReportColumns.h"
 #include "Sewing/PieceSewing.h"
-#include "StatusOutput.h"
 #include "SurfaceOutput.h"
-#include "TableColumns.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -191,8 +191,9 @@ void writeCells(const SewingResult& result, vtkPolyData* output)
   ofThreads("SewnShearAngle", [](const ThreadStrain& strain) { return strain.shear / degree; });
 }
 
-void writeShapes(const std::vector<SewnReport>& shapes, vtkTable* table)
+Columns shapeTable(const std::vector<SewnReport>& shapes)
 {
+  Columns table;
   const TableColumns<SewnReport> columns(table, shapes);
   using Shape = const SewnReport&;
   const auto measure = [&columns](const char* name, double SewnMeasures::*member) {
@@ -235,6 +236,7 @@ void writeShapes(const std::vector<SewnReport>& shapes, vtkTable* table)
   columns.add("Iterations", &SewnReport::iterations);
   columns.add("Converged", &SewnReport::converged);
   columns.add("StatusMessage", [](Shape shape) { return shape.status.message; });
+  return table;
 }
 
 void writeSeams(const SewnInput& input, const SewingResult& result, vtkFieldData* field)
@@ -284,9 +286,9 @@ void describeShapes(const std::vector<SewnReport>& shapes, std::vector<std::stri
 }
 
 /// One row per iteration.
-vtkSmartPointer<vtkTable> sewingIterations(const SewingResult& result)
+Columns sewingIterations(const SewingResult& result)
 {
-  auto table = vtkSmartPointer<vtkTable>::New();
+  Columns table;
   const auto rows = numberedElements(result.shapes, &SewnReport::history);
   const TableColumns columns(table, rows);
   columns.add("Shape", [](const auto& row) { return row.first; });
@@ -323,7 +325,7 @@ void writeSewn(vtkPolyData* design, const SewnInput& input, const SewingResult& 
     output->GetPointData()->SetActiveScalars("Distance");
   }
   describeShapes(result.shapes, warnings);
-  writeShapes(result.shapes, shapes);
+  writeTable(shapeTable(result.shapes), shapes);
   writeSeams(input, result, sewn->GetFieldData());
 }
 }
@@ -399,18 +401,18 @@ int vtkSewnShape::RequestData(vtkInformation* vtkNotUsed(request),
     flattening::SewingOptions options = this->OptionsForCore().sewing;
     if (!this->Material.empty())
     {
-      options.material = flattening::bridge::readCloth(this->Material, "").material;
+      options.material = flattening::readCloth(this->Material, "").material;
     }
     options.body = body.get();
     const flattening::SewingResult result = flattening::sewPieces(
       input.cut, input.map.positions, options, flattening::bridge::executionOf(this));
-    if (this->Conclude(
-          flattening::bridge::inInput(result.status, input.map.surface.input.cellOfTriangle)))
+    if (this->Conclude(flattening::inInput(result.status, input.map.surface.input.cellOfTriangle)))
     {
       std::vector<std::string> warnings;
       flattening::bridge::writeSewn(design, input, result, output,
         vtkPolyData::GetData(outputVector, 1), vtkTable::GetData(outputVector, 2), warnings);
-      this->Iterations = flattening::bridge::sewingIterations(result);
+      this->Iterations =
+        flattening::bridge::makeTable(flattening::bridge::sewingIterations(result));
       this->Warn(warnings);
     }
   }

@@ -3,7 +3,7 @@
 
 #include "Base/Types.h"
 #include "CurveEditorData.h"
-#include "CurvedSurface.h"
+#include "CurvedPolyData.h"
 #include "Editing/CurveDrawing.h"
 #include "Editing/DerivedCurves.h"
 #include "SurfaceInput.h"
@@ -235,8 +235,8 @@ int vtkSurfaceCurve::RequestData(vtkInformation* vtkNotUsed(request),
   if (!this->Drawn || !this->Drawn->origin.sameAs(origin))
   {
     this->Drawn.reset();
-    bridge::LoadedSurface loaded =
-      bridge::loadSurface(input, CoincidentPoints::Automatic, bridge::Defects::Heal);
+    flattening::LoadedSurface loaded =
+      bridge::loadSurface(input, CoincidentPoints::Automatic, flattening::Defects::Heal);
     if (!this->Conclude(loaded.outcome))
     {
       this->WriteRunStatus(output);

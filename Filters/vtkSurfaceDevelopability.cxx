@@ -24,9 +24,9 @@ int vtkSurfaceDevelopability::RequestData(vtkInformation* vtkNotUsed(request),
   this->Begin(outputVector);
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  const flattening::bridge::LoadedSurface surface =
+  const flattening::LoadedSurface surface =
     flattening::bridge::loadSurface(input, flattening::CoincidentPoints::Automatic,
-      flattening::bridge::Defects::Heal, flattening::bridge::GhostCells::Duplicates);
+      flattening::Defects::Heal, flattening::bridge::GhostCells::Duplicates);
   if (!this->Conclude(surface.outcome))
   {
     return 1;

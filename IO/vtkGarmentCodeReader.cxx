@@ -5,9 +5,9 @@
 #include "FieldArrays.h"
 #include "Formats/GarmentPieces.h"
 #include "GarmentCodeFile.h"
+#include "Input/StatusWords.h"
 #include "Outlines/PatternSource.h"
 #include "PanelArrays.h"
-#include "StatusOutput.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -254,7 +254,7 @@ int vtkGarmentCodeReader::RequestData(vtkInformation* vtkNotUsed(request),
     return made;
   });
   this->StatusName = statusName(pieces.status.code);
-  this->ErrorMessage = bridge::inWords(pieces.status);
+  this->ErrorMessage = flattening::inWords(pieces.status);
   if (!pieces.status.ok())
   {
     vtkErrorMacro(<< this->ErrorMessage);

@@ -8,9 +8,9 @@
 #include "Formats/FileAside.h"
 #include "Formats/PatternFile.h"
 #include "GradingData.h"
+#include "Input/StatusWords.h"
 #include "ListChanges.h"
 #include "PatternInput.h"
-#include "StatusOutput.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
@@ -157,7 +157,7 @@ void vtkPatternWriter::Keep(const flattening::Status& status)
 {
   this->StatusName = flattening::statusName(status.code);
   this->StatusDefect = status.message;
-  this->ErrorMessage = flattening::bridge::inWords(status);
+  this->ErrorMessage = flattening::inWords(status);
   // New arrays: the caller may have kept those of the last run.
   this->StatusRemedies = vtkSmartPointer<vtkStringArray>::New();
   this->StatusRemedySubjects = vtkSmartPointer<vtkStringArray>::New();

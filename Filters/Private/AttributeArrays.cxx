@@ -1,13 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AttributeArrays.h"
 
+#include "FieldArrays.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <type_traits>
+#include <variant>
 
 namespace flattening
 {
@@ -72,6 +82,58 @@ vtkSmartPointer<Attributes> wholeArrays(
   }
   return whole;
 }
+}
+
+void addColumns(vtkFieldData* field, const Columns& columns)
+{
+  for (const Column& column : columns)
+  {
+    const auto add = [&](const auto& array, const auto& values) {
+      array->SetName(column.name.c_str());
+      array->SetNumberOfComponents(column.components);
+      array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / column.components);
+      for (std::size_t k = 0; k < values.size(); ++k)
+      {
+        array->SetValue(static_cast<vtkIdType>(k), values[k]);
+      }
+      addUnlessEmpty(field, array);
+    };
+    std::visit(
+      [&add](const auto& values) {
+        using Value = typename std::decay_t<decltype(values)>::value_type;
+        using Array = std::conditional_t<std::is_same_v<Value, double>, vtkDoubleArray,
+          std::conditional_t<std::is_same_v<Value, std::int64_t>, vtkIdTypeArray,
+            std::conditional_t<std::is_same_v<Value, int>, vtkIntArray,
+              std::conditional_t<std::is_same_v<Value, unsigned char>, vtkUnsignedCharArray,
+                vtkStringArray>>>>;
+        add(vtkNew<Array>(), values);
+      },
+      column.values);
+  }
+}
+
+void writeTable(const Columns& columns, vtkTable* table)
+{
+  table->Initialize();
+  addColumns(table->GetRowData(), columns);
+}
+
+vtkSmartPointer<vtkTable> makeTable(const Columns& columns)
+{
+  auto table = vtkSmartPointer<vtkTable>::New();
+  writeTable(columns, table);
+  return table;
+}
+
+std::vector<std::string> textsOfCells(vtkPolyData* data, const char* array)
+{
+  std::vector<std::string> texts;
+  auto* const values = vtkStringArray::SafeDownCast(data->GetCellData()->GetAbstractArray(array));
+  for (vtkIdType k = 0; values && k < values->GetNumberOfValues(); ++k)
+  {
+    texts.push_back(values->GetValue(k));
+  }
+  return texts;
 }
 
 std::string withoutNul(std::string text)

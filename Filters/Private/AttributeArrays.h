@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Report/ReportColumns.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -11,6 +12,7 @@ class vtkCellData;
 class vtkFieldData;
 class vtkPointData;
 class vtkPolyData;
+class vtkTable;
 
 namespace flattening
 {
@@ -28,6 +30,16 @@ vtkSmartPointer<vtkPointData> wholePointArrays(
 
 /// The same for cells.
 vtkSmartPointer<vtkCellData> wholeCellArrays(vtkPolyData* data, std::vector<std::string>& warnings);
+
+/// Adds the columns as arrays, as addUnlessEmpty() does.
+void addColumns(vtkFieldData* field, const Columns& columns);
+
+/// Replaces what a table has by the columns.
+void writeTable(const Columns& columns, vtkTable* table);
+vtkSmartPointer<vtkTable> makeTable(const Columns& columns);
+
+/// The texts of a cell array, a text a cell; none where there is no such array.
+std::vector<std::string> textsOfCells(vtkPolyData* data, const char* array);
 
 /// The field data, whose arrays may have any length.
 vtkSmartPointer<vtkFieldData> fieldArrays(vtkPolyData* data, std::vector<std::string>& warnings);

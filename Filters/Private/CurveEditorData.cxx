@@ -378,7 +378,8 @@ CurveSetInput readCurveSet(vtkPolyData* data, const DrawingSurface& surface)
 {
   CurveSetInput result;
   CurveInput input;
-  if (!readCurves(data, input))
+  readCurves(data, 0, input);
+  if (!input.outcome.ok())
   {
     result.status = input.outcome;
     return result;

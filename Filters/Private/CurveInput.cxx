@@ -110,8 +110,9 @@ struct Chain
 class LineReader
 {
 public:
-  LineReader(vtkPolyData* data, CurveInput& curves)
+  LineReader(vtkPolyData* data, int source, CurveInput& curves)
     : Data(data)
+    , Source(source)
     , Curves(curves)
     , Choice(data, GhostCells::LeftOut)
     , FirstLine(data->GetNumberOfVerts())
@@ -128,7 +129,7 @@ private:
   bool refuse(Status status)
   {
     this->Curves.outcome = std::move(status);
-    this->Curves.blamed = this->Data;
+    this->Curves.blamed = this->Source;
     return false;
   }
 
@@ -367,7 +368,7 @@ private:
       }
       this->Curves.polylines.push_back(std::move(polyline));
       this->Curves.cellOfPolyline.push_back(chain.cell);
-      this->Curves.dataOfPolyline.push_back(this->Data);
+      this->Curves.sourceOfPolyline.push_back(this->Source);
     }
     return true;
   }
@@ -408,6 +409,7 @@ private:
   }
 
   vtkPolyData* Data;
+  int Source;
   CurveInput& Curves;
   CellChoice Choice;
   vtkIdType FirstLine;
@@ -422,9 +424,12 @@ private:
 };
 }
 
-bool readCurves(vtkPolyData* data, CurveInput& curves)
+void readCurves(vtkPolyData* data, int source, CurveInput& curves)
 {
-  return data->GetNumberOfLines() == 0 || LineReader(data, curves).read();
+  if (data->GetNumberOfLines() > 0)
+  {
+    LineReader(data, source, curves).read();
+  }
 }
 }
 }

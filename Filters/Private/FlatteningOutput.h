@@ -1,27 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "CurvedSurface.h"
+#include "CurvedPolyData.h"
 #include "Flattening/SurfaceFlattening.h"
+#include "Report/FlatteningTables.h"
+#include "Report/ReportColumns.h"
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
 
 namespace flattening
 {
 namespace bridge
 {
+/// The tables that vtkFlatPieceAlgorithm gives by methods.
+struct KeptTables
+{
+  explicit KeptTables(const ReportTables& tables = {});
+
+  vtkSmartPointer<vtkTable> angleIterations;
+  vtkSmartPointer<vtkTable> isometricIterations;
+  vtkSmartPointer<vtkTable> releaseTrials;
+  vtkSmartPointer<vtkTable> pieceRemedies;
+  vtkSmartPointer<vtkTable> leftOutPieces;
+};
+
 /// Writes a flattening as the three outputs that vtkWireWarpingFilter documents.
-void writeFlattening(const CurvedSurface& source, const FlatteningResult& result, vtkPolyData* flat,
-  vtkPolyData* wires, vtkPolyData* cut);
+void writeFlattening(const CurvedPolyData& source, const FlatteningResult& result,
+  const FlatteningOptions& options, vtkPolyData* flat, vtkPolyData* wires, vtkPolyData* cut);
 
-/// `SheetMaterial` among the field data of flat pieces, where the edges of their material do not
-/// fray.
-void writeSheetMaterial(const FlatteningOptions& options, vtkPolyData* flat);
-
-/// A sentence that names the pieces that were left out, by cells of the input.
-std::string describeLeftOut(const CurvedSurface& source, const FlatteningResult& result);
-
-/// Writes wires as polylines over the points and point data of `surface`, with the cell arrays
-/// `CurveType`, `CurveId`, `CurveName`, `PieceId`, `Boundary` and `RestLength`.
-void writeWires(const std::vector<Wire>& wires, const std::vector<FeatureCurve>& curves,
-  vtkPolyData* surface, vtkPolyData* output);
+/// Writes wires as polylines over the points and point data of `surface`. \param arrays those of
+/// wireArrays()
+void writeWires(
+  const std::vector<Wire>& wires, const Columns& arrays, vtkPolyData* surface, vtkPolyData* output);
 }
 }

@@ -23,13 +23,16 @@ namespace bridge
 namespace
 {
 /// The cell arrays that all data sets of the curves have.
-void copyCurveData(const CurveInput& curves, vtkCellData* cells, std::vector<std::string>& warnings)
+void copyCurveData(
+  const CurvedPolyData& source, vtkCellData* cells, std::vector<std::string>& warnings)
 {
   std::vector<vtkPolyData*> sources;
   std::vector<vtkSmartPointer<vtkCellData>> arrays;
   std::vector<int> sourceOfCurve;
-  for (vtkPolyData* data : curves.dataOfPolyline)
+  const CurveInput& curves = source.curves;
+  for (const int number : curves.sourceOfPolyline)
   {
+    vtkPolyData* const data = source.sources[static_cast<std::size_t>(number)];
     const auto known = std::find(sources.begin(), sources.end(), data);
     sourceOfCurve.push_back(static_cast<int>(known - sources.begin()));
     if (known == sources.end())
@@ -93,7 +96,7 @@ void writePlanarShapes(const std::vector<FeatureCurve>& curves, vtkPolyData* out
   output->GetPointData()->AddArray(shape);
 }
 
-void writeCurves(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData* output,
+void writeCurves(const CurvedPolyData& source, vtkPolyData* surface, vtkPolyData* output,
   std::vector<std::string>& warnings)
 {
   const std::vector<FeatureCurve>& curves = source.imprinted.curves;
@@ -115,7 +118,7 @@ void writeCurves(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData*
   vtkCellData* cells = output->GetCellData();
   if (count > 0)
   {
-    copyCurveData(source.curves, cells, warnings);
+    copyCurveData(source, cells, warnings);
   }
   addRows<vtkIntArray>(
     cells, "CurveType", count, [&](std::size_t c) { return static_cast<int>(curves[c].type); });
@@ -134,7 +137,7 @@ void writeCurves(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData*
 }
 }
 
-void writeImprint(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData* curves,
+void writeImprint(const CurvedPolyData& source, vtkPolyData* surface, vtkPolyData* curves,
   std::vector<std::string>& warnings)
 {
   writeImprintedSurface(source, surface);

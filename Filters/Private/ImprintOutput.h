@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "CurvedSurface.h"
+#include "CurvedPolyData.h"
 
 namespace flattening
 {
@@ -9,7 +9,7 @@ namespace bridge
 {
 /// Writes an imprinted surface and its curves as the two outputs that vtkFeatureCurveImprinter
 /// documents. \param warnings get a sentence for each array of the curves that is left out.
-void writeImprint(const CurvedSurface& source, vtkPolyData* surface, vtkPolyData* curves,
+void writeImprint(const CurvedPolyData& source, vtkPolyData* surface, vtkPolyData* curves,
   std::vector<std::string>& warnings);
 }
 }

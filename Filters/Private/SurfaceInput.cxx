@@ -2,8 +2,6 @@
 #include "SurfaceInput.h"
 
 #include "Base/Types.h"
-#include "StatusOutput.h"
-#include "Surface/PolygonTriangulation.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
@@ -18,7 +16,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace flattening
 {
@@ -26,15 +23,6 @@ namespace bridge
 {
 namespace
 {
-/// Half-edges are counted with an Index.
-constexpr vtkIdType mostTriangles = std::numeric_limits<Index>::max() / 3;
-
-/// An id that does not fit stays out of range, for prepareSurface() to refuse.
-Index pointIndex(vtkIdType id)
-{
-  return id >= 0 && id <= std::numeric_limits<Index>::max() ? static_cast<Index>(id) : none;
-}
-
 void appendTriangle(SurfaceTriangles& result, vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
 {
   result.triangles.push_back({ pointIndex(a), pointIndex(b), pointIndex(c) });
@@ -52,28 +40,6 @@ bool isSound(const SurfaceTriangles& result, vtkCellArray* cells)
     });
   });
   return sound;
-}
-
-/// Triangles of VTK where they cover their polygon, else those of triangulatePolygon().
-void appendPolygon(
-  SurfaceTriangles& result, vtkIdType cell, const Indices& corners, const Triangles& proposed)
-{
-  if (corners.size() <= 3 || isTriangulationOf(proposed, result.points, corners))
-  {
-    for (const Triangle& t : proposed)
-    {
-      appendTriangle(result, cell, t[0], t[1], t[2]);
-    }
-    return;
-  }
-  for (const Triangle& t : triangulatePolygon(result.points, corners))
-  {
-    // A corner twice joins nothing, but two points in one place may hold parts together.
-    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
-    {
-      appendTriangle(result, cell, t[0], t[1], t[2]);
-    }
-  }
 }
 
 void triangulate(
@@ -119,14 +85,9 @@ void triangulate(
     {
       proposed.push_back(divided[next]);
     }
-    const std::size_t before = result.triangles.size();
-    if (choice.reads(firstCell + k))
+    if (choice.reads(firstCell + k) && !appendPolygon(result, firstCell + k, corners, proposed))
     {
-      appendPolygon(result, firstCell + k, corners, proposed);
-      if (result.triangles.size() == before)
-      {
-        lost.push_back(firstCell + k);
-      }
+      lost.push_back(firstCell + k);
     }
   };
   forEachCell(polygons->GetPolys(), [&](vtkIdType k, vtkIdType count, const vtkIdType* ids) {
@@ -136,29 +97,7 @@ void triangulate(
   {
     append(k, {}); // a strip
   }
-  if (!lost.empty())
-  {
-    result.outcome = { StatusCode::DegenerateTriangle,
-      "cells " + listIds(lost) + " are polygons with fewer than three different corners",
-      { ElementKind::Cells, lost }, { Remedy::RemeshTriangles } };
-  }
-}
-
-/// Gives the triangles of the input that healing left the places that they have in the mesh.
-void keepHealed(LoadedSurface& surface)
-{
-  const HealedSurface& healed = surface.prepared;
-  std::vector<vtkIdType> cells;
-  for (const Index t : healed.originalTriangle)
-  {
-    cells.push_back(surface.input.cellOfTriangle[t]);
-  }
-  surface.input.cellOfTriangle = std::move(cells);
-  surface.input.triangles = healed.mesh.triangles();
-  for (Triangle& t : surface.input.triangles)
-  {
-    t = { healed.originalPoint[t[0]], healed.originalPoint[t[1]], healed.originalPoint[t[2]] };
-  }
+  result.outcome = refuseLost(lost);
 }
 }
 
@@ -195,11 +134,9 @@ SurfaceTriangles readTriangles(vtkPolyData* surface, GhostCells ghosts)
   const vtkIdType firstCell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
   const vtkIdType corners =
     polygons->GetNumberOfConnectivityIds() + strips->GetNumberOfConnectivityIds();
-  if (corners > mostTriangles || surface->GetNumberOfPoints() > mostTriangles)
+  result.outcome = checkSize(surface->GetNumberOfPoints(), corners);
+  if (!result.outcome.ok())
   {
-    result.outcome = { StatusCode::InvalidOption,
-      "the surface has more than " + std::to_string(mostTriangles) + " points or corners", {},
-      { Remedy::DivideInput } };
     return result;
   }
 
@@ -238,47 +175,7 @@ SurfaceTriangles readTriangles(vtkPolyData* surface, GhostCells ghosts)
 LoadedSurface loadSurface(
   vtkPolyData* surface, CoincidentPoints coincident, Defects defects, GhostCells ghosts)
 {
-  LoadedSurface result;
-  result.input = readTriangles(surface, ghosts);
-  result.outcome = result.input.outcome;
-  if (!result.outcome.ok())
-  {
-    return result;
-  }
-  if (defects != Defects::Refuse)
-  {
-    result.prepared = healSurface(result.input.points, result.input.triangles, coincident,
-      defects == Defects::Heal ? Specks::LeaveOut : Specks::Keep);
-  }
-  else
-  {
-    static_cast<PreparedSurface&>(result.prepared) =
-      prepareSurface(result.input.points, result.input.triangles, coincident);
-  }
-  const Status& status = result.prepared.status;
-  // Its points are the input's.
-  result.outcome =
-    status.ids.kind == ElementKind::Cells ? inInput(status, result.input.cellOfTriangle) : status;
-  if (!result.outcome.ok())
-  {
-    return result;
-  }
-  for (Mending& mending : result.prepared.mendings)
-  {
-    if (mending.ids.kind == ElementKind::Cells)
-    {
-      for (std::int64_t& id : mending.ids.values)
-      {
-        id = result.input.cellOfTriangle[id];
-      }
-    }
-    result.mendings.push_back(describe(mending));
-  }
-  if (!result.prepared.originalTriangle.empty())
-  {
-    keepHealed(result);
-  }
-  return result;
+  return flattening::loadSurface(readTriangles(surface, ghosts), coincident, defects);
 }
 }
 }

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceOutput.h"
 
+#include "FieldArrays.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTypeInt64Array.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <numeric>
@@ -44,7 +44,7 @@ vtkSmartPointer<vtkPoints> makeDoublePoints(const Points& points)
   return result;
 }
 
-void copyPointData(const CurvedSurface& source, const Indices& originalVertex, vtkPolyData* output)
+void copyPointData(const CurvedPolyData& source, const Indices& originalVertex, vtkPolyData* output)
 {
   vtkPointData* from = source.pointArrays;
   vtkPointData* to = output->GetPointData();
@@ -78,8 +78,8 @@ void copyPointData(const CurvedSurface& source, const Indices& originalVertex, v
 }
 
 /// Triangles over points, each a copy of a vertex of the imprinted surface, with the input's data.
-void writeSurface(const CurvedSurface& source, const Triangles& triangles,
-  const std::vector<vtkIdType>& cellOfTriangle, const Indices& originalVertex, vtkPoints* points,
+void writeSurface(const CurvedPolyData& source, const Triangles& triangles,
+  const std::vector<std::int64_t>& cellOfTriangle, const Indices& originalVertex, vtkPoints* points,
   vtkPolyData* output)
 {
   output->SetPoints(points);
@@ -87,8 +87,6 @@ void writeSurface(const CurvedSurface& source, const Triangles& triangles,
   copyPointData(source, originalVertex, output);
   copyCellData(source.cellArrays, cellOfTriangle, output);
   output->GetFieldData()->PassData(source.fieldData);
-  addRows<vtkIdTypeArray>(output->GetPointData(), "vtkOriginalPointIds", originalVertex.size(),
-    [&](std::size_t v) { return source.pointOf(originalVertex[v]); });
 }
 }
 
@@ -124,7 +122,7 @@ vtkSmartPointer<vtkCellArray> makeTriangles(const Triangles& triangles)
 }
 
 void copyCellData(
-  vtkCellData* input, const std::vector<vtkIdType>& cellOfTriangle, vtkPolyData* output)
+  vtkCellData* input, const std::vector<std::int64_t>& cellOfTriangle, vtkPolyData* output)
 {
   vtkCellData* cells = output->GetCellData();
   cells->CopyGlobalIdsOff(); // a triangle can be one of several of its cell
@@ -138,12 +136,12 @@ void copyCellData(
     [&](std::size_t t) { return cellOfTriangle[t]; });
 }
 
-void writeImprintedSurface(const CurvedSurface& source, vtkPolyData* output)
+void writeImprintedSurface(const CurvedPolyData& source, vtkPolyData* output)
 {
   const TriangleMesh& mesh = source.imprinted.mesh;
   Indices vertices(mesh.vertexCount());
   std::iota(vertices.begin(), vertices.end(), 0);
-  std::vector<vtkIdType> cellOfTriangle;
+  std::vector<std::int64_t> cellOfTriangle;
   cellOfTriangle.reserve(mesh.triangleCount());
   for (Index t = 0; t < mesh.triangleCount(); ++t)
   {
@@ -151,53 +149,17 @@ void writeImprintedSurface(const CurvedSurface& source, vtkPolyData* output)
   }
   writeSurface(
     source, mesh.triangles(), cellOfTriangle, vertices, makePoints(mesh.points()), output);
+  addRows<vtkIdTypeArray>(output->GetPointData(), "vtkOriginalPointIds", vertices.size(),
+    [&](std::size_t v) { return source.pointOf(vertices[v]); });
 }
 
-void writeCutSurface(
-  const CurvedSurface& source, const CutSurface& cut, vtkPoints* points, vtkPolyData* output)
+void writeCutSurface(const CurvedPolyData& source, const CutSurface& cut, const CutArrays& arrays,
+  vtkPoints* points, vtkPolyData* output)
 {
-  std::vector<vtkIdType> cellOfTriangle;
-  cellOfTriangle.reserve(cut.mesh.triangleCount());
-  for (Index t = 0; t < cut.mesh.triangleCount(); ++t)
-  {
-    cellOfTriangle.push_back(source.cellOf(cut.originalTriangle(t)));
-  }
-  writeSurface(source, cut.mesh.triangles(), cellOfTriangle, cut.originalVertex, points, output);
-  addRows<vtkIdTypeArray>(output->GetCellData(), "PieceId", cut.pieceOfTriangle.size(),
-    [&](std::size_t t) { return cut.pieceOfTriangle[t]; });
-}
-
-void writeSeamPairs(const CutSurface& cut, vtkPolyData* output)
-{
-  vtkNew<vtkIdTypeArray> pairs;
-  pairs->SetName("SeamPairs");
-  pairs->SetNumberOfComponents(5);
-  pairs->SetNumberOfTuples(static_cast<vtkIdType>(cut.seamPairs.size()));
-  for (std::size_t i = 0; i < cut.seamPairs.size(); ++i)
-  {
-    const SeamPair& pair = cut.seamPairs[i];
-    // The second half-edge runs against the first.
-    const vtkIdType row[5] = { cut.mesh.from(pair.first), cut.mesh.to(pair.first),
-      cut.mesh.to(pair.second), cut.mesh.from(pair.second), pair.curve };
-    pairs->SetTypedTuple(static_cast<vtkIdType>(i), row);
-  }
-  addUnlessEmpty(output->GetFieldData(), pairs);
-}
-
-void writeTriangleQuality(const std::vector<TriangleQuality>& quality, vtkPolyData* output)
-{
-  vtkCellData* cells = output->GetCellData();
-  const std::size_t count = quality.size();
-  addRows<vtkDoubleArray>(
-    cells, "HomogeneityOfDistortion", count, [&](std::size_t t) { return quality[t].homogeneity; });
-  addRows<vtkDoubleArray>(
-    cells, "AspectRatio", count, [&](std::size_t t) { return quality[t].aspectRatio; });
-  addRows<vtkDoubleArray>(
-    cells, "AreaRatio", count, [&](std::size_t t) { return quality[t].areaRatio; });
-  addRows<vtkDoubleArray>(
-    cells, "AngleError", count, [&](std::size_t t) { return quality[t].angleError; });
-  addRows<vtkUnsignedCharArray>(cells, "Flipped", count,
-    [&](std::size_t t) { return static_cast<unsigned char>(quality[t].areaRatio <= 0.0); });
+  const auto& cells = std::get<std::vector<std::int64_t>>(arrays.cellArrays.front().values);
+  writeSurface(source, cut.mesh.triangles(), cells, arrays.originalVertex, points, output);
+  addColumns(output->GetPointData(), arrays.pointArrays);
+  addColumns(output->GetCellData(), arrays.cellArrays);
 }
 }
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "CurvedSurface.h"
-#include "Quality/FlatteningQuality.h"
-#include "TableColumns.h"
+#include "CurvedPolyData.h"
+#include "Report/FlatteningArrays.h"
+
+#include <cstdint>
+#include <vector>
 
 class vtkCellArray;
 class vtkPoints;
@@ -21,40 +23,15 @@ vtkSmartPointer<vtkCellArray> makeTriangles(const Triangles& triangles);
 
 /// Copies the data of the cell that each triangle is of, and adds `vtkOriginalCellIds`.
 void copyCellData(
-  vtkCellData* input, const std::vector<vtkIdType>& cellOfTriangle, vtkPolyData* output);
+  vtkCellData* input, const std::vector<std::int64_t>& cellOfTriangle, vtkPolyData* output);
 
 /// Fills a data set with the imprinted surface, with the input's point and cell data (interpolated
 /// at points made by imprinting) and field data, `vtkOriginalCellIds` and `vtkOriginalPointIds`.
-void writeImprintedSurface(const CurvedSurface& source, vtkPolyData* output);
+void writeImprintedSurface(const CurvedPolyData& source, vtkPolyData* output);
 
-/// The same for a cut surface over the given points, with `PieceId`.
-void writeCutSurface(
-  const CurvedSurface& source, const CutSurface& cut, vtkPoints* points, vtkPolyData* output);
-
-/// Adds the field data `SeamPairs`.
-void writeSeamPairs(const CutSurface& cut, vtkPolyData* output);
-
-/// Adds `HomogeneityOfDistortion`, `AspectRatio`, `AreaRatio`, `AngleError` and `Flipped` to the
-/// cells.
-void writeTriangleQuality(const std::vector<TriangleQuality>& quality, vtkPolyData* output);
-
-/// Adds the columns of summaries of flattenings. \param summaryOf the summary of a row
-template <class Row, class SummaryOf>
-void addSummaries(const TableColumns<Row>& columns, SummaryOf summaryOf)
-{
-  const auto add = [&](const char* name, double QualitySummary::*value) {
-    columns.add(name, [&](const Row& row) { return summaryOf(row).*value; });
-  };
-  add("EdgeLengthError", &QualitySummary::edgeLengthError);
-  add("MaxEdgeLengthError", &QualitySummary::maximumEdgeLengthError);
-  add("EdgeLengthErrorAll", &QualitySummary::edgeLengthErrorAll);
-  add("AngleErrorMean", &QualitySummary::angleError);
-  add("GlobalHomogeneity", &QualitySummary::globalHomogeneity);
-  add("GlobalAspectRatio", &QualitySummary::globalAspectRatio);
-  add("AreaError", &QualitySummary::areaError);
-  add("StrainP95", &QualitySummary::strainP95);
-  add("RigidEnergy", &QualitySummary::rigidEnergy);
-  columns.add("FlippedTriangles", [&](const Row& row) { return summaryOf(row).flipped.size(); });
-}
+/// The same for a cut surface over the given points. \param arrays its arrays beside those of the
+/// input
+void writeCutSurface(const CurvedPolyData& source, const CutSurface& cut, const CutArrays& arrays,
+  vtkPoints* points, vtkPolyData* output);
 }
 }

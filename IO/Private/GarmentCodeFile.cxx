@@ -2,7 +2,7 @@
 #include "GarmentCodeFile.h"
 
 #ifdef FLATTENING_WITH_JSON
-#include "JsonKeys.h"
+#include "Input/JsonKeys.h"
 #endif
 
 #include <algorithm>

@@ -11,7 +11,7 @@ import sys
 from Sources import ROOT, cxx_files, read, tracked_files
 
 # The directories of Filters/Core, the uppermost first: each includes itself and what stands below.
-DIRECTORIES = ("Options", "Design", "Suggestion", "Reshaping", "Sewing", "Flattening", "Reference", "Isometric", "Cloth", "Embedding", "Angles", "Wires", "Cut", "Editing", "Paths", "Imprint", "Quality", "Sparse",
+DIRECTORIES = ("Report", "Input", "Options", "Design", "Suggestion", "Reshaping", "Sewing", "Flattening", "Reference", "Isometric", "Cloth", "Embedding", "Angles", "Wires", "Cut", "Editing", "Paths", "Imprint", "Quality", "Sparse",
          "Surface", "Base")
 # Those of IO/Pattern, which stand above Core.
 PATTERN_DIRECTORIES = ("Formats", "Nesting", "Grading", "Drawing", "Fairing", "Outlines")

@@ -7,11 +7,7 @@
 #include <string>
 #include <vector>
 
-class vtkPolyData;
-
 namespace flattening
-{
-namespace bridge
 {
 /// How large a flat piece is, and what whoever sews it has to do to its cloth.
 struct PieceSize
@@ -35,12 +31,12 @@ std::vector<PieceSize> pieceSizes(const FlatteningResult& result);
 /// \param unit "mm", "cm", "m" or "inch"; empty where none is stated, and cm is taken
 std::string sizeWarning(const std::vector<PieceSize>& sizes, const std::string& unit);
 
-/// The names of pieces by the cells' `PieceName`, numbered where several have one; empty where
-/// they have none.
-std::vector<std::string> pieceNames(vtkPolyData* flat, std::size_t pieces);
+/// The names of pieces, numbered where several have one; empty where they have none.
+/// \param cellNames a name for each triangle; empty: there are none
+std::vector<std::string> pieceNames(
+  const std::vector<std::string>& cellNames, const Indices& pieceOfTriangle, std::size_t pieces);
 
 /// The size such as "51 x 55 cm", and what is to be eased in and stretched.
 std::string sizeInWords(const PieceSize& size, double millimetres);
 std::string easeInWords(const PieceSize& size);
-}
 }

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PieceSizes.h"
+#include "Report/PieceSizes.h"
 
 #include "Base/LengthUnit.h"
-#include "FieldArrays.h"
-
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkPolyData.h"
-#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <array>
@@ -20,8 +12,6 @@
 #include <utility>
 
 namespace flattening
-{
-namespace bridge
 {
 namespace
 {
@@ -232,21 +222,15 @@ std::string sizeWarning(const std::vector<PieceSize>& sizes, const std::string& 
                       : text + " in the stated unit, " + unit;
 }
 
-std::vector<std::string> pieceNames(vtkPolyData* flat, std::size_t pieces)
+std::vector<std::string> pieceNames(
+  const std::vector<std::string>& cellNames, const Indices& pieceOfTriangle, std::size_t pieces)
 {
   std::vector<std::string> names(pieces);
-  vtkCellData* const cells = flat->GetCellData();
-  auto* const own = vtkStringArray::SafeDownCast(cells->GetAbstractArray("PieceName"));
-  vtkDataArray* const owner = cells->GetArray("PieceId");
-  if (!own || !owner)
-  {
-    return names;
-  }
   std::vector<bool> known(pieces, false);
-  for (vtkIdType cell = 0; cell < flat->GetNumberOfCells(); ++cell)
+  for (std::size_t t = 0; t < cellNames.size(); ++t)
   {
-    const auto piece = static_cast<std::size_t>(owner->GetComponent(cell, 0));
-    const std::string name = own->GetValue(cell);
+    const auto piece = static_cast<std::size_t>(pieceOfTriangle[t]);
+    const std::string& name = cellNames[t];
     names[piece] = !known[piece] || names[piece] == name ? name : ""; // cloth of two has neither
     known[piece] = true;
   }
@@ -265,6 +249,5 @@ std::vector<std::string> pieceNames(vtkPolyData* flat, std::size_t pieces)
     }
   }
   return names;
-}
 }
 }

@@ -5,17 +5,9 @@
 
 #include <string>
 
-class vtkTable;
-
 namespace flattening
-{
-namespace bridge
 {
 /// What vtkFlatPieceAlgorithm's Material and Grain say. A material that cannot be read has a status
 /// that says why.
 ClothOptions readCloth(const std::string& material, const std::string& grain);
-
-/// The presets, as vtkFlatPieceAlgorithm::ListMaterials() documents them.
-void writeMaterials(vtkTable* table);
-}
 }

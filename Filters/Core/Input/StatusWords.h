@@ -2,14 +2,12 @@
 #pragma once
 
 #include "Base/Status.h"
-#include "vtkType.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace flattening
-{
-namespace bridge
 {
 /// The defect and its remedies, with the names of the filters' properties and of their inputs'
 /// arrays; empty where the status is Ok.
@@ -22,6 +20,5 @@ const char* kindName(ElementKind kind);
 /// The status in the input's ids, each once, in order of first mention. Where they differ from
 /// those that the message tells, they are added to it.
 /// \param inputId per id of the status its id in the input; negative: it has none
-Status inInput(Status status, const std::vector<vtkIdType>& inputId);
-}
+Status inInput(Status status, const std::vector<std::int64_t>& inputId);
 }

@@ -1,21 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MaterialFile.h"
+#include "Input/ClothInput.h"
 
 #include "Base/Types.h"
+#include "Cloth/ClothMaterial.h"
 
 #ifdef FLATTENING_WITH_JSON
-#include "JsonKeys.h"
+#include "Input/JsonKeys.h"
 #endif
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <set>
+#include <string>
+#include <system_error>
+#include <vector>
 
 namespace flattening
-{
-namespace bridge
 {
 namespace
 {
@@ -25,7 +31,6 @@ Status refusal(const std::string& path, const std::string& defect, const std::st
 {
   return { StatusCode::InvalidOption, "the material file \"" + path + "\" " + defect, {},
     { { Remedy::Give, give } } };
-}
 }
 
 bool isMaterialFile(const std::string& text)
@@ -44,8 +49,6 @@ ClothMaterial readMaterialFile(const std::string& path)
   return material;
 }
 #else
-namespace
-{
 using Json = nlohmann::json;
 constexpr std::uintmax_t largestFile = 1000000;
 constexpr std::size_t longestText = 1000;
@@ -197,7 +200,6 @@ private:
   const Json& Object;
   Status Wrong;
 };
-}
 
 ClothMaterial readMaterialFile(const std::string& path)
 {
@@ -247,5 +249,77 @@ ClothMaterial readMaterialFile(const std::string& path)
   return material;
 }
 #endif
+
+/// The whole text as a number.
+bool parseNumber(const std::string& text, double& value)
+{
+  char* end = nullptr;
+  value = std::strtod(text.c_str(), &end);
+  return !text.empty() && end == text.c_str() + text.size() && std::isfinite(value);
+}
+
+ClothMaterial readMaterial(const std::string& material)
+{
+  const std::optional<ClothMaterial> preset = findPreset(material);
+  const bool file = isMaterialFile(material);
+  if (preset && (preset->name == material || !file))
+  {
+    return *preset;
+  }
+  if (file)
+  {
+    return readMaterialFile(material);
+  }
+  ClothMaterial unknown;
+  unknown.name = material;
+  unknown.status = { StatusCode::InvalidOption,
+    "\"" + material + "\" is neither a material nor a file that can be read", {},
+    { { Remedy::Give, "one of " + presetNames() + ", or a JSON file" } } };
+  return unknown;
+}
+
+/// NAME or NAME:DEGREES.
+void readGrainCurve(const std::string& entry, ClothOptions& options)
+{
+  const std::size_t sign = entry.rfind(':');
+  double degrees = 0.0;
+  if (sign != std::string::npos && sign > 0 && parseNumber(entry.substr(sign + 1), degrees))
+  {
+    options.grainCurves.push_back(entry.substr(0, sign));
+    options.grainAngles.push_back(degrees * degree);
+  }
+  else if (!entry.empty())
+  {
+    options.grainCurves.push_back(entry);
+    options.grainAngles.push_back(0.0);
+  }
+}
+}
+
+ClothOptions readCloth(const std::string& material, const std::string& grain)
+{
+  ClothOptions options;
+  options.material = readMaterial(material);
+  double degrees = 0.0;
+  if (grain == "free")
+  {
+    options.grain = GrainKind::Free;
+  }
+  else if (parseNumber(grain, degrees))
+  {
+    options.grainAngle = degrees * degree;
+  }
+  else if (!grain.empty())
+  {
+    options.grain = GrainKind::Curve;
+    std::size_t begin = 0;
+    while (begin <= grain.size())
+    {
+      const std::size_t end = std::min(grain.find(';', begin), grain.size());
+      readGrainCurve(grain.substr(begin, end - begin), options);
+      begin = end + 1;
+    }
+  }
+  return options;
 }
 }

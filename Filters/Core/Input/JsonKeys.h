@@ -9,8 +9,6 @@
 
 namespace flattening
 {
-namespace bridge
-{
 /// Sees the keys of each object as they are parsed, of which the last of several would count.
 template <typename Json>
 class DoubledKeys
@@ -45,5 +43,4 @@ private:
   std::vector<std::set<std::string>> Open;
   std::string First;
 };
-}
 }

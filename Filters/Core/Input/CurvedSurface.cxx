@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CurvedSurface.h"
+#include "Input/CurvedSurface.h"
 
 #include "Base/Types.h"
 #include "Cut/CutEnds.h"
-#include "StatusOutput.h"
-
-#include "vtkPolyData.h"
+#include "Input/StatusWords.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <set>
+#include <utility>
 
 namespace flattening
-{
-namespace bridge
 {
 namespace
 {
@@ -29,25 +26,6 @@ Status outcomeOfImprint(
       return inInput(status, curves.cellOfPolyline);
     default:
       return status; // points of a curve are the caller's already
-  }
-}
-
-/// Loads the surface of the data unless it has been.
-void loadSurfaceAnew(CoincidentPoints coincident, Defects defects, CurvedSurface& source)
-{
-  const SurfaceOrigin origin(source.data);
-  if (source.origin.sameAs(origin) && source.coincident == coincident && source.defects == defects)
-  {
-    return;
-  }
-  source.imprintedBy.reset();
-  source.origin = {};
-  source.surface = loadSurface(source.data, coincident, defects);
-  source.coincident = coincident;
-  source.defects = defects;
-  if (source.surface.outcome.ok())
-  {
-    source.origin = origin;
   }
 }
 
@@ -124,7 +102,7 @@ std::string listed(const std::vector<Polyline>& curves)
 /// The point's id in the input, or where it is if the imprint made it.
 std::string pointWords(const CurvedSurface& source, Index vertex)
 {
-  const vtkIdType point = source.pointOf(vertex);
+  const std::int64_t point = source.pointOf(vertex);
   if (point >= 0)
   {
     return "point " + std::to_string(point);
@@ -136,39 +114,26 @@ std::string pointWords(const CurvedSurface& source, Index vertex)
 }
 }
 
-SurfaceOrigin::SurfaceOrigin(vtkPolyData* data)
-  : Time(data->GetMTime())
-  , Points(data->GetPoints())
-  , Cells{ data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() }
-  , Ghosts(data->GetCellData()->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()))
-{
-}
-
-bool SurfaceOrigin::sameAs(const SurfaceOrigin& other) const
-{
-  return this->Time != 0 && this->Time == other.Time && this->Points == other.Points &&
-    this->Cells == other.Cells && this->Ghosts == other.Ghosts;
-}
-
-vtkIdType CurvedSurface::cellOf(Index triangle) const
+std::int64_t CurvedSurface::cellOf(Index triangle) const
 {
   return this->surface.input.cellOfTriangle[this->imprinted.originalTriangle[triangle]];
 }
 
-vtkIdType CurvedSurface::pointOf(Index vertex) const
+std::int64_t CurvedSurface::pointOf(Index vertex) const
 {
   const VertexSource& source = this->imprinted.vertexSource[vertex];
   return source.weights[0] == 1.0 ? this->surface.prepared.originalPoint[source.vertices[0]] : -1;
 }
 
-Index CurvedSurface::vertexOf(vtkIdType point) const
+Index CurvedSurface::vertexOf(std::int64_t point) const
 {
   const Indices& vertexOfPoint = this->surface.prepared.vertexOfPoint;
-  const bool known = point >= 0 && point < static_cast<vtkIdType>(vertexOfPoint.size());
+  const bool known = point >= 0 && point < static_cast<std::int64_t>(vertexOfPoint.size());
   return known ? vertexOfPoint[point] : none;
 }
 
-Status CurvedSurface::pinVertices(const vtkIdType points[2], std::array<Index, 2>& pins) const
+Status CurvedSurface::pinVertices(
+  const std::array<std::int64_t, 2>& points, std::array<Index, 2>& pins) const
 {
   pins = { this->vertexOf(points[0]), this->vertexOf(points[1]) };
   const bool automatic = points[0] < 0 && points[1] < 0;
@@ -185,7 +150,7 @@ Status CurvedSurface::pinVertices(const vtkIdType points[2], std::array<Index, 2
 
 Status CurvedSurface::outcomeOfStage(const Status& status, const CutSurface* cut) const
 {
-  std::vector<vtkIdType> inputId;
+  std::vector<std::int64_t> inputId;
   switch (status.ids.kind)
   {
     case ElementKind::Curves:
@@ -209,31 +174,10 @@ Status CurvedSurface::outcomeOfStage(const Status& status, const CutSurface* cut
   return inInput(status, inputId);
 }
 
-void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
-  CoincidentPoints coincident, Defects defects, const ImprintOptions& options,
-  const Execution& execution, CurvedSurface& source)
+void imprintInput(
+  CurveInput read, const ImprintOptions& options, const Execution& execution, CurvedSurface& source)
 {
-  source.data = surface;
-  source.warnings.clear();
-  source.pointArrays = wholePointArrays(surface, source.warnings);
-  source.cellArrays = wholeCellArrays(surface, source.warnings);
-  source.fieldData = fieldArrays(surface, source.warnings);
-  source.blamed = nullptr;
-  loadSurfaceAnew(coincident, defects, source);
-  const std::vector<std::string>& mendings = source.surface.mendings;
-  source.warnings.insert(source.warnings.end(), mendings.begin(), mendings.end());
-  source.outcome = source.surface.outcome;
-  if (!source.outcome.ok())
-  {
-    return;
-  }
-  CurveInput read;
-  bool sound = readCurves(surface, read);
-  for (vtkPolyData* data : curves)
-  {
-    sound = sound && readCurves(data, read);
-  }
-  if (!sound)
+  if (!read.outcome.ok())
   {
     source.outcome = std::move(read.outcome);
     source.blamed = read.blamed;
@@ -260,7 +204,7 @@ void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& cu
   warnOfStraightKeys(source);
   const Status& status = source.imprinted.status;
   source.outcome = outcomeOfImprint(status, source.curves, source.surface.input);
-  source.blamed = status.curve == none ? nullptr : source.curves.dataOfPolyline[status.curve];
+  source.blamed = status.curve == none ? -1 : source.curves.sourceOfPolyline[status.curve];
 }
 
 Status noCurveNamed(const std::string& name, const CurvedSurface& source)
@@ -315,6 +259,5 @@ std::vector<std::string> describeShortEnds(const CurvedSurface& source)
       pointWords(source, end.boundary));
   }
   return sentences;
-}
 }
 }

@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FlatteningTables.h"
+#include "Report/FlatteningTables.h"
 
 #include "Base/LengthUnit.h"
-#include "PieceSizes.h"
-#include "StatusOutput.h"
-#include "SurfaceOutput.h"
-#include "TableColumns.h"
-
-#include "vtkPolyData.h"
+#include "Base/Types.h"
+#include "Cloth/ClothMaterial.h"
+#include "Input/StatusWords.h"
+#include "Report/PieceSizes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace flattening
-{
-namespace bridge
 {
 namespace
 {
 /// The ends of a cut along edges as points of the input; -1 where one has none there.
-std::array<vtkIdType, 2> endsOf(
+std::array<std::int64_t, 2> endsOf(
   const CurvedSurface& source, const FlatteningResult& result, const Indices& cut)
 {
   if (cut.empty())
@@ -37,7 +35,7 @@ std::string wholePercent(double share)
 }
 
 /// Such as "from point 3 to point 7"; empty where an end is not a point of the input.
-std::string wayOf(const std::array<vtkIdType, 2>& ends)
+std::string wayOf(const std::array<std::int64_t, 2>& ends)
 {
   return ends[0] < 0 || ends[1] < 0
     ? ""
@@ -93,7 +91,7 @@ struct PieceRow
   std::string name;
   std::string verdict;
   Status status; ///< in ids of the input
-  std::array<vtkIdType, 2> cutEnds;
+  std::array<std::int64_t, 2> cutEnds;
 };
 
 using PieceColumns = TableColumns<PieceRow>;
@@ -256,7 +254,7 @@ std::vector<Release> releasesOf(const FlatteningResult& result)
   return releases;
 }
 
-void writeReleases(const FlatteningResult& result, vtkTable* table)
+void writeReleases(const FlatteningResult& result, Columns& table)
 {
   const std::vector<Release> releases = releasesOf(result);
   const TableColumns<Release> columns(table, releases);
@@ -278,26 +276,26 @@ template <class Element>
 class ListColumns
 {
 public:
-  ListColumns(vtkTable* table, std::vector<std::pair<std::size_t, Element>> elements)
+  ListColumns(Columns& table, std::vector<std::pair<std::size_t, Element>> elements)
     : Elements(std::move(elements))
-    , Columns(table, this->Elements)
+    , Written(table, this->Elements)
   {
-    this->Columns.add("Piece", [](const auto& element) { return element.first; });
+    this->Written.add("Piece", [](const auto& element) { return element.first; });
   }
 
   template <class Value>
   void add(const char* name, Value value) const
   {
-    this->Columns.add(
+    this->Written.add(
       name, [value](const auto& element) { return std::invoke(value, element.second); });
   }
 
 private:
   std::vector<std::pair<std::size_t, Element>> Elements;
-  TableColumns<std::pair<std::size_t, Element>> Columns;
+  TableColumns<std::pair<std::size_t, Element>> Written;
 };
 
-void writeIterations(const std::vector<PieceReport>& pieces, vtkTable* ofAngles, vtkTable* ofSheet)
+void writeIterations(const std::vector<PieceReport>& pieces, Columns& ofAngles, Columns& ofSheet)
 {
   const ListColumns<IterationRecord> angles(
     ofAngles, numberedElements(pieces, &PieceReport::history));
@@ -316,7 +314,7 @@ void writeIterations(const std::vector<PieceReport>& pieces, vtkTable* ofAngles,
   sheet.add("Move", &IsometricIteration::step);
 }
 
-void writeRemedies(const CurvedSurface& source, const FlatteningResult& result, vtkTable* table)
+void writeRemedies(const CurvedSurface& source, const FlatteningResult& result, Columns& table)
 {
   std::vector<Status> statuses;
   for (const PieceReport& piece : result.pieces)
@@ -330,7 +328,7 @@ void writeRemedies(const CurvedSurface& source, const FlatteningResult& result, 
 }
 
 void writeLeftOut(
-  const CurvedSurface& source, const std::vector<PieceDefect>& leftOut, vtkTable* table)
+  const CurvedSurface& source, const std::vector<PieceDefect>& leftOut, Columns& table)
 {
   const TableColumns<PieceDefect> columns(table, leftOut);
   columns.add("Reason", [](const PieceDefect& defect) { return statusName(defect.code()); });
@@ -357,17 +355,7 @@ std::vector<std::string> describeVerdicts(
   return warnings;
 }
 
-ReportTables::ReportTables()
-{
-  for (auto* const table : { &this->angleIterations, &this->isometricIterations,
-         &this->releaseTrials, &this->pieceRemedies, &this->leftOutPieces })
-  {
-    *table = vtkSmartPointer<vtkTable>::New();
-  }
-}
-
 ReportTables::ReportTables(const CurvedSurface& source, const FlatteningResult& result)
-  : ReportTables()
 {
   writeIterations(result.pieces, this->angleIterations, this->isometricIterations);
   writeReleases(result, this->releaseTrials);
@@ -375,11 +363,12 @@ ReportTables::ReportTables(const CurvedSurface& source, const FlatteningResult& 
   writeLeftOut(source, result.leftOut, this->leftOutPieces);
 }
 
-void writePieceTable(const CurvedSurface& source, const FlatteningResult& result,
-  const std::string& unit, vtkPolyData* flat, vtkTable* table)
+Columns pieceTable(const CurvedSurface& source, const FlatteningResult& result,
+  const std::string& unit, const std::vector<std::string>& cellNames)
 {
   const std::vector<PieceSize> sizes = pieceSizes(result);
-  const std::vector<std::string> names = pieceNames(flat, sizes.size());
+  const std::vector<std::string> names =
+    pieceNames(cellNames, result.cut->pieceOfTriangle, sizes.size());
   std::vector<PieceRow> rows;
   for (std::size_t p = 0; p < result.pieces.size(); ++p)
   {
@@ -388,6 +377,7 @@ void writePieceTable(const CurvedSurface& source, const FlatteningResult& result
       source.outcomeOfStage(piece.status, result.cut.get()),
       endsOf(source, result, piece.area.cut) });
   }
+  Columns table;
   const PieceColumns columns(table, rows);
   columns.addNumbers("Piece");
   columns.add("Status", [](const PieceRow& row) { return statusName(row.status.code); });
@@ -401,10 +391,12 @@ void writePieceTable(const CurvedSurface& source, const FlatteningResult& result
     addCloth(columns, result.curves);
   }
   addStatus(columns);
+  return table;
 }
 
-void writeCurveTable(const std::vector<CurveReport>& curves, vtkTable* table)
+Columns curveTable(const std::vector<CurveReport>& curves)
 {
+  Columns table;
   const TableColumns<CurveReport> columns(table, curves);
   columns.addNumbers("Curve");
   columns.add("Name", &CurveReport::name);
@@ -416,17 +408,40 @@ void writeCurveTable(const std::vector<CurveReport>& curves, vtkTable* table)
   columns.add("ClosedLength", &CurveReport::closedLength);
   columns.add("Sensitivity", &CurveReport::sensitivity);
   columns.add("Released", &CurveReport::released);
+  return table;
 }
 
-void writeRefusalRow(const std::string& status, const std::string& message, vtkTable* table)
+Columns refusalTable(const std::string& status, const std::string& message)
 {
-  table->Initialize();
+  Columns table;
   const std::vector<int> rows{ -1 };
   const TableColumns<int> columns(table, rows);
   columns.add("Piece", [](int piece) { return piece; });
   columns.add("Status", [&status](int) { return status; });
   columns.add("Name", [](int) { return ""; });
   columns.add("StatusMessage", [&message](int) { return message; });
+  return table;
 }
+
+Columns materialTable()
+{
+  Columns table;
+  const TableColumns<ClothMaterial> columns(table, materialPresets());
+  using Material = const ClothMaterial&;
+  columns.add("Name", &ClothMaterial::name);
+  columns.add("Description", &ClothMaterial::description);
+  columns.add("Warp", &ClothMaterial::warp);
+  columns.add("Weft", &ClothMaterial::weft);
+  columns.add("Shear", &ClothMaterial::shear);
+  columns.add("Compression", &ClothMaterial::compression);
+  columns.add("WarpLeast", [](Material m) { return 100.0 * m.warpLimits.least; });
+  columns.add("WarpGreatest", [](Material m) { return 100.0 * m.warpLimits.greatest; });
+  columns.add("WeftLeast", [](Material m) { return 100.0 * m.weftLimits.least; });
+  columns.add("WeftGreatest", [](Material m) { return 100.0 * m.weftLimits.greatest; });
+  columns.add("ShearLimit", [](Material m) { return m.shearLimit / degree; });
+  columns.add("OneWay", &ClothMaterial::oneWay);
+  columns.add("Sheet", &ClothMaterial::sheet);
+  columns.add("Source", &ClothMaterial::source);
+  return table;
 }
 }

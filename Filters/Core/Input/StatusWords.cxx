@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "StatusOutput.h"
+#include "Input/StatusWords.h"
 
 #include <algorithm>
 #include <unordered_set>
 
 namespace flattening
-{
-namespace bridge
 {
 namespace
 {
@@ -80,7 +78,7 @@ const char* kindName(ElementKind kind)
   }
 }
 
-Status inInput(Status status, const std::vector<vtkIdType>& inputId)
+Status inInput(Status status, const std::vector<std::int64_t>& inputId)
 {
   ElementIds ids;
   ids.kind = status.ids.kind;
@@ -115,6 +113,5 @@ Status inInput(Status status, const std::vector<vtkIdType>& inputId)
   }
   status.ids = std::move(ids);
   return status;
-}
 }
 }

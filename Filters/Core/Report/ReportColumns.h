@@ -1,33 +1,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "FieldArrays.h"
-
-#include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
-#include "vtkStringArray.h"
-#include "vtkTable.h"
-
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace flattening
 {
-namespace bridge
+/// Values of an array: those of a row one after the other.
+using ColumnValues = std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<int>,
+  std::vector<unsigned char>, std::vector<std::string>>;
+
+/// An array with a name, as front ends make it their own: of a table, or of points or cells.
+struct Column
 {
+  std::string name;
+  ColumnValues values;
+  int components = 1;
+};
+
+using Columns = std::vector<Column>;
+
+/// Adds a column of one value a row, made by value(row).
+template <class Type, class Value>
+void addRows(Columns& columns, const char* name, std::size_t rows, const Value& value)
+{
+  std::vector<Type> values;
+  values.reserve(rows);
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    values.push_back(static_cast<Type>(value(row)));
+  }
+  columns.push_back({ name, std::move(values) });
+}
+
 /// Writes a table with one row per element of a list, column by column.
 template <class Row>
 class TableColumns
 {
 public:
-  /// The list must live as long as this.
-  TableColumns(vtkTable* table, const std::vector<Row>& rows)
-    : Data(table->GetRowData())
+  /// Both lists must live as long as this.
+  TableColumns(Columns& columns, const std::vector<Row>& rows)
+    : Written(columns)
     , Rows(rows)
   {
   }
@@ -40,39 +59,38 @@ public:
     using Result = std::decay_t<std::invoke_result_t<const Value&, const Row&>>;
     if constexpr (std::is_same_v<Result, bool>)
     {
-      this->addAs<vtkIntArray, int>(name, value);
+      this->addAs<int>(name, value);
     }
     else if constexpr (std::is_integral_v<Result>)
     {
-      this->addAs<vtkIdTypeArray, vtkIdType>(name, value);
+      this->addAs<std::int64_t>(name, value);
     }
     else if constexpr (std::is_floating_point_v<Result>)
     {
-      this->addAs<vtkDoubleArray, double>(name, value);
+      this->addAs<double>(name, value);
     }
     else
     {
-      this->addAs<vtkStringArray, std::string>(name, value);
+      this->addAs<std::string>(name, value);
     }
   }
 
   /// Adds a column of the rows' numbers, from 0.
   void addNumbers(const char* name) const
   {
-    addRows<vtkIdTypeArray>(this->Data, name, this->Rows.size(),
-      [](std::size_t row) { return static_cast<vtkIdType>(row); });
+    addRows<std::int64_t>(
+      this->Written, name, this->Rows.size(), [](std::size_t row) { return row; });
   }
 
 private:
-  template <class Array, class Type, class Value>
+  template <class Type, class Value>
   void addAs(const char* name, const Value& value) const
   {
-    addRows<Array>(this->Data, name, this->Rows.size(), [this, &value](std::size_t row) {
-      return static_cast<Type>(std::invoke(value, this->Rows[row]));
-    });
+    addRows<Type>(this->Written, name, this->Rows.size(),
+      [this, &value](std::size_t row) { return std::invoke(value, this->Rows[row]); });
   }
 
-  vtkDataSetAttributes* Data;
+  Columns& Written;
   const std::vector<Row>& Rows;
 };
 
@@ -90,6 +108,5 @@ std::vector<std::pair<std::size_t, Element>> numberedElements(
     }
   }
   return elements;
-}
 }
 }

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/InputSurface.h"
+
+#include "Base/Types.h"
+#include "Input/StatusWords.h"
+#include "Surface/PolygonTriangulation.h"
+
+#include <limits>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+/// Gives the triangles of the input that healing left the places that they have in the mesh.
+void keepHealed(LoadedSurface& surface)
+{
+  const HealedSurface& healed = surface.prepared;
+  std::vector<std::int64_t> cells;
+  for (const Index t : healed.originalTriangle)
+  {
+    cells.push_back(surface.input.cellOfTriangle[t]);
+  }
+  surface.input.cellOfTriangle = std::move(cells);
+  surface.input.triangles = healed.mesh.triangles();
+  for (Triangle& t : surface.input.triangles)
+  {
+    t = { healed.originalPoint[t[0]], healed.originalPoint[t[1]], healed.originalPoint[t[2]] };
+  }
+}
+}
+
+Status checkSize(std::int64_t points, std::int64_t corners)
+{
+  if (corners <= mostTriangles && points <= mostTriangles)
+  {
+    return {};
+  }
+  return { StatusCode::InvalidOption,
+    "the surface has more than " + std::to_string(mostTriangles) + " points or corners", {},
+    { Remedy::DivideInput } };
+}
+
+Index pointIndex(std::int64_t id)
+{
+  return id >= 0 && id <= std::numeric_limits<Index>::max() ? static_cast<Index>(id) : none;
+}
+
+bool appendPolygon(
+  SurfaceTriangles& result, std::int64_t cell, const Indices& corners, const Triangles& proposed)
+{
+  const std::size_t before = result.triangles.size();
+  const auto append = [&](const Triangle& t) {
+    result.triangles.push_back(t);
+    result.cellOfTriangle.push_back(cell);
+  };
+  if (corners.size() <= 3 || isTriangulationOf(proposed, result.points, corners))
+  {
+    for (const Triangle& t : proposed)
+    {
+      append(t);
+    }
+  }
+  else
+  {
+    for (const Triangle& t : triangulatePolygon(result.points, corners))
+    {
+      // A corner twice joins nothing, but two points in one place may hold parts together.
+      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+      {
+        append(t);
+      }
+    }
+  }
+  return result.triangles.size() > before;
+}
+
+Status refuseLost(const std::vector<std::int64_t>& cells)
+{
+  if (cells.empty())
+  {
+    return {};
+  }
+  return { StatusCode::DegenerateTriangle,
+    "cells " + listIds(cells) + " are polygons with fewer than three different corners",
+    { ElementKind::Cells, cells }, { Remedy::RemeshTriangles } };
+}
+
+LoadedSurface loadSurface(SurfaceTriangles input, CoincidentPoints coincident, Defects defects)
+{
+  LoadedSurface result;
+  result.input = std::move(input);
+  result.outcome = result.input.outcome;
+  if (!result.outcome.ok())
+  {
+    return result;
+  }
+  if (defects != Defects::Refuse)
+  {
+    result.prepared = healSurface(result.input.points, result.input.triangles, coincident,
+      defects == Defects::Heal ? Specks::LeaveOut : Specks::Keep);
+  }
+  else
+  {
+    static_cast<PreparedSurface&>(result.prepared) =
+      prepareSurface(result.input.points, result.input.triangles, coincident);
+  }
+  const Status& status = result.prepared.status;
+  // Its points are the input's.
+  result.outcome =
+    status.ids.kind == ElementKind::Cells ? inInput(status, result.input.cellOfTriangle) : status;
+  if (!result.outcome.ok())
+  {
+    return result;
+  }
+  for (Mending& mending : result.prepared.mendings)
+  {
+    if (mending.ids.kind == ElementKind::Cells)
+    {
+      for (std::int64_t& id : mending.ids.values)
+      {
+        id = result.input.cellOfTriangle[id];
+      }
+    }
+    result.mendings.push_back(describe(mending));
+  }
+  if (!result.prepared.originalTriangle.empty())
+  {
+    keepHealed(result);
+  }
+  return result;
+}
+}

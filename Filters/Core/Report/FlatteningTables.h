@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Flattening/FlatteningResult.h"
+#include "Input/CurvedSurface.h"
+#include "Quality/FlatteningQuality.h"
+#include "Report/ReportColumns.h"
+
+#include <string>
+#include <vector>
+
+namespace flattening
+{
+/// What a flattening reports beside its pieces and curves.
+struct ReportTables
+{
+  Columns angleIterations;
+  Columns isometricIterations;
+  Columns releaseTrials;
+  Columns pieceRemedies;
+  Columns leftOutPieces;
+
+  /// Tables without columns.
+  ReportTables() = default;
+  ReportTables(const CurvedSurface& source, const FlatteningResult& result);
+};
+
+/// One row per piece. \param unit of length; empty where none is stated
+/// \param cellNames the name of the piece of each triangle; empty where they have none
+Columns pieceTable(const CurvedSurface& source, const FlatteningResult& result,
+  const std::string& unit, const std::vector<std::string>& cellNames);
+
+/// A warning for each piece that the plane has no room for, or that was flattened by another energy
+/// than the one requested.
+std::vector<std::string> describeVerdicts(
+  const CurvedSurface& source, const FlatteningResult& result);
+
+/// One row per feature curve.
+Columns curveTable(const std::vector<CurveReport>& curves);
+
+/// The one row of a surface without pieces: Piece is -1.
+Columns refusalTable(const std::string& status, const std::string& message);
+
+/// The presets, as vtkFlatPieceAlgorithm::ListMaterials() documents them.
+Columns materialTable();
+
+/// Adds the columns of summaries of flattenings. \param summaryOf the summary of a row
+template <class Row, class SummaryOf>
+void addSummaries(const TableColumns<Row>& columns, SummaryOf summaryOf)
+{
+  const auto add = [&](const char* name, double QualitySummary::*value) {
+    columns.add(name, [&](const Row& row) { return summaryOf(row).*value; });
+  };
+  add("EdgeLengthError", &QualitySummary::edgeLengthError);
+  add("MaxEdgeLengthError", &QualitySummary::maximumEdgeLengthError);
+  add("EdgeLengthErrorAll", &QualitySummary::edgeLengthErrorAll);
+  add("AngleErrorMean", &QualitySummary::angleError);
+  add("GlobalHomogeneity", &QualitySummary::globalHomogeneity);
+  add("GlobalAspectRatio", &QualitySummary::globalAspectRatio);
+  add("AreaError", &QualitySummary::areaError);
+  add("StrainP95", &QualitySummary::strainP95);
+  add("RigidEnergy", &QualitySummary::rigidEnergy);
+  columns.add("FlippedTriangles", [&](const Row& row) { return summaryOf(row).flipped.size(); });
+}
+}
