@@ -135,9 +135,7 @@ private:
 
   bool refuseCell(vtkIdType cell, const std::string& what, const char* suggested)
   {
-    return this->refuse(
-      { StatusCode::InvalidCurve, "cell " + std::to_string(cell) + " of the curves " + what,
-        ofCell(cell), { { Remedy::Give, suggested } } });
+    return this->refuse(refuseCurve(cell, what, suggested));
   }
 
   static ElementIds ofCell(vtkIdType cell)
@@ -243,10 +241,10 @@ private:
     if (this->Tolerance)
     {
       attributes.tolerance = this->Tolerance->GetVariantValue(cell).ToDouble();
-      if (!(attributes.tolerance >= 0.0 && attributes.tolerance < 1.0))
+      Status status = checkTolerance(cell, attributes.tolerance);
+      if (!status.ok())
       {
-        return this->refuseCell(
-          cell, "has a LengthTolerance outside [0, 1)", "a fraction of the length");
+        return this->refuse(std::move(status));
       }
     }
     return this->readEase(cell, attributes.ease);
@@ -376,36 +374,17 @@ private:
   bool readPlanarShape(Polyline& polyline)
   {
     auto* planar = vtkDataArray::SafeDownCast(this->Planar);
-    if (!planar || polyline.type != CurveType::Key || polyline.keyShape == KeyShape::Straight)
+    if (!planar)
     {
       return true;
     }
-    Indices without;
+    Points2 shape;
     for (const Index p : polyline.pointIds)
     {
-      const Point2 point(planar->GetComponent(p, 0), planar->GetComponent(p, 1));
-      if (isFinite(point))
-      {
-        polyline.planarShape.push_back(point);
-      }
-      else
-      {
-        without.push_back(p);
-      }
+      shape.emplace_back(planar->GetComponent(p, 0), planar->GetComponent(p, 1));
     }
-    if (!without.empty() && !polyline.planarShape.empty())
-    {
-      return this->refuse({ StatusCode::InvalidCurve,
-        "the curve \"" + polyline.name + "\" has a PlanarShape at some of its points, but not at " +
-          listIds(without),
-        { ElementKind::CurvePoints, without },
-        { { Remedy::Give, "it at all of them, or at none" } } });
-    }
-    if (without.empty())
-    {
-      polyline.keyShape = KeyShape::Planar;
-    }
-    return true;
+    Status status = takePlanarShape(shape, polyline);
+    return status.ok() || this->refuse(std::move(status));
   }
 
   vtkPolyData* Data;

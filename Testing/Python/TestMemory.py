@@ -70,6 +70,9 @@ class Memory(unittest.TestCase):
     def setUp(self):
         # A thread for whose own data there is no memory ends the process in the C library.
         vtkSMPTools.SetBackend("Sequential")
+        processors = os.sched_getaffinity(0)
+        os.sched_setaffinity(0, {min(processors)})  # one thread, without memory of its own
+        self.addCleanup(os.sched_setaffinity, 0, processors)
 
         self.points, self.triangles = grid(120, 120)
         self.points[:, 2] = 10 * np.sin(self.points[:, 0] / 40) * np.sin(self.points[:, 1] / 30)

@@ -174,6 +174,52 @@ Status CurvedSurface::outcomeOfStage(const Status& status, const CutSurface* cut
   return inInput(status, inputId);
 }
 
+Status refuseCurve(std::int64_t cell, const std::string& what, const char* suggested)
+{
+  return { StatusCode::InvalidCurve, "cell " + std::to_string(cell) + " of the curves " + what,
+    { ElementKind::Curves, std::vector<std::int64_t>{ cell } }, { { Remedy::Give, suggested } } };
+}
+
+Status checkTolerance(std::int64_t cell, double tolerance)
+{
+  return tolerance >= 0.0 && tolerance < 1.0
+    ? Status()
+    : refuseCurve(cell, "has a LengthTolerance outside [0, 1)", "a fraction of the length");
+}
+
+Status takePlanarShape(const Points2& shape, Polyline& curve)
+{
+  if (curve.type != CurveType::Key || curve.keyShape == KeyShape::Straight)
+  {
+    return {};
+  }
+  Indices without;
+  for (std::size_t k = 0; k < shape.size(); ++k)
+  {
+    if (isFinite(shape[k]))
+    {
+      curve.planarShape.push_back(shape[k]);
+    }
+    else
+    {
+      without.push_back(curve.pointIds[k]);
+    }
+  }
+  if (!without.empty() && !curve.planarShape.empty())
+  {
+    return { StatusCode::InvalidCurve,
+      "the curve \"" + curve.name + "\" has a PlanarShape at some of its points, but not at " +
+        listIds(without),
+      { ElementKind::CurvePoints, without },
+      { { Remedy::Give, "it at all of them, or at none" } } };
+  }
+  if (without.empty())
+  {
+    curve.keyShape = KeyShape::Planar;
+  }
+  return {};
+}
+
 void imprintInput(
   CurveInput read, const ImprintOptions& options, const Execution& execution, CurvedSurface& source)
 {

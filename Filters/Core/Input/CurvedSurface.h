@@ -63,6 +63,16 @@ struct CurvedSurface
   Status outcomeOfStage(const Status& status, const CutSurface* cut = nullptr) const;
 };
 
+/// The refusal of a curve of the input for what it says of itself.
+Status refuseCurve(std::int64_t cell, const std::string& what, const char* suggested);
+
+/// Refuses length tolerances outside [0, 1).
+Status checkTolerance(std::int64_t cell, double tolerance);
+
+/// Gives a key curve its shape in the plane, NaN for points without one. Refuses one of a part of
+/// the points.
+Status takePlanarShape(const Points2& shape, Polyline& curve);
+
 /// Imprints curves on the surface of the source, unless it has been done with the same points.
 void imprintInput(CurveInput curves, const ImprintOptions& options, const Execution& execution,
   CurvedSurface& source);

@@ -20,11 +20,10 @@ help(surfaceflattening.Report) and help(surfaceflattening.PieceReport) say what 
 help() of its own, such as help(surfaceflattening.vtkWireWarpingFilter).
 
 Threads: any number of them may flatten at the same time, each with surfaces of its own, and get the
-results of a single one. It saves no time: VTK's Python holds the interpreter's lock while a filter
-runs, so that they take turns, and other threads of the program get a turn only each time the run
-reports progress. One run uses several cores by itself. For many surfaces take processes
-(concurrent.futures.ProcessPoolExecutor; results, curves and errors can be sent between them) or the
-command wirewarp batch.
+results of a single one. flatten() and price_keys() leave the interpreter's lock to other threads while they
+run; VTK's filters, and what takes or gives its meshes, hold it but for calls of progress. One run uses several
+cores by itself. For many surfaces take processes (concurrent.futures.ProcessPoolExecutor; results, curves and
+errors can be sent between them) or the command wirewarp batch.
 
 The method is that of C. C. L. Wang, "WireWarping: A fast surface flattening
 approach with length-preserved feature curves", Computer-Aided Design 40(3), 2008.
@@ -39,6 +38,7 @@ try:
     # With the libraries of another VTK in one process Python would end without a word.
     if _vtk.GetVTKVersion().split(".")[:2] != BUILT_WITH_VTK.split(".")[:2]:
         raise ImportError(f"this is VTK {_vtk.GetVTKVersion()}")
+    from . import _core as _core
     from .vtkFiltersFlattening import *  # noqa: F401,F403
     from .vtkIOFlattening import *  # noqa: F401,F403
     if _import.find_spec(".vtkIOPattern", __name__):  # built without patterns there is none
@@ -56,7 +56,7 @@ except ImportError as _error:
         f"makes them{_paraview}") from _error
 from ._calls import (
     flatten, flatten_polydata, make_flattenable, make_flattenable_polydata, price_keys, suggest, suggest_polydata)
-from ._curves import Curve, make_curves, make_surface
+from ._curves import Curve
 from ._errors import (
     ArgumentError, ArgumentTypeError, FileError, FlatteningError, FlatteningWarning, MissingFileError, OutOfMemoryError)
 from ._garment import GarmentPattern, Panel, PanelEdge, Stitch, read_garmentcode
@@ -71,6 +71,7 @@ from ._suggestion import LeftOutLine, MirrorAxis, MirrorPlane, SuggestedCut, Sug
 from ._types import (
     BoundaryMode, ClothReport, CoincidentPoints, Coloring, CurveReport, CurveType, CutChoice, DartLegs, Energy,
     Interior, KeyShape, Options, Paper, Part, PieceReport, Report, Scheme, SeamSource, SewingTest, Solver, Unit, WireType)
+from ._vtk import make_curves, make_surface
 
 # Without the filters, of whose methods help() would print 31,000 lines.
 __all__ = [

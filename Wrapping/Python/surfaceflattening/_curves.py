@@ -1,21 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Surfaces and feature curves of numpy arrays as vtkPolyData."""
+"""Surfaces and feature curves of numpy arrays."""
 
 from __future__ import annotations  # help() prints hints as they are written here
 
 from dataclasses import dataclass
 from numbers import Integral
-from typing import Any, Callable, Iterator, List, Optional, Sequence, Tuple, Union, cast, get_args
+from typing import Any, Callable, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union, cast, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyData
 
 from ._equality import ComparedByValue
 from ._errors import ArgumentError, ArgumentTypeError
-from ._options import index_of
+from ._options import index_of, text_of
 from ._types import CurveType, KeyShape
-from ._vtk import coordinates_of, make_cells, make_points, make_triangles, named, strings, text_of, to_vtk
 
 # In the order of vtkFeatureCurveAlgorithm.CurveTypes.
 CURVE_TYPES: Tuple[CurveType, ...] = get_args(CurveType)
@@ -125,7 +123,7 @@ def _as_ids(values: Any, what: str) -> NDArray[np.int64]:
 
 
 def _name_of(curve: "Curve", place: int) -> str:
-    """The name as VTK can take it; files end at NUL."""
+    """The name as files can hold it; they end at NUL."""
     name = text_of(f"the name of curve {place}", curve.name)
     if "\0" in name:
         raise ArgumentError(f"the name of curve {place}, {name!r}, holds the character NUL")
@@ -145,25 +143,19 @@ def _polygons(faces: NDArray[np.int64]) -> Iterator[NDArray[np.int64]]:
         at += 1 + count
 
 
-def _flat_faces(faces: NDArray[np.int64]) -> vtkCellArray:
-    if faces.size % 4 == 0 and (faces[::4] == 3).all():
-        return make_triangles(faces.reshape(-1, 4)[:, 1:])
-    return make_cells(list(_polygons(faces)))
+class Surface(NamedTuple):
+    """A surface as the algorithms take it."""
+
+    points: NDArray[np.float64]
+    #: Those of all polygons, one behind the other.
+    corners: NDArray[np.int64]
+    #: Where each polygon begins, and the end; None: all are triangles.
+    offsets: Optional[NDArray[np.int64]]
 
 
-def make_surface(points: ArrayLike, triangles: Optional[ArrayLike]) -> vtkPolyData:
-    """The surface as vtkPolyData, for the filters.
-
-    Args:
-        points: positions in any unit of length, shape (n, 3). Whole numbers are coordinates as well.
-        triangles: ids of their corners, counted from 0, shape (m, 3); or a flat list of polygons, each
-            the number of its corners and then their ids, as PyVista's `faces`.
-
-    Raises:
-        ValueError: another shape, ids that are not whole numbers, masked values, or whole numbers as
-            coordinates beyond 2**53.
-    """
-    if isinstance(points, vtkDataObject):
+def surface_of(points: ArrayLike, triangles: Optional[ArrayLike]) -> Surface:
+    """The arrays given, or what is wrong with them."""
+    if hasattr(points, "GetDataObjectType"):
         raise ArgumentTypeError(f"points is {type(points).__name__}; it must be an array of positions. Meshes are taken by "
                                 "flatten_polydata(), suggest_polydata() and make_flattenable_polydata()")
     if triangles is None:
@@ -178,10 +170,24 @@ def make_surface(points: ArrayLike, triangles: Optional[ArrayLike]) -> vtkPolyDa
         hint = "; quads are taken as a flat list" if corners.shape[1:] == (4,) else ""
         raise ArgumentError(
             f"triangles must have the shape (m, 3), or be a flat list, not {corners.shape}{hint}")
-    surface = vtkPolyData()
-    surface.SetPoints(make_points(coordinates))
-    surface.SetPolys(_flat_faces(corners) if flat else make_triangles(corners))
-    return surface
+    if not flat:
+        return Surface(coordinates, corners.ravel(), None)
+    if corners.size % 4 == 0 and (corners[::4] == 3).all():
+        return Surface(coordinates, corners.reshape(-1, 4)[:, 1:].ravel(), None)
+    polygons = list(_polygons(corners))
+    return Surface(coordinates, np.concatenate(polygons), np.cumsum([0] + [len(polygon) for polygon in polygons]))
+
+
+class CurveRow(NamedTuple):
+    """A feature curve as the algorithms take it."""
+
+    positions: NDArray[np.float64]
+    name: str
+    #: Places among CURVE_TYPES and KEY_SHAPES.
+    type: int
+    key_shape: int
+    tolerance: float
+    planar_shape: Optional[NDArray[np.float64]]
 
 
 def _positions_of(curve: Curve, what: str, surface: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -225,15 +231,14 @@ def _tolerance_of(curve: Curve, what: str) -> float:
         ) from None
 
 
-def add_weights(surface: vtkPolyData, weights: ArrayLike) -> str:
-    """Adds a number a cell to the surface; the name of the array."""
+def weights_of(weights: ArrayLike, triangles: int) -> NDArray[np.float64]:
+    """A number for each triangle or polygon."""
     numbers = _as_numbers(weights, "weights")
-    if numbers.shape != (surface.GetNumberOfCells(),):
+    if numbers.shape != (triangles,):
         raise ArgumentError(
-            f"weights must have the shape ({surface.GetNumberOfCells()},), a number for each triangle, "
+            f"weights must have the shape ({triangles},), a number for each triangle, "
             f"not {numbers.shape}")
-    surface.GetCellData().AddArray(named("Weight", to_vtk(np.ascontiguousarray(numbers))))
-    return "Weight"
+    return numbers
 
 
 def _demand_list(curves: Any) -> None:
@@ -249,23 +254,11 @@ def _demand_list(curves: Any) -> None:
         raise ArgumentTypeError("curves must be a list of curves; put a single one into brackets: [curve]")
 
 
-def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) -> vtkPolyData:
-    """Feature curves as vtkPolyData, polylines with the arrays that the filters read.
-
-    Args:
-        curves: each a :class:`Curve`, or what its `points` may be.
-        points: positions of the surface, shape (n, 3), that point ids refer to.
-
-    Raises:
-        TypeError: a name that is no string.
-        ValueError: a wrong shape or word, a point that the surface does not have, or a name with
-            NUL or what UTF-8 cannot hold.
-    """
+def curve_rows(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) -> List[CurveRow]:
+    """The curves given, or what is wrong with them; ids are those of these points."""
     surface = _as_numbers(points, "points")
     _demand_list(curves)
-    positions: List[NDArray[np.float64]] = []
-    shapes: List[NDArray[np.float64]] = []
-    names, types, key_shapes, tolerances = [], [], [], []
+    rows = []
     for place, given in enumerate(curves):
         if isinstance(given, (tuple, list)) and any(isinstance(value, str) for value in given):
             raise ArgumentTypeError(f"curve {place} is {given!r}; a curve with a type is sf.Curve(points, \"dart\")")
@@ -273,57 +266,12 @@ def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) ->
         # Its name also keeps a curve of two points apart from the next.
         name = _name_of(curve, place) or f"curve {place}"
         what = f"curve {place}" + (f" ({curve.name!r})" if curve.name else "")
-        positions.append(_positions_of(curve, what, surface))
-        names.append(name)
-        types.append(_type_of(curve, what))
-        key_shapes.append(index_of(_small(curve.key_shape), KEY_SHAPES, f"the key_shape of {what}"))
-        tolerances.append(_tolerance_of(curve, what))
-        shape = np.full((len(positions[-1]), 2), np.nan)
+        positions, shape = _positions_of(curve, what, surface), None
+        row = (_type_of(curve, what), index_of(_small(curve.key_shape), KEY_SHAPES, f"the key_shape of {what}"),
+               _tolerance_of(curve, what))
         if curve.planar_shape is not None:
-            planar = _as_numbers(curve.planar_shape, f"the planar_shape of {what}")
-            if planar.shape != shape.shape:
-                raise ArgumentError(
-                    f"the planar_shape of {what} must have the shape {shape.shape}, not {planar.shape}"
-                )
-            shape = planar
-        shapes.append(shape)
-
-    lines, first = [], 0
-    for polyline in positions:
-        lines.append(np.arange(first, first + len(polyline), dtype=np.int64))
-        first += len(polyline)
-
-    result = vtkPolyData()
-    result.SetPoints(make_points(np.concatenate(positions) if positions else np.empty((0, 3))))
-    result.SetLines(make_cells(lines))
-    cell_data = result.GetCellData()
-    cell_data.AddArray(strings("CurveName", names))
-    columns: Sequence[Tuple[str, NDArray[Any]]] = (
-        ("CurveType", np.array(types, np.int32)),
-        ("KeyShape", np.array(key_shapes, np.int32)),
-        ("LengthTolerance", np.array(tolerances, np.float64)),
-    )
-    for array_name, values in columns:
-        cell_data.AddArray(named(array_name, to_vtk(values)))
-    if any(not np.isnan(shape).all() for shape in shapes):
-        result.GetPointData().AddArray(named("PlanarShape", to_vtk(np.concatenate(shapes))))
-    return result
-
-
-def demand_polydata(data: Any, what: str, hint: str = "") -> None:
-    """TypeError where the pipeline would print an error and give no result."""
-    if not isinstance(data, vtkPolyData):
-        raise ArgumentTypeError(f"{what} is {type(data).__name__}; it must be a vtkPolyData{hint}")
-
-
-def curves_on(
-    surface: vtkPolyData, curves: Union[None, vtkPolyData, Sequence[Union[Curve, ArrayLike]]]
-) -> Optional[vtkPolyData]:
-    """Feature curves of a mesh, as they are or made from a list, whose ids are those of its points."""
-    if curves is None or isinstance(curves, vtkPolyData):
-        return curves
-    if isinstance(curves, (str, bytes, vtkDataObject)) or not isinstance(curves, Sequence):
-        demand_polydata(curves, "curves", " or a list of curves")
-    points = surface.GetPoints()
-    return make_curves(
-        curves, np.empty((0, 3)) if points is None else coordinates_of(surface))
+            shape, expected = _as_numbers(curve.planar_shape, f"the planar_shape of {what}"), (len(positions), 2)
+            if shape.shape != expected:
+                raise ArgumentError(f"the planar_shape of {what} must have the shape {expected}, not {shape.shape}")
+        rows.append(CurveRow(positions, name, *row, shape))
+    return rows

@@ -3,29 +3,21 @@
 
 from __future__ import annotations  # help() prints hints as they are written here
 
-from typing import Any, Mapping, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, Optional, Sequence, Union
 
 from numpy.typing import ArrayLike
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._curves import Curve, curves_on, demand_polydata, make_curves, make_surface
-from ._options import make_filter, with_options
-from ._result import Flattening, result_of
-from ._vtk import update
-from .vtkFiltersFlattening import vtkWireWarpingFilter
+from . import _core
+from ._curves import Curve, curve_rows, surface_of
+from ._options import WARPING, read_options, with_options
+from ._report import raise_refusal, warn_of
+from ._result import Flattening, flattening_of
 
-
-def _run(surface: vtkPolyData, curves: Optional[vtkPolyData], options: Mapping[str, Any],
-         function: str) -> Flattening:
-    filter_ = make_filter(options, function)
-    filter_.SetInputData(surface)
-    if curves is not None:
-        filter_.SetCurvesData(curves)
-    update(filter_, options.get("progress"))
-    return result_of(filter_, type(surface))
+if TYPE_CHECKING:
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 
-@with_options(vtkWireWarpingFilter)
+@with_options(WARPING)
 def flatten(
     points: ArrayLike,
     triangles: Optional[ArrayLike] = None,  # make_surface() says what is missing
@@ -70,10 +62,15 @@ def flatten(
             error, a flipped triangle, an overlap; report["status"] says which), or a part of the
             input was left out (report["warnings"]).
     """
-    return _run(make_surface(points, triangles), make_curves(curves, points), options, "flatten")
+    owner, values = read_options(options, "flatten")
+    run = _core.flatten(
+        *surface_of(points, triangles), curve_rows(curves, points), owner, values, options.get("progress"))
+    raise_refusal(run)
+    warn_of(run, 2)
+    return flattening_of(run, run["flattening"])
 
 
-@with_options(vtkWireWarpingFilter)
+@with_options(WARPING)
 def flatten_polydata(
     surface: vtkPolyData,
     curves: Union[None, vtkPolyData, Sequence[Union[Curve, ArrayLike]]] = None,
@@ -92,5 +89,13 @@ def flatten_polydata(
     and cell arrays of the result, and the result's to_polydata() gives meshes of the class of
     `surface`.
     """
+    from ._vtk import curves_on, demand_polydata, make_filter, result_of, update
+
     demand_polydata(surface, "surface", ", such as a pyvista.PolyData; flatten() takes arrays")
-    return _run(surface, curves_on(surface, curves), options, "flatten_polydata")
+    filter_ = make_filter(options, "flatten_polydata")
+    filter_.SetInputData(surface)
+    on_surface = curves_on(surface, curves)
+    if on_surface is not None:
+        filter_.SetCurvesData(on_surface)
+    update(filter_, options.get("progress"))
+    return result_of(filter_, type(surface))

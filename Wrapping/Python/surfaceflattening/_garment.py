@@ -5,7 +5,7 @@ from __future__ import annotations  # help() prints hints as they are written he
 
 import os
 from dataclasses import dataclass
-from typing import Any, List, Literal, Tuple, Union
+from typing import Any, List, Literal, Tuple, Union, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,10 +13,11 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._equality import ComparedByValue
 from ._errors import ArgumentTypeError
+from ._options import word_of
 from ._pattern import write_parts
-from ._result import Wire, _wires
+from ._result import Wire, wires_of
 from ._types import Part
-from ._vtk import Parts, coordinates_of, corners_of, id_rows, numbers_of, read_file, values_of
+from ._vtk import Parts, arrays_of_parts, copy_of, numbers_of, read_file, values_of
 
 EdgeShape = Literal["straight", "quadratic", "cubic", "circle"]
 _SHAPES: Tuple[EdgeShape, ...] = ("straight", "quadratic", "cubic", "circle")
@@ -88,7 +89,7 @@ class GarmentPattern:
     def to_polydata(self, part: Part = "flat") -> vtkPolyData:
         """A vtkPolyData of its own: "flat", the pieces; "wires", their borders; "cut", the pieces placed
         in space; with the arrays of vtkGarmentCodeReader."""
-        copy: vtkPolyData = self._parts.copy(part)
+        copy: vtkPolyData = copy_of(getattr(self._parts, word_of(part, get_args(Part), "part")))
         return copy
 
     def write_pattern(self, path: Union[str, os.PathLike[str]], **options: Any) -> None:
@@ -165,12 +166,12 @@ def read_garmentcode(path: Union[str, os.PathLike[str]]) -> GarmentPattern:
 
     reader = vtkGarmentCodeReader()
     read_file(reader, path)
-    flat, wires, cut = (reader.GetOutput(port) for port in range(3))
-    positions = coordinates_of(flat)[:, :2]
-    panels, numbers = _panels(wires, positions)
+    parts = Parts(*(reader.GetOutput(port) for port in range(3)))
+    given = arrays_of_parts(parts)
+    panels, numbers = _panels(parts.wires, given["positions"])
     stitches = [Stitch(numbers[a], numbers[b], bool(right_to_wrong))
-                for a, b, right_to_wrong in values_of(wires.GetFieldData(), "PanelStitches")]
+                for a, b, right_to_wrong in values_of(parts.wires.GetFieldData(), "PanelStitches")]
     return GarmentPattern(
-        panels, stitches, positions,
-        corners_of(flat), numbers_of(flat.GetCellData(), "PieceId"), coordinates_of(cut), _wires(wires),
-        id_rows(flat.GetFieldData(), "SeamPairs", 5), Parts(flat, wires, cut))
+        panels, stitches, given["positions"], given["triangles"], numbers_of(parts.flat.GetCellData(), "PieceId"),
+        given["points"], wires_of(given["wire_arrays"], given["wires"]),
+        given["field_arrays"].get("SeamPairs", np.empty((0, 5), np.int64)), parts)

@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 from ._equality import ComparedByValue
 from ._errors import ArgumentError
-from ._options import index_of
+from ._options import index_of, text_of
 from ._pattern import write_sizes
 from ._result import Flattening
 from ._types import Unit
-from ._vtk import coordinates_of, numbers_of, text_of, update, values_of
+from ._vtk import coordinates_of, copy_of, numbers_of, parts_of, update, values_of
 from .vtkFiltersFlattening import vtkFlatteningAlgorithm
 
 
@@ -117,7 +117,8 @@ def grade(
     from .vtkIOPattern import vtkPatternGrading  # a build without patterns has none
 
     filter_ = vtkPatternGrading()
-    stated = (vtkFlatteningAlgorithm.GetLengthUnitOf(result._parts.flat) for result in sizes.values())
+    parts = {size: parts_of(result) for size, result in sizes.items()}
+    stated = (vtkFlatteningAlgorithm.GetLengthUnitOf(part.flat) for part in parts.values())
     of_surfaces: Any = next((word for word in stated if word), "cm")
     length_unit: Unit = of_surfaces if unit is None else unit
     filter_.SetUnit(1 + index_of(length_unit, get_args(Unit), "unit"))
@@ -126,8 +127,8 @@ def grade(
             set_text(text_of(what, value))
     if len(sizes) < 2:
         raise ArgumentError(f"there are {len(sizes)} sizes; grading needs two")
-    for size, result in sizes.items():
-        filter_.AddSize(text_of("a size", size), result._parts.flat, result._parts.wires)
+    for size, part in parts.items():
+        filter_.AddSize(text_of("a size", size), part.flat, part.wires)
     update(filter_)
     nest = filter_.GetOutput()
     field = nest.GetFieldData()
@@ -140,4 +141,4 @@ def grade(
         GradeRule(piece, point, name, tuple((float(dx), float(dy)) for dx, dy in row.reshape(-1, 2)))
         for piece, point, name, row in zip(
             values_of(field, "RulePiece"), values_of(field, "RulePoint"), rule_names, deltas)]
-    return Grading(names, chosen, dict(zip(names, positions)), rules, nest, sizes[chosen]._parts.flat, length_unit)
+    return Grading(names, chosen, dict(zip(names, positions)), rules, nest, copy_of(parts[chosen].flat), length_unit)

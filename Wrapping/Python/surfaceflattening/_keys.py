@@ -3,18 +3,16 @@
 
 from __future__ import annotations  # help() prints hints as they are written here
 
-import warnings
 from dataclasses import dataclass, replace
 from typing import Any, List, Sequence, Union
 
 from numpy.typing import ArrayLike
 
-from ._curves import Curve, make_curves, make_surface
+from . import _core
+from ._curves import Curve, curve_rows, surface_of
 from ._equality import ComparedByValue
-from ._errors import FlatteningWarning
-from ._options import make_filter, with_options
-from ._vtk import update, values_of
-from .vtkFiltersFlattening import vtkKeyCurvePrices
+from ._options import WARPING, read_options, with_options
+from ._report import raise_refusal
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +69,7 @@ class KeyPrices(ComparedByValue):
         return "\n".join(lines)
 
 
-@with_options(vtkKeyCurvePrices)
+@with_options(WARPING)
 def price_keys(
     points: ArrayLike,
     triangles: ArrayLike,
@@ -98,17 +96,9 @@ def price_keys(
     given = [curve if isinstance(curve, Curve) else Curve(curve) for curve in curves]
     given = [curve if curve.name else replace(curve, name=f"curve {k}")
              for k, curve in enumerate(given)]
-    filter_ = make_filter(options, "price_keys", vtkKeyCurvePrices)
-    filter_.SetInputData(make_surface(points, triangles))
-    filter_.SetCurvesData(make_curves(given, points))
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", FlatteningWarning)
-        update(filter_, options.get("progress"))
-    table = filter_.GetOutputDataObject(5).GetRowData()
-    curve_of, price_of = values_of(table, "Curve"), values_of(table, "Price")
-    trials = [KeyTrial(status, area, strain, released.split(", ") if released else [])
-              for status, area, strain, released in zip(*(
-                  values_of(table, name) for name in ("Status", "AreaError", "StrainP95", "Released")))]
-    keys = [KeyPrice(given[curve_of[k]].name, price_of[k], trials[k], trials[k + 1])
-            for k in range(1, len(trials) - 1, 2)]
-    return KeyPrices(trials[0], trials[-1], keys)
+    owner, values = read_options(options, "price_keys", keeps_lengths=True)
+    run = _core.price_keys(*surface_of(points, triangles), curve_rows(given, points), owner, values, options.get("progress"))
+    raise_refusal(run)
+    return KeyPrices(KeyTrial(*run["all"]), KeyTrial(*run["none"]), [
+        KeyPrice(given[curve].name, price, KeyTrial(*without), KeyTrial(*alone))
+        for curve, price, without, alone in run["keys"]])

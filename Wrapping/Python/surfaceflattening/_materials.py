@@ -3,9 +3,7 @@
 
 from typing import Any, Dict, List
 
-from vtkmodules.vtkCommonDataModel import vtkTable
-
-from .vtkFiltersFlattening import vtkWireWarpingFilter
+from . import _core
 
 _COLUMNS = {
     "name": "Name", "description": "Description", "warp": "Warp", "weft": "Weft", "shear": "Shear",
@@ -23,14 +21,7 @@ def materials() -> List[Dict[str, Any]]:
         warp_least, warp_greatest, weft_least, weft_greatest, limits of strains in percent, and
         shear_limit, in degrees (infinite: none); one_way; source of the numbers.
     """
-    table = vtkTable()
-    vtkWireWarpingFilter.ListMaterials(table)
-    result = []
-    for row in range(table.GetNumberOfRows()):
-        entry: Dict[str, Any] = {}
-        for key, column in _COLUMNS.items():
-            value = table.GetValueByName(row, column)
-            entry[key] = value.ToString() if value.IsString() else value.ToDouble()
-        entry["one_way"] = bool(entry["one_way"])
-        result.append(entry)
-    return result
+    table = _core.materials()
+    rows = zip(*(list(table[column]) for column in _COLUMNS.values()))
+    return [{key: bool(value) if key == "one_way" else value if isinstance(value, str) else float(value)
+             for key, value in zip(_COLUMNS, row)} for row in rows]

@@ -1,22 +1,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The options of flatten(): names, properties of the filter, and where they mean something."""
+"""The options of flatten(): names, values, and where they mean something."""
 
 from __future__ import annotations
 
 import difflib
 import inspect
+import operator
 import os
 import sys
 import textwrap
 from numbers import Real
-from typing import Any, Callable, Dict, Iterable, Mapping, Optional, Sequence, Set, TypeVar, get_args, get_type_hints
+from typing import (
+    Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Set, Tuple, TypeVar, get_args, get_type_hints)
 
 import numpy as np
 
+from . import _core
 from ._errors import ArgumentError, ArgumentTypeError
 from ._materials import materials
 from ._option_table import TABLE, Option, Options, Scheme
-from .vtkFiltersFlattening import vtkLeastSquaresConformalFilter, vtkWireWarpingFilter
 
 Word = TypeVar("Word", bound=str)
 
@@ -24,12 +26,13 @@ Word = TypeVar("Word", bound=str)
 _OTHERS: Dict[str, Any] = {"paper_method": False, "progress": None}
 
 
-def options_of(filter_class: Any) -> Dict[str, Option]:
+WARPING, CONFORMAL = "vtkWireWarpingFilter", "vtkLeastSquaresConformalFilter"
+
+
+def options_of(owner: str) -> Dict[str, Option]:
     """The options of a filter by their names in Python, and those of the conformal map, a scheme here."""
-    names = {cls.__name__ for cls in filter_class.__mro__}
-    if issubclass(filter_class, vtkWireWarpingFilter):
-        names.add(vtkLeastSquaresConformalFilter.__name__)
-    return {option.name: option for option in TABLE if option.cls in names}
+    owned = set(_core.options_of(owner))
+    return {option.name: option for option in TABLE if (option.cls, option.property) in owned}
 
 
 def _documented(option: Option) -> str:
@@ -39,9 +42,9 @@ def _documented(option: Option) -> str:
         initial_indent=8 * " ", subsequent_indent=12 * " ", break_on_hyphens=False)
 
 
-def with_options(filter_class: Any) -> Callable[[Any], Any]:
+def with_options(owner: str) -> Callable[[Any], Any]:
     """Shows the options of a filter in the signature and the help of a function that takes them as keywords."""
-    options = options_of(filter_class)
+    options = options_of(owner)
 
     def decorate(function: Any) -> Any:
         signature = inspect.signature(function)
@@ -55,26 +58,13 @@ def with_options(filter_class: Any) -> Callable[[Any], Any]:
         hints = get_type_hints(Options)
         kept = {name: hint for name, hint in function.__annotations__.items() if name != "options"}
         function.__annotations__ = {**kept, **hints}
-        derived = filter_class is not vtkWireWarpingFilter
+        derived = owner != WARPING
         shown = [option for option in options.values()
-                 if option.name not in signature.parameters and (option.cls == filter_class.__name__ or not derived)]
+                 if option.name not in signature.parameters and (option.cls == owner or not derived)]
         function.__doc__ = (function.__doc__ or "").replace(
             "        _OPTIONS_", "\n".join(_documented(option) for option in shown))
         return function
     return decorate
-
-
-def set_property(filter_: Any, option: str, property_: str, value: Any) -> None:
-    """Sets a property; the filter clamps what is out of range, here it is refused."""
-    try:
-        getattr(filter_, "Set" + property_)(value)
-    except TypeError as error:
-        raise ArgumentTypeError(f"{option} = {value!r}: {error}") from None
-    except OverflowError as error:
-        raise ArgumentError(f"{option} = {value!r} is out of range: {error}") from None
-    kept = getattr(filter_, "Get" + property_)()
-    if kept != value:
-        raise ArgumentError(f"{option} = {value!r} is out of range; the nearest value is {kept!r}")
 
 
 def word_of(value: Any, words: Sequence[Word], what: str) -> Word:
@@ -113,31 +103,100 @@ def _given(options: Mapping[str, Any], defaults: Mapping[str, Any]) -> Set[str]:
             if name not in silent or value != defaults[name]}
 
 
-def _set_tolerances(filter_: Any, tolerances: Optional[Mapping[str, float]]) -> None:
-    if tolerances is None:
-        return
-    if not isinstance(tolerances, Mapping):
-        raise ArgumentTypeError(f"tolerance = {tolerances!r} must be a dict of curves' names and fractions")
-    for name, value in tolerances.items():
-        try:
-            filter_.AddCurveTolerance(name, value)
-        except TypeError as error:
-            raise ArgumentTypeError(f"tolerance of {name!r} = {value!r}: {error}") from None
+def text_of(what: str, value: Any) -> str:
+    """A string that C++ can hold, or an error that names what it is."""
+    if not isinstance(value, str):
+        raise ArgumentTypeError(f"{what} = {value!r} must be a string")
+    try:
+        value.encode()
+    except UnicodeEncodeError as error:
+        raise ArgumentError(f"{what} = {value!r} is no text that UTF-8 can hold: {error.reason}") from None
+    return value
 
 
-def _set_eases(filter_: Any, eases: Optional[Mapping[Any, float]]) -> None:
-    if eases is None:
-        return
-    if not isinstance(eases, Mapping):
-        raise ArgumentTypeError(f"ease = {eases!r} must be a dict of fractions by a curve's name or by (name, piece)")
-    for key, value in eases.items():
+def _number(what: str, value: Any) -> float:
+    try:
+        if isinstance(value, (str, bytes)):
+            raise TypeError("must be a number")
+        return float(value)
+    except TypeError:
+        raise ArgumentTypeError(f"{what} = {value!r} must be a number") from None
+    except OverflowError as error:
+        raise ArgumentError(f"{what} = {value!r} is out of range: {error}") from None
+
+
+def _whole(what: str, value: Any, bits: int) -> int:
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise ArgumentTypeError(f"{what} = {value!r} must be a whole number") from None
+    if not -2**(bits - 1) <= number < 2**(bits - 1):
+        raise ArgumentError(f"{what} = {value!r} is out of range: it must have at most {bits} bits")
+    return number
+
+
+def _ids(what: str, value: Any) -> Tuple[int, int]:
+    if isinstance(value, (str, bytes)) or not isinstance(value, Iterable) or len(ids := tuple(value)) != 2:
+        raise ArgumentTypeError(f"{what} = {value!r} must be two ids of points")
+    return (_whole(what, ids[0], 64), _whole(what, ids[1], 64))
+
+
+def _tolerances(given: Optional[Mapping[str, float]]) -> List[Tuple[Any, ...]]:
+    if given is not None and not isinstance(given, Mapping):
+        raise ArgumentTypeError(f"tolerance = {given!r} must be a dict of curves' names and fractions")
+    return [(text_of("a curve of tolerance", name), _number(f"tolerance of {name!r}", value))
+            for name, value in (given or {}).items()]
+
+
+def _eases(given: Optional[Mapping[Any, float]]) -> List[Tuple[Any, ...]]:
+    if given is not None and not isinstance(given, Mapping):
+        raise ArgumentTypeError(f"ease = {given!r} must be a dict of fractions by a curve's name or by (name, piece)")
+    rows: List[Tuple[Any, ...]] = []
+    for key, value in (given or {}).items():
         name, piece = key if isinstance(key, tuple) and len(key) == 2 else (key, -1)
         if isinstance(piece, bool) or not isinstance(piece, (int, np.integer)) or piece < -1:
             raise ArgumentError(f"ease of {key!r}: {piece!r} is not the number of a piece, from 0")
-        try:
-            filter_.AddCurveEase(name, int(piece), value)
-        except TypeError as error:
-            raise ArgumentTypeError(f"ease of {key!r} = {value!r}: {error}") from None
+        rows.append((text_of("a curve of ease", name), int(piece), _number(f"ease of {key!r}", value)))
+    return rows
+
+
+def _preferences(given: Optional[Mapping[str, float]]) -> List[Tuple[Any, ...]]:
+    return [(text_of("a curve of prefer", name), _number(f"preference of {name!r}", weight))
+            for name, weight in (given or {}).items()]
+
+
+def _kept(names: Sequence[str]) -> List[Tuple[Any, ...]]:
+    if isinstance(names, str):
+        raise ArgumentTypeError(f"keep is {names!r}; it must be a sequence of names")
+    return [(text_of("a curve of keep", name),) for name in names]
+
+
+# Rows of arguments for the filters' Add methods.
+_LISTS: Dict[str, Callable[[Any], List[Tuple[Any, ...]]]] = {
+    "CurveTolerances": _tolerances, "CurveEases": _eases, "Preferences": _preferences, "KeptCurves": _kept}
+
+
+def checked(option: Option, value: Any) -> Any:
+    """The value of a property or list, or an exception that says what is wrong with it."""
+    name = option.name
+    if option.type == "list":
+        return _LISTS[option.property](value)
+    if option.type == "word":
+        return index_of(value, [word for word, _ in option.words], name)
+    if option.type == "flag":
+        return flag(value, name)
+    if option.type == "text":
+        return "" if value is None else text_of(name, value)
+    if option.type == "ids":
+        return _ids(name, value)
+    if option.type == "numbers":
+        return tuple(_number(name, component) for component in value)
+    number = _whole(name, value, 32) if option.type == "integer" else _number(name, value)
+    # Of an open range the algorithm says itself what is beyond.
+    ranged = option.minimum != option.maximum and not option.open
+    if number != number or ranged and not option.minimum <= number <= option.maximum:
+        raise ArgumentError(f"{name} = {value!r} is out of range; it must be in {option.range}")
+    return number
 
 
 def material_text(material: object) -> str:
@@ -180,47 +239,14 @@ def _texts(options: Mapping[str, Any]) -> Dict[str, str]:
     return texts
 
 
-def _set_preferences(filter_: Any, preferences: Optional[Mapping[str, float]]) -> None:
-    for name, weight in (preferences or {}).items():
-        filter_.AddPreference(name, weight)
-
-
-def _keep_curves(filter_: Any, names: Sequence[str]) -> None:
-    if isinstance(names, str):
-        raise ArgumentTypeError(f"keep is {names!r}; it must be a sequence of names")
-    for name in names:
-        filter_.AddKeptCurve(name)
-
-
-_LISTS: Dict[str, Callable[[Any, Any], None]] = {
-    "CurveTolerances": _set_tolerances, "CurveEases": _set_eases, "Preferences": _set_preferences,
-    "KeptCurves": _keep_curves}
-
-
-def set_option(filter_: Any, option: Option, value: Any) -> None:
-    """Sets a property or list of a filter, or raises what is wrong with the value."""
-    if option.type == "list":
-        _LISTS[option.property](filter_, value)
-        return
-    if option.type == "word":
-        value = index_of(value, [word for word, _ in option.words], option.name)
-    elif option.type == "flag":
-        value = flag(value, option.name)
-    elif option.type == "text" and value is None:
-        value = ""
-    set_property(filter_, option.name, option.property, value)
-
-
-def make_filter(
-    options: Mapping[str, Any], function: str, filter_class: Any = vtkWireWarpingFilter
-) -> Any:
-    """A filter with these options, or an exception that names the wrong one."""
-    table = options_of(filter_class)
+def read_options(
+    options: Mapping[str, Any], function: str, owner: str = WARPING, *, keeps_lengths: bool = False
+) -> Tuple[str, Dict[str, Any]]:
+    """The class of the method, and the values of its properties; or an exception that names the wrong one."""
+    table = options_of(owner)
     defaults = {**{name: option.default for name, option in table.items()}, **_OTHERS}
     _refuse_unknown(options, defaults, function)
     options = {**options, **_texts(options)}
-    if isinstance(options.get("pins"), Iterable):
-        options = {**options, "pins": tuple(options["pins"])}
     values, given = {**defaults, **options}, _given(options, defaults)
     if flag(values["paper_method"], "paper_method"):
         for name, chosen in (("scheme", "global"), ("interior", "laplacian")):
@@ -229,18 +255,13 @@ def make_filter(
                                     f"{name}={chosen!r}, exclude each other; leave one of them out")
             values[name] = chosen
             given.add(name)
-    if word_of(values["scheme"], get_args(Scheme), "scheme") == "lscm":
-        if filter_class is not vtkWireWarpingFilter:
-            raise ArgumentError(f"scheme is 'lscm', which keeps no length; {function}() needs another")
-        filter_class = vtkLeastSquaresConformalFilter
-    filter_ = filter_class()
-    filter_.CachingOff()  # it runs once
-    classes = {cls.__name__ for cls in filter_class.__mro__}
-    for name, option in table.items():
-        if option.cls in classes:
-            set_option(filter_, option, values[name])
-    idle = filter_.DescribeIdleOption(
-        " ".join(option.property for name, option in table.items() if name in given), filter_.PYTHON)
+    conformal = word_of(values["scheme"], get_args(Scheme), "scheme") == "lscm"
+    if conformal and (keeps_lengths or owner != WARPING):
+        raise ArgumentError(f"scheme is 'lscm', which keeps no length; {function}() needs another")
+    properties = {option.property: checked(option, values[name]) for name, option in table.items()}
+    idle = _core.describe_idle(owner, properties, [option.property for name, option in table.items() if name in given])
     if idle:
         raise ArgumentError(idle)
-    return filter_
+    if not conformal:
+        return owner, properties
+    return CONFORMAL, {option.property: properties[option.property] for option in options_of(CONFORMAL).values()}

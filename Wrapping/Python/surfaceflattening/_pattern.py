@@ -7,9 +7,10 @@ import warnings
 from typing import TYPE_CHECKING, Any, Mapping, Sequence, get_args
 
 from ._errors import ArgumentError, ArgumentTypeError, FlatteningWarning
-from ._options import flag, index_of
+from ._options import flag, index_of, text_of
+from ._report import error_of
 from ._types import Paper, Unit
-from ._vtk import error_of, silence, text_of
+from ._vtk import silence, status_of
 from .vtkFiltersFlattening import vtkFlatteningAlgorithm
 
 if TYPE_CHECKING:
@@ -100,7 +101,7 @@ def write_parts(parts: Sequence[Any], path: str, options: Mapping[str, Any]) -> 
         writer.SetInputData(3, options["sizes"].nest)
     silence(writer)
     if not writer.Write():
-        raise error_of(writer)
+        raise error_of(status_of(writer))
     for warning in range(writer.GetNumberOfWarnings()):
         warnings.warn(writer.GetWarning(warning) + "; give it key_shape=\"straight\"",
                       FlatteningWarning, stacklevel=3)
@@ -122,4 +123,4 @@ def write_sizes(flat: Any, nest: Any, path: str, format_: str, name: str, unit: 
     writer.SetInputData(3, nest)
     silence(writer)
     if not writer.Write():
-        raise error_of(writer)
+        raise error_of(status_of(writer))

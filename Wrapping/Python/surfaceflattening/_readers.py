@@ -9,11 +9,10 @@ from typing import Optional, Tuple, Union, get_args
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._curves import demand_polydata
 from ._errors import FlatteningWarning
 from ._options import index_of
 from ._types import SeamSource
-from ._vtk import read_file
+from ._vtk import demand_polydata, read_file
 from .vtkIOFlattening import vtkFeatureCurveReader, vtkSurfaceMeshReader
 
 

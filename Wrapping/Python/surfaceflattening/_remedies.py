@@ -4,8 +4,8 @@
 import re
 from typing import Iterable, Match, Tuple
 
+from . import _core
 from ._option_table import TABLE
-from .vtkFiltersFlattening import vtkFlatteningAlgorithm
 
 _ARGUMENTS = {option.property: option.name for option in TABLE}
 _ARGUMENTS.update(CurveType="type", vtkFeatureCurveSuggestion="suggest()")
@@ -23,7 +23,7 @@ def _spelled(option: Match[str]) -> str:
 
 def remedy_words(name: str) -> str:
     """What the remedy of a name says, % for its subject; empty where there is none."""
-    sentence = vtkFlatteningAlgorithm.GetRemedySentence(name) or ""
+    sentence = _core.remedy_sentence(name)
     return re.sub("{(.*?)}", _spelled, re.sub(r"[][]", "", sentence))
 
 

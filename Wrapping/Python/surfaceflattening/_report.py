@@ -1,12 +1,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The report of a run, read from the tables of the filter."""
+"""The report of a run, and the errors and warnings of one without a sound result."""
 
 import math
-from typing import Any, Dict, List, Optional, cast
+import warnings
+from typing import Any, Dict, List, Mapping, Optional, Tuple, Type, cast
 
+from ._errors import FileError, FlatteningError, FlatteningWarning, MissingFileError, OutOfMemoryError
 from ._remedies import make_message
 from ._types import Report
-from ._vtk import Row, as_text, ids_of, remedies_of, rows_of, texts_of, values_of
+
+Row = Dict[str, Any]
+# A table as its columns, each an array or a list of texts.
+Table = Mapping[str, Any]
+# Code, name, defect, ids, what they are of, and remedies with what each is to be applied to.
+Status = Tuple[int, str, str, List[int], str, List[Tuple[str, str]]]
+
+_TRUTH_VALUES = (
+    "overlaps_complete", "repaired", "released", "exact", "one_way", "sound", "converged", "several_shapes")
+_KINDS: Dict[str, Type[FlatteningError]] = {
+    "FileNotWritten": FileError, "FileNotFound": MissingFileError, "OutOfMemory": OutOfMemoryError}
 
 # Keys of the report and columns of the filter's tables.
 _PIECE = {
@@ -42,11 +54,45 @@ _CLOTH = {
     "grain_curve": "GrainCurve", "one_way": "OneWay"}
 
 
+def error_of(status: Status) -> FlatteningError:
+    """The error of a run, or the warning that it is worth."""
+    code, name, defect, ids, kind, remedies = status
+    return _KINDS.get(name, FlatteningError)(code, name, ids, make_message(defect, remedies), kind, remedies)
 
-def _lists_of(table: Any, columns: Dict[str, str], pieces: int) -> List[List[Row]]:
+
+def raise_refusal(run: Mapping[str, Any]) -> None:
+    """FlatteningError where a run of the algorithms has no result."""
+    if run["refused"]:
+        raise error_of(run["status"])
+
+
+def warn_of(run: Mapping[str, Any], stacklevel: int) -> None:
+    """FlatteningWarning for all that a result is not."""
+    for warning in run["warnings"]:
+        warnings.warn(warning, FlatteningWarning, stacklevel=stacklevel + 1)
+    if run["status"][0] != 0:
+        warnings.warn(str(error_of(run["status"])), FlatteningWarning, stacklevel=stacklevel + 1)
+
+
+def values_in(table: Table, name: str) -> List[Any]:
+    """A column as Python values; empty where there is none."""
+    column = table.get(name, [])
+    return column if isinstance(column, list) else cast(List[Any], column.tolist())
+
+
+def rows_of(table: Table, columns: Dict[str, str]) -> List[Row]:
+    """The rows of a table, with some of its columns by other names; none where one is not there."""
+    values = [values_in(table, name) for name in columns.values()]
+    rows = [dict(zip(columns, row)) for row in zip(*values)]
+    for row in rows:
+        row.update((key, bool(row[key])) for key in _TRUTH_VALUES if key in row)
+    return rows
+
+
+def _lists_of(table: Table, columns: Dict[str, str], pieces: int) -> List[List[Row]]:
     """The rows of each piece of a table with the column Piece."""
     lists: List[List[Row]] = [[] for _ in range(pieces)]
-    for piece, row in zip(values_of(table.GetRowData(), "Piece"), rows_of(table, columns)):
+    for piece, row in zip(values_in(table, "Piece"), rows_of(table, columns)):
         lists[piece].append(row)
     return lists
 
@@ -55,13 +101,13 @@ def _message(defect: str, remedies: List[Row]) -> str:
     return make_message(defect, [(remedy["name"], remedy["subject"]) for remedy in remedies])
 
 
-def _releases(filter_: Any, pieces: List[Row]) -> List[Optional[Row]]:
+def _releases(tables: Mapping[str, Table], pieces: List[Row]) -> List[Optional[Row]]:
     """What to release of each piece, None where nothing can be."""
-    ranking = _lists_of(filter_.GetReleases(), {
+    ranking = _lists_of(tables["releases"], {
         "curve": "Name", "release": "Shape", "tried": "Tried", "objective_without": "Objective",
         "E_area_without": "AreaError", "E_h_without": "Homogeneity"}, len(pieces))
     result: List[Optional[Row]] = []
-    for trials, first in zip(ranking, rows_of(filter_.GetPieces(), {
+    for trials, first in zip(ranking, rows_of(tables["pieces"], {
             "first": "ReleaseFirst", "objective_without_first": "ObjectiveWithoutFirst"})):
         for trial in trials:
             trial["release"] = "shape" if trial["release"] else "curve"
@@ -73,14 +119,14 @@ def _releases(filter_: Any, pieces: List[Row]) -> List[Optional[Row]]:
     return result
 
 
-def _pieces(filter_: Any) -> List[Row]:
-    pieces = rows_of(filter_.GetPieces(), _PIECE)
-    cloths = rows_of(filter_.GetPieces(), _CLOTH) or [{}] * len(pieces)
-    remedies = _lists_of(filter_.GetPieceRemedies(), {"name": "Remedy", "subject": "Subject"}, len(pieces))
+def _pieces(tables: Mapping[str, Table]) -> List[Row]:
+    pieces = rows_of(tables["pieces"], _PIECE)
+    cloths = rows_of(tables["pieces"], _CLOTH) or [{}] * len(pieces)
+    remedies = _lists_of(tables["piece_remedies"], {"name": "Remedy", "subject": "Subject"}, len(pieces))
     for piece, cloth, release, ways, angles, sheet in zip(
-            pieces, cloths, _releases(filter_, pieces), remedies,
-            _lists_of(filter_.GetAngleIterations(), _ANGLE_STEP, len(pieces)),
-            _lists_of(filter_.GetIsometricIterations(), _ISOMETRIC_STEP, len(pieces))):
+            pieces, cloths, _releases(tables, pieces), remedies,
+            _lists_of(tables["angle_iterations"], _ANGLE_STEP, len(pieces)),
+            _lists_of(tables["isometric_iterations"], _ISOMETRIC_STEP, len(pieces))):
         if cloth and not math.isfinite(cloth["shear_limit"]):
             cloth["shear_limit"] = None
         piece.update(
@@ -90,21 +136,21 @@ def _pieces(filter_: Any) -> List[Row]:
     return pieces
 
 
-def make_report(filter_: Any) -> Report:
-    """What became of the last run of a filter that gave flat pieces."""
-    remedies = [{"name": name, "subject": subject} for name, subject in remedies_of(filter_)]
-    wires, interior, quality, total = filter_.GetSeconds()
+def make_report(run: Mapping[str, Any], flattening: Mapping[str, Any]) -> Report:
+    """What became of a run that gave flat pieces."""
+    _, name, defect, ids, kind, remedies = run["status"]
+    tables = flattening["tables"]
+    wires, interior, quality, total = flattening["seconds"]
     return cast(Report, {
-        "status": filter_.GetStatusName(),
-        "message": _message(as_text(filter_.GetStatusDefect()), remedies),
-        "ids": ids_of(filter_),
-        "id_kind": filter_.GetStatusIdKind(),
-        "remedies": remedies,
-        "warnings": texts_of(filter_.GetStatusWarnings()),
-        "pieces": _pieces(filter_),
-        "left_out": rows_of(
-            filter_.GetLeftOutPieces(), {"reason": "Reason", "cell": "Cell", "triangles": "Triangles"}),
-        "curves": rows_of(filter_.GetCurves(), _CURVE),
+        "status": name,
+        "message": make_message(defect, remedies),
+        "ids": ids,
+        "id_kind": kind,
+        "remedies": [{"name": remedy, "subject": subject} for remedy, subject in remedies],
+        "warnings": run["warnings"],
+        "pieces": _pieces(tables),
+        "left_out": rows_of(tables["left_out"], {"reason": "Reason", "cell": "Cell", "triangles": "Triangles"}),
+        "curves": rows_of(tables["curves"], _CURVE),
         "seconds": {
             "wires": wires, "interior": interior, "quality": quality, "core": total, "total": total},
     })

@@ -14,10 +14,11 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._equality import ComparedByValue
 from ._errors import ArgumentError, ArgumentTypeError
-from ._options import material_text, options_of, set_option
+from ._options import checked, material_text, options_of
+from ._report import rows_of
 from ._result import Flattening
 from ._types import SewingTest
-from ._vtk import coordinates_of, numbers_of, rows_of, update
+from ._vtk import coordinates_of, demand_polydata, numbers_of, parts_of, set_properties, table_of, update
 from .vtkFiltersFlattening import vtkSewnShape
 
 
@@ -174,18 +175,18 @@ def resew(
     filter_ = vtkSewnShape()
     values = {"test": test, "thickness": thickness, "area_bias": area_bias, "max_iterations": max_iterations,
               "pressure": pressure, "gravity": pull, "material": material_text(material), "second_start": second_start}
-    for name, option in options_of(vtkSewnShape).items():
-        set_option(filter_, option, values[name])
+    set_properties(filter_, {
+        option.property: checked(option, values[name]) for name, option in options_of("vtkSewnShape").items()})
     if body is not None:
-        if not isinstance(body, vtkPolyData):
-            raise ArgumentTypeError(f"body is {type(body).__name__}; it must be a vtkPolyData")
+        demand_polydata(body, "body")
         filter_.SetBodyData(body)
-    filter_.SetInputData(flattening._parts.flat)
-    filter_.SetDesignData(flattening._parts.cut)
+    flat, _, cut = parts_of(flattening)
+    filter_.SetInputData(flat)
+    filter_.SetDesignData(cut)
     update(filter_, progress)
     sewn, design = filter_.GetOutput(0), filter_.GetOutput(1)
-    field, cells, table = sewn.GetFieldData(), sewn.GetCellData(), filter_.GetShapes()
-    threads = table.GetColumnByName("StrainWarpRms") is not None
+    field, cells, table = sewn.GetFieldData(), sewn.GetCellData(), table_of(filter_.GetShapes())
+    threads = "StrainWarpRms" in table
     shapes = [ResewnShape(**row) for row in rows_of(table, {**_COLUMNS, **(_THREADS if threads else {})})]
 
     pairs = field.GetArray("SeamStrains") is not None

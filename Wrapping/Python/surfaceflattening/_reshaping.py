@@ -10,12 +10,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._curves import CURVE_TYPES, KEY_SHAPES, Curve, curves_on, demand_polydata, make_curves, make_surface
+from ._curves import CURVE_TYPES, KEY_SHAPES, Curve
 from ._equality import ComparedByValue
-from ._options import make_filter, with_options
-from ._result import Flattening, result_of
-from ._vtk import coordinates_of, corners_of, numbers_of, points_of_cell, update, values_of
-from .vtkFiltersFlattening import vtkMakeFlattenable
+from ._options import with_options
+from ._result import Flattening
+from ._vtk import (
+    coordinates_of, corners_of, curves_on, demand_polydata, make_curves, make_filter, make_surface, numbers_of, points_of_cell,
+    result_of, update, values_of)
+
+_OWNER = "vtkMakeFlattenable"
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +58,7 @@ class Flattenable(ComparedByValue):
                 f"{self.strain_after:.3g}, bound {'met' if self.bound_met else 'not met'}; {self.flattening!r}>")
 
 
-@with_options(vtkMakeFlattenable)
+@with_options(_OWNER)
 def make_flattenable(
     points: ArrayLike,
     triangles: Optional[ArrayLike] = None,  # make_surface() says what is missing
@@ -78,7 +81,7 @@ def make_flattenable(
     return _make_flattenable(make_surface(points, triangles), make_curves(curves, points), body, **options)
 
 
-@with_options(vtkMakeFlattenable)
+@with_options(_OWNER)
 def make_flattenable_polydata(
     surface: vtkPolyData,
     curves: Union[None, vtkPolyData, Sequence[Union[Curve, ArrayLike]]] = None,
@@ -113,7 +116,7 @@ def _make_flattenable(
 ) -> Flattenable:
     if body is not None:
         demand_polydata(body, "body")
-    filter_ = make_filter(options, "make_flattenable", vtkMakeFlattenable)
+    filter_ = make_filter(options, "make_flattenable", _OWNER)
     filter_.SetInputData(surface)
     if curves is not None:
         filter_.SetCurvesData(curves)

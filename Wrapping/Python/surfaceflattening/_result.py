@@ -1,27 +1,27 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a flattening gives: the meshes of the filter, seen as numpy arrays and plain Python."""
+"""What a flattening gives, as numpy arrays and plain Python."""
 
 from __future__ import annotations  # help() prints hints as they are written here
 
 import os
 from dataclasses import dataclass, field
 from typing import (
-    TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Union, cast)
+    TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Union, cast, get_args)
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from ._curves import CURVE_TYPES
 from ._equality import ComparedByValue, same
-from ._report import make_report
+from ._options import word_of
+from ._report import Table, make_report, values_in
 from ._types import Coloring, Paper, Part, Report, Unit, WireType
-from ._vtk import Parts, arrays_of, bytes_of, coordinates_of, corners_of, id_rows, mesh_of, points_of_cell, values_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from ._grading import Grading
+    from ._vtk import Parts
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,8 +59,8 @@ class Flattening(ComparedByValue):
     """Flat pieces; n points and m triangles are those of the surface after cuts and imprints.
 
     Two of them are equal where all values but the report's "seconds" are. A notebook shows the picture
-    and the measures. The arrays are views of the meshes that to_polydata() copies and write_pattern()
-    draws: what is changed in them is changed there.
+    and the measures. to_polydata() copies the arrays and write_pattern() draws them: what is changed in them
+    is changed there.
 
     Attributes:
         positions: in the plane, unit of length of the surface; float64, shape (n, 2).
@@ -93,19 +93,25 @@ class Flattening(ComparedByValue):
     seam_closed: NDArray[np.bool_]
     overlap_edges: NDArray[np.int64]
     report: Report
-    _parts: Parts
+    # What to_polydata() has beside the above; of a mesh that was given all parts, whose arrays those above are.
+    _field_arrays: Dict[str, Any] = field(default_factory=dict, repr=False)
+    _wire_arrays: Dict[str, Any] = field(default_factory=dict, repr=False)
+    _parts: Optional[Parts] = field(default=None, repr=False)
     # Of the surface that was given, for to_polydata().
-    _mesh_class: type = field(default=vtkPolyData, repr=False, compare=False)
+    _mesh_class: Optional[type] = field(default=None, repr=False, compare=False)
 
     def __reduce__(self) -> Any:
-        return _unpickled, (*map(bytes_of, self._parts), self.report, self._mesh_class)
+        if self._parts is None:
+            return object.__reduce_ex__(self, 2)
+        from ._vtk import bytes_of, unpickled
+        return unpickled, (*map(bytes_of, self._parts), self.report, self._mesh_class)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Flattening):
             return NotImplemented
         mine, theirs = (
             {**vars(result), "report": {**cast(Dict[str, Any], result.report), "seconds": None},
-             "_parts": None, "_mesh_class": None} for result in (self, other))
+             "_field_arrays": None, "_wire_arrays": None, "_parts": None, "_mesh_class": None} for result in (self, other))
         return same(mine, theirs)
 
     def __repr__(self) -> str:
@@ -135,7 +141,8 @@ class Flattening(ComparedByValue):
             flatten_polydata(), such as pyvista.PolyData. It has all arrays of vtkWireWarpingFilter's
             output, with those that came with the surface.
         """
-        return self._parts.copy(part, self._mesh_class)
+        from ._vtk import copy_of, parts_of
+        return copy_of(getattr(parts_of(self), word_of(part, get_args(Part), "part")), self._mesh_class)
 
     def write_pattern(
         self,
@@ -239,10 +246,10 @@ class Flattening(ComparedByValue):
             FileError: the file cannot be written.
             OutOfMemoryError: there is not enough memory to draw it.
         """
+        options = {key: value for key, value in locals().items() if key not in ("self", "path")}
         from ._pattern import write_parts
-        options = {key: value for key, value in locals().items()
-                   if key not in ("self", "path", "write_parts")}
-        write_parts(self._parts, os.fspath(path), options)
+        from ._vtk import parts_of
+        write_parts(parts_of(self), os.fspath(path), options)
 
     def plot(self, color_by: Optional[Coloring] = "homogeneity", *, ax: Optional[Axes] = None,
              measures: bool = True) -> Axes:
@@ -263,55 +270,34 @@ class Flattening(ComparedByValue):
         return plot(self, color_by, ax, measures)
 
 
-def _wires(output: vtkPolyData) -> List[Wire]:
-    cells = output.GetCellData()
-    columns = {
-        name: values_of(cells, name)
-        for name in ("CurveType", "CurveId", "CurveName", "PieceId", "Boundary", "Connector",
-                     "RestLength", "FlatLength", "LengthError")
-    }
+def wires_of(cells: Table, chains: Sequence[NDArray[np.int64]]) -> List[Wire]:
+    """Wires by the arrays of their cells and their points."""
+    columns = [values_in(cells, name) for name in (
+        "CurveType", "CurveId", "CurveName", "PieceId", "Boundary", "Connector", "RestLength", "FlatLength", "LengthError")]
     result = []
-    for row, kind in enumerate(columns["CurveType"]):
-        other: WireType = "connector" if columns["Connector"][row] else "boundary"
+    for vertices, (kind, curve, name, piece, boundary, connector, *lengths) in zip(chains, zip(*columns)):
+        other: WireType = "connector" if connector else "boundary"
         result.append(Wire(
-            vertices=np.array(points_of_cell(output, row), np.int64),
-            type=other if kind < 0 else CURVE_TYPES[kind],
-            curve=columns["CurveId"][row],
-            name=columns["CurveName"][row],
-            piece=columns["PieceId"][row],
-            boundary=bool(columns["Boundary"][row]),
-            rest_length=columns["RestLength"][row],
-            flat_length=columns["FlatLength"][row],
-            length_error=columns["LengthError"][row],
-        ))
+            vertices, other if kind < 0 else CURVE_TYPES[kind], curve, name, piece, bool(boundary), *lengths))
     return result
 
 
-def result_of(filter_: Any, mesh_class: type) -> Flattening:
-    """The outputs of a filter that has flattened."""
-    parts = Parts(*(filter_.GetOutput(port) for port in range(3)))
-    return _make_result(parts, make_report(filter_), mesh_class)
-
-
-def _make_result(parts: Parts, report: Report, mesh_class: type) -> Flattening:
-    flat, wires, cut = parts
+def flattening_of(run: Mapping[str, Any], given: Mapping[str, Any], parts: Optional[Parts] = None,
+                  mesh_class: Optional[type] = None, report: Optional[Report] = None) -> Flattening:
+    """What a run of the algorithms gave."""
+    fields = given["field_arrays"]
     return Flattening(
-        positions=coordinates_of(flat)[:, :2],
-        triangles=corners_of(flat),
-        points=coordinates_of(cut),
-        point_arrays=arrays_of(flat.GetPointData()),
-        cell_arrays=arrays_of(flat.GetCellData()),
-        wires=_wires(wires),
-        seam_pairs=id_rows(flat.GetFieldData(), "SeamPairs", 5),
-        seam_closed=np.array(values_of(flat.GetFieldData(), "SeamClosed"), np.bool_),
-        overlap_edges=id_rows(flat.GetFieldData(), "OverlapEdges", 5),
-        report=report,
+        positions=given["positions"],
+        triangles=given["triangles"],
+        points=given["points"],
+        point_arrays=given["point_arrays"],
+        cell_arrays=given["cell_arrays"],
+        wires=wires_of(given["wire_arrays"], given["wires"]),
+        seam_pairs=fields["SeamPairs"] if "SeamPairs" in fields else np.empty((0, 5), np.int64),
+        seam_closed=np.array(values_in(fields, "SeamClosed"), np.bool_),
+        overlap_edges=fields["OverlapEdges"] if "OverlapEdges" in fields else np.empty((0, 5), np.int64),
+        report=make_report(run, given) if report is None else report,
+        _field_arrays=fields,
+        _wire_arrays=given["wire_arrays"],
         _parts=parts,
-        _mesh_class=mesh_class,
-    )
-
-
-def _unpickled(flat: bytes, wires: bytes, cut: bytes, report: Report, mesh_class: type) -> Flattening:
-    parts = Parts(*map(mesh_of, (flat, wires, cut)))
-    parts.wires.SetPoints(parts.flat.GetPoints())  # as the filter gives them
-    return _make_result(parts, report, mesh_class)
+        _mesh_class=mesh_class)

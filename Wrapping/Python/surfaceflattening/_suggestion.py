@@ -10,12 +10,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._curves import CURVE_TYPES, Curve, add_weights, curves_on, demand_polydata, make_curves, make_surface
+from ._curves import CURVE_TYPES, Curve, weights_of
 from ._equality import ComparedByValue
-from ._options import make_filter, with_options
-from ._result import Flattening, result_of
-from ._vtk import coordinates_of, points_of_cell, rows_of, update, values_of
-from .vtkFiltersFlattening import vtkFeatureCurveSuggestion
+from ._options import with_options
+from ._report import rows_of
+from ._result import Flattening
+from ._vtk import (
+    add_weights, coordinates_of, curves_on, demand_polydata, make_curves, make_filter, make_surface, points_of_cell, result_of,
+    table_of, update, values_of)
+
+_OWNER = "vtkFeatureCurveSuggestion"
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,7 +138,7 @@ def _make_suggestion(filter_: Any, flattening: Flattening) -> Suggestion:
             before, after, mirrors[cell] - 1 if mirrors[cell] > 0 else -1, *area))
     field = curves.GetFieldData()
     met = values_of(filter_.GetOutputDataObject(6).GetRowData(), "BoundMet")
-    left_out = [LeftOutLine(**row) for row in rows_of(filter_.GetLeftOutLines(), {
+    left_out = [LeftOutLine(**row) for row in rows_of(table_of(filter_.GetLeftOutLines()), {
         "name": "Name", "type": "Type", "length": "Length", "gain": "Gain", "E_area_before": "AreaErrorBefore",
         "E_area_after": "AreaErrorAfter", "strain_before": "StrainBefore", "strain_after": "StrainAfter",
         "sound": "Sound"})]
@@ -144,7 +148,7 @@ def _make_suggestion(filter_: Any, flattening: Flattening) -> Suggestion:
     return Suggestion(cuts, bool(met[0]), flattening, left_out, mirror)
 
 
-@with_options(vtkFeatureCurveSuggestion)
+@with_options(_OWNER)
 def suggest(
     points: ArrayLike,
     triangles: Optional[ArrayLike] = None,  # make_surface() says what is missing
@@ -174,10 +178,11 @@ def suggest(
     """
     surface = make_surface(points, triangles)
     return _suggest(
-        surface, make_curves(curves, points), weights=None if weights is None else add_weights(surface, weights), **options)
+        surface, make_curves(curves, points), weights=None if weights is None else add_weights(
+            surface, weights_of(weights, surface.GetNumberOfCells())), **options)
 
 
-@with_options(vtkFeatureCurveSuggestion)
+@with_options(_OWNER)
 def suggest_polydata(
     surface: vtkPolyData,
     curves: Union[None, vtkPolyData, Sequence[Union[Curve, ArrayLike]]] = None,
@@ -195,7 +200,7 @@ def suggest_polydata(
 
 
 def _suggest(surface: vtkPolyData, curves: Optional[vtkPolyData], **options: Any) -> Suggestion:
-    filter_ = make_filter(options, "suggest", vtkFeatureCurveSuggestion)
+    filter_ = make_filter(options, "suggest", _OWNER)
     filter_.SetInputData(surface)
     if curves is not None:
         filter_.SetCurvesData(curves)

@@ -1,31 +1,26 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Between numpy and VTK: arrays of both, tables, texts, and runs of filters, readers and writers."""
+"""Between numpy and VTK: arrays of both, meshes, tables, texts, and runs of filters, readers and writers."""
 
 from __future__ import annotations
 
 import os
 import warnings
-from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple, Type, Union, get_args
+from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import (
     VTK_CHAR, vtkBitArray, vtkCharArray, vtkPoints, vtkStringArray, vtkUnsignedCharArray)
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyData
 
-from ._errors import ArgumentError, ArgumentTypeError, FileError, FlatteningError, FlatteningWarning, MissingFileError, OutOfMemoryError
-from ._options import word_of
-from ._remedies import make_message
-from ._types import Part
-from .vtkFiltersFlattening import vtkFlatteningAlgorithm
-
-Row = Dict[str, Any]
-
-_TRUTH_VALUES = (
-    "overlaps_complete", "repaired", "released", "exact", "one_way", "sound", "converged", "several_shapes")
-_KINDS: Dict[str, Type[FlatteningError]] = {
-    "FileNotWritten": FileError, "FileNotFound": MissingFileError, "OutOfMemory": OutOfMemoryError}
+from . import vtkFiltersFlattening as _filters
+from ._curves import Curve, curve_rows, surface_of
+from ._errors import ArgumentTypeError, FlatteningError, MissingFileError
+from ._options import WARPING, read_options, text_of
+from ._report import Status, error_of, raise_refusal, warn_of
+from ._result import Flattening, flattening_of
+from ._types import Report
 
 
 def as_text(value: Any) -> str:
@@ -56,13 +51,10 @@ def values_of(field: Any, name: str) -> List[Any]:
     return values
 
 
-def rows_of(table: Any, columns: Dict[str, str]) -> List[Row]:
-    """The rows of a vtkTable, with some of its columns by other names; none where one is not there."""
-    values = [values_of(table.GetRowData(), name) for name in columns.values()]
-    rows = [dict(zip(columns, row)) for row in zip(*values)]
-    for row in rows:
-        row.update((key, bool(row[key])) for key in _TRUTH_VALUES if key in row)
-    return rows
+def table_of(table: Any) -> Dict[str, List[Any]]:
+    """The columns of a vtkTable."""
+    rows = table.GetRowData()
+    return {rows.GetArrayName(k): values_of(rows, rows.GetArrayName(k)) for k in range(rows.GetNumberOfArrays())}
 
 
 def coordinates_of(mesh: vtkPolyData) -> NDArray[np.float64]:
@@ -91,35 +83,34 @@ def demand_memory(size: int) -> None:
     np.empty(3 * size + (1 << 20), np.uint8)
 
 
-def to_vtk(values: NDArray[Any]) -> Any:
-    """A copy."""
-    demand_memory(values.nbytes)
-    return numpy_to_vtk(values, deep=True)
+def to_vtk(values: NDArray[Any], deep: bool = True) -> Any:
+    """A copy, or an array that has the same memory."""
+    demand_memory(values.nbytes if deep else 0)
+    return numpy_to_vtk(values, deep=deep)
 
 
-def to_vtk_ids(values: NDArray[np.int64]) -> Any:
-    """A copy."""
-    demand_memory(values.nbytes)
-    return numpy_to_vtkIdTypeArray(values, deep=True)
+def to_vtk_ids(values: NDArray[np.int64], deep: bool = True) -> Any:
+    """A copy, or an array that has the same memory."""
+    demand_memory(values.nbytes if deep else 0)
+    return numpy_to_vtkIdTypeArray(values, deep=deep)
 
 
-def make_points(coordinates: NDArray[np.float64]) -> vtkPoints:
-    """A copy."""
+def make_points(coordinates: NDArray[np.float64], deep: bool = True) -> vtkPoints:
+    """A copy, or points in the same memory."""
     points = vtkPoints()
-    points.SetData(to_vtk(np.ascontiguousarray(coordinates)))
+    points.SetData(to_vtk(np.ascontiguousarray(coordinates), deep))
     return points
+
+
+def _cells(offsets: NDArray[np.int64], connectivity: NDArray[np.int64]) -> vtkCellArray:
+    result = vtkCellArray()
+    result.SetData(to_vtk_ids(offsets.astype(np.int64)), to_vtk_ids(connectivity.astype(np.int64)))
+    return result
 
 
 def make_cells(cells: Sequence[NDArray[np.int64]]) -> vtkCellArray:
     """Cells of any number of points."""
-    offsets = np.cumsum([0] + [len(cell) for cell in cells], dtype=np.int64)
-    connectivity = np.concatenate(cells) if cells else np.empty(0, np.int64)
-    result = vtkCellArray()
-    result.SetData(
-        to_vtk_ids(offsets),
-        to_vtk_ids(connectivity.astype(np.int64)),
-    )
-    return result
+    return _cells(np.cumsum([0] + [len(cell) for cell in cells]), np.concatenate(cells) if cells else np.empty(0, np.int64))
 
 
 def make_triangles(corners: NDArray[np.int64]) -> vtkCellArray:
@@ -147,17 +138,6 @@ def strings(name: str, values: Sequence[str]) -> vtkStringArray:
     return array
 
 
-def text_of(what: str, value: Any) -> str:
-    """A string that VTK can hold, or an error that names what it is."""
-    if not isinstance(value, str):
-        raise ArgumentTypeError(f"{what} = {value!r} must be a string")
-    try:
-        value.encode()  # VTK ends the interpreter on a lone surrogate
-    except UnicodeEncodeError as error:
-        raise ArgumentError(f"{what} = {value!r} is no text that UTF-8 can hold: {error.reason}") from None
-    return value
-
-
 class Parts(NamedTuple):
     """The outputs of vtkWireWarpingFilter, with all of their arrays."""
 
@@ -165,20 +145,52 @@ class Parts(NamedTuple):
     wires: vtkPolyData
     cut: vtkPolyData
 
-    def copy(self, part: Part, mesh_class: Type[Any] = vtkPolyData) -> Any:
-        """A deep copy of one, as a vtkPolyData or as an object of a class that derives from it."""
-        mesh: vtkPolyData = getattr(self, word_of(part, get_args(Part), "part"))
-        demand_memory(1024 * mesh.GetActualMemorySize())
-        copy = vtkPolyData()
-        copy.DeepCopy(mesh)
-        if isinstance(copy, mesh_class):
-            return copy
-        try:
-            return mesh_class(copy)
-        except TypeError:  # it takes no data set to begin with
-            other = mesh_class()
-            other.ShallowCopy(copy)
-            return other
+
+def copy_of(mesh: vtkPolyData, mesh_class: Optional[type] = None) -> Any:
+    """A deep copy, as a vtkPolyData or as an object of a class that derives from it."""
+    demand_memory(1024 * mesh.GetActualMemorySize())
+    copy = vtkPolyData()
+    copy.DeepCopy(mesh)
+    if mesh_class is None or isinstance(copy, mesh_class):
+        return copy
+    try:
+        return mesh_class(copy)
+    except TypeError:  # it takes no data set to begin with
+        other: Any = mesh_class()
+        other.ShallowCopy(copy)
+        return other
+
+
+def _add(data: Any, arrays: Mapping[str, Any], deep: bool = True) -> None:
+    for name, values in arrays.items():
+        if isinstance(values, list):
+            data.AddArray(strings(name, values))
+        elif len(values) > 0 or data.IsA("vtkDataSetAttributes"):
+            array = np.ascontiguousarray(values)
+            data.AddArray(named(name, (to_vtk_ids if array.dtype == np.int64 else to_vtk)(array, deep)))
+
+
+def parts_of(result: Flattening) -> Parts:
+    """The outputs of vtkWireWarpingFilter for a result: its own, or made of its arrays, whose memory they have."""
+    if result._parts is not None:
+        return result._parts
+    flat, wires, cut = vtkPolyData(), vtkPolyData(), vtkPolyData()
+    flat.SetPoints(make_points(np.column_stack([result.positions, np.zeros(len(result.positions))])))
+    cut.SetPoints(make_points(result.points, deep=False))
+    wires.SetPoints(flat.GetPoints())
+    wires.SetLines(make_cells([wire.vertices for wire in result.wires]))
+    for mesh in (flat, cut):
+        mesh.SetPolys(make_triangles(result.triangles))
+        _add(mesh.GetCellData(), result.cell_arrays, deep=False)
+        mesh.GetCellData().SetActiveScalars("HomogeneityOfDistortion")
+    for mesh in (flat, wires, cut):
+        _add(mesh.GetPointData(), result.point_arrays, deep=False)
+    _add(cut.GetPointData(), {"FlatPositions": result.positions}, deep=False)
+    cut.GetPointData().SetActiveTCoords("FlatPositions")
+    _add(wires.GetCellData(), result._wire_arrays, deep=False)
+    wires.GetCellData().SetActiveScalars("WireKind")
+    _add(flat.GetFieldData(), result._field_arrays, deep=False)
+    return Parts(flat, wires, cut)
 
 
 def as_numpy(array: Any) -> NDArray[Any]:
@@ -199,13 +211,6 @@ def arrays_of(attributes: Any) -> Dict[str, NDArray[Any]]:
     return result
 
 
-def id_rows(field_data: Any, name: str, components: int) -> NDArray[np.int64]:
-    array = field_data.GetAbstractArray(name)
-    if array is None:
-        return np.empty((0, components), np.int64)
-    return np.asarray(vtk_to_numpy(array), np.int64).reshape(-1, components)
-
-
 def bytes_of(mesh: vtkPolyData) -> bytes:
     from vtkmodules.vtkParallelCore import vtkCommunicator
     named, buffer = vtkPolyData(), vtkCharArray()
@@ -218,15 +223,15 @@ def bytes_of(mesh: vtkPolyData) -> bytes:
     return bytes(vtk_to_numpy(buffer))
 
 
-def error_of(source: Any, message: str = "") -> FlatteningError:
-    """The error of the last run of a filter, writer or reader, or the warning that it is worth."""
+def status_of(source: Any) -> Status:
+    """How the last run of a filter, writer or reader ended."""
     name = source.GetStatusName() if hasattr(source, "GetStatusName") else "InvalidFile"
     remedies = remedies_of(source) if hasattr(source, "GetStatusRemedies") else []
     is_filter = hasattr(source, "GetStatusIdKind")
-    return _KINDS.get(name, FlatteningError)(
-        source.GetStatusCode() if is_filter else -1, name, ids_of(source) if is_filter else [],
-        message or make_message(as_text(source.GetStatusDefect()), remedies),
-        source.GetStatusIdKind() if is_filter else "", remedies)
+    return (source.GetStatusCode() if is_filter else -1, name,
+            as_text(source.GetStatusDefect()) if hasattr(source, "GetStatusDefect") else "",
+            vtk_to_numpy(source.GetStatusIds()).tolist() if is_filter else [],
+            source.GetStatusIdKind() if is_filter else "", remedies)
 
 
 def mesh_of(content: bytes) -> vtkPolyData:
@@ -236,12 +241,6 @@ def mesh_of(content: bytes) -> vtkPolyData:
     vtkCommunicator.UnMarshalDataObject(
         numpy_to_vtk(np.frombuffer(content, np.int8), array_type=VTK_CHAR), mesh)
     return mesh
-
-
-def ids_of(filter_: Any) -> List[int]:
-    """The offending elements of its last run."""
-    ids: List[int] = vtk_to_numpy(filter_.GetStatusIds()).tolist()
-    return ids
 
 
 def silence(algorithm: Any) -> None:
@@ -280,13 +279,142 @@ def update(filter_: Any, progress: Optional[Callable[[float], Any]] = None, fini
     found = finishes and raised and isinstance(raised[0], KeyboardInterrupt) and not filter_.IsRefused()
     if raised and not found:
         raise raised[0]
+    run = run_of(filter_)
+    raise_refusal(run)
+    warn_of(run, 3)
 
-    if filter_.IsRefused():
-        raise error_of(filter_)
-    for warning in texts_of(filter_.GetStatusWarnings()):
-        warnings.warn(warning, FlatteningWarning, stacklevel=4)
-    if filter_.GetStatusCode() != vtkFlatteningAlgorithm.OK:
-        warnings.warn(str(error_of(filter_)), FlatteningWarning, stacklevel=4)
+
+def run_of(filter_: Any) -> Dict[str, Any]:
+    """What a filter says of its last run."""
+    return {"status": status_of(filter_), "refused": filter_.IsRefused(), "warnings": texts_of(filter_.GetStatusWarnings())}
+
+
+def arrays_of_parts(parts: Parts) -> Dict[str, Any]:
+    """Those that a result has, but tables."""
+    flat, wires, cut = parts
+    cells, fields = wires.GetCellData(), flat.GetFieldData()
+    return {
+        "positions": coordinates_of(flat)[:, :2], "triangles": corners_of(flat), "points": coordinates_of(cut),
+        "point_arrays": arrays_of(flat.GetPointData()), "cell_arrays": arrays_of(flat.GetCellData()),
+        "field_arrays": arrays_of(fields), "wires": [
+            np.array(points_of_cell(wires, row), np.int64) for row in range(wires.GetNumberOfCells())],
+        "wire_arrays": {cells.GetArrayName(k): values_of(cells, cells.GetArrayName(k))
+                        for k in range(cells.GetNumberOfArrays()) if cells.GetArrayName(k)}}
+
+
+def result_of(filter_: Any, mesh_class: type) -> Flattening:
+    """The outputs of a filter that has flattened."""
+    parts = Parts(*(filter_.GetOutput(port) for port in range(3)))
+    given = arrays_of_parts(parts)
+    given["tables"] = {name: table_of(table) for name, table in (
+        ("pieces", filter_.GetPieces()), ("curves", filter_.GetCurves()),
+        ("angle_iterations", filter_.GetAngleIterations()),
+        ("isometric_iterations", filter_.GetIsometricIterations()), ("releases", filter_.GetReleases()),
+        ("piece_remedies", filter_.GetPieceRemedies()), ("left_out", filter_.GetLeftOutPieces()))}
+    given["seconds"] = filter_.GetSeconds()
+    return flattening_of(run_of(filter_), given, parts, mesh_class)
+
+
+def unpickled(flat: bytes, wires: bytes, cut: bytes, report: Report, mesh_class: type) -> Flattening:
+    """A result of a mesh, of which bytes_of() was sent."""
+    parts = Parts(*map(mesh_of, (flat, wires, cut)))
+    parts.wires.SetPoints(parts.flat.GetPoints())  # as the filter gives them
+    return flattening_of({}, arrays_of_parts(parts), parts, mesh_class, report)
+
+
+def make_filter(options: Mapping[str, Any], function: str, owner: str = WARPING) -> Any:
+    """A filter with these options, or an exception that names the wrong one."""
+    owner, values = read_options(options, function, owner)
+    filter_ = getattr(_filters, owner)()
+    filter_.CachingOff()  # it runs once
+    set_properties(filter_, values)
+    return filter_
+
+
+_ADDERS = {"CurveTolerances": "AddCurveTolerance", "CurveEases": "AddCurveEase", "Preferences": "AddPreference",
+           "KeptCurves": "AddKeptCurve"}
+
+
+def set_properties(filter_: Any, values: Mapping[str, Any]) -> None:
+    """Sets properties and lists to values that are known to be right."""
+    for property_, value in values.items():
+        if property_ in _ADDERS:
+            for row in value:
+                getattr(filter_, _ADDERS[property_])(*row)
+        elif hasattr(filter_, "Set" + property_):  # a scheme of its own has not all of them
+            getattr(filter_, "Set" + property_)(value)
+
+
+def make_surface(points: ArrayLike, triangles: Optional[ArrayLike]) -> vtkPolyData:
+    """The surface as vtkPolyData, for the filters.
+
+    Args:
+        points: positions in any unit of length, shape (n, 3). Whole numbers are coordinates as well.
+        triangles: ids of their corners, counted from 0, shape (m, 3); or a flat list of polygons, each
+            the number of its corners and then their ids, as PyVista's `faces`.
+
+    Raises:
+        ValueError: another shape, ids that are not whole numbers, masked values, or whole numbers as
+            coordinates beyond 2**53.
+    """
+    coordinates, corners, offsets = surface_of(points, triangles)
+    surface = vtkPolyData()
+    surface.SetPoints(make_points(coordinates))
+    surface.SetPolys(make_triangles(corners) if offsets is None else _cells(offsets, corners))
+    return surface
+
+
+def add_weights(surface: vtkPolyData, weights: NDArray[np.float64]) -> str:
+    """Adds a number a cell to the surface; the name of the array."""
+    surface.GetCellData().AddArray(named("Weight", to_vtk(np.ascontiguousarray(weights))))
+    return "Weight"
+
+
+def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) -> vtkPolyData:
+    """Feature curves as vtkPolyData, polylines with the arrays that the filters read.
+
+    Args:
+        curves: each a :class:`Curve`, or what its `points` may be.
+        points: positions of the surface, shape (n, 3), that point ids refer to.
+
+    Raises:
+        TypeError: a name that is no string.
+        ValueError: a wrong shape or word, a point that the surface does not have, or a name with
+            NUL or what UTF-8 cannot hold.
+    """
+    rows = curve_rows(curves, points)
+    ends = np.cumsum([0] + [len(row.positions) for row in rows])
+    result = vtkPolyData()
+    result.SetPoints(make_points(np.concatenate([row.positions for row in rows] or [np.empty((0, 3))])))
+    result.SetLines(_cells(ends, np.arange(ends[-1])))
+    _add(result.GetCellData(), {
+        "CurveName": [row.name for row in rows],
+        "CurveType": np.array([row.type for row in rows], np.int32),
+        "KeyShape": np.array([row.key_shape for row in rows], np.int32),
+        "LengthTolerance": np.array([row.tolerance for row in rows], np.float64)})
+    if any(row.planar_shape is not None for row in rows):
+        _add(result.GetPointData(), {"PlanarShape": np.concatenate([
+            np.full((len(row.positions), 2), np.nan) if row.planar_shape is None else row.planar_shape for row in rows])})
+    return result
+
+
+def demand_polydata(data: Any, what: str, hint: str = "") -> None:
+    """TypeError where the pipeline would print an error and give no result."""
+    if not isinstance(data, vtkPolyData):
+        raise ArgumentTypeError(f"{what} is {type(data).__name__}; it must be a vtkPolyData{hint}")
+
+
+def curves_on(
+    surface: vtkPolyData, curves: Union[None, vtkPolyData, Sequence[Union[Curve, ArrayLike]]]
+) -> Optional[vtkPolyData]:
+    """Feature curves of a mesh, as they are or made from a list, whose ids are those of its points."""
+    if curves is None or isinstance(curves, vtkPolyData):
+        return curves
+    if isinstance(curves, (str, bytes, vtkDataObject)) or not isinstance(curves, Sequence):
+        demand_polydata(curves, "curves", " or a list of curves")
+    points = surface.GetPoints()
+    return make_curves(
+        curves, np.empty((0, 3)) if points is None else coordinates_of(surface))
 
 
 def read_file(reader: Any, path: Union[str, os.PathLike[str]]) -> None:
@@ -297,4 +425,5 @@ def read_file(reader: Any, path: Union[str, os.PathLike[str]]) -> None:
     message = as_text(reader.GetErrorMessage())
     if message:
         missing = not os.path.exists(path)
-        raise MissingFileError(-1, "FileNotFound", [], message) if missing else error_of(reader, message)
+        code, name, *_ = status_of(reader)
+        raise MissingFileError(-1, "FileNotFound", [], message) if missing else error_of((code, name, message, [], "", []))

@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Conversions.h"
+
+#include "Base/Types.h"
+#include "Flattening/FlatteningOptions.h"
+#include "Input/ClothInput.h"
+#include "Input/InputSurface.h"
+#include "Input/StatusWords.h"
+
+#ifdef __linux__
+#include <sched.h>
+#endif
+#ifndef _WIN32
+#include <sys/resource.h>
+#endif
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <variant>
+
+namespace flattening::python
+{
+namespace
+{
+/// How many threads a loop may have. A thread for whose own data there is no memory ends the
+/// process in the C library: under a limit of memory there is one.
+unsigned int threadCount()
+{
+#ifndef _WIN32
+  rlimit memory{};
+  if (getrlimit(RLIMIT_AS, &memory) != 0 || memory.rlim_cur != RLIM_INFINITY)
+  {
+    return 1;
+  }
+#endif
+#ifdef __linux__
+  cpu_set_t allowed;
+  if (sched_getaffinity(0, sizeof(allowed), &allowed) == 0)
+  {
+    return static_cast<unsigned int>(CPU_COUNT(&allowed));
+  }
+#endif
+  return std::max(1u, std::thread::hardware_concurrency());
+}
+
+/// Threads of a loop live no longer than it, so that a process can fork in between.
+void runParallel(Index count, const std::function<void(Index, Index)>& body)
+{
+  // Below, starting a thread takes longer than most bodies.
+  constexpr Index leastRange = 64;
+  const Index ranges = std::min<Index>(static_cast<Index>(4 * threadCount()), count / leastRange);
+  if (ranges < 2 || threadCount() < 2)
+  {
+    body(0, count);
+    return;
+  }
+  std::atomic<Index> next{ 0 };
+  std::exception_ptr raised;
+  std::mutex lock;
+  const auto work = [&] {
+    for (Index k = next++; k < ranges; k = next++)
+    {
+      const auto at = [&](Index range) {
+        return static_cast<Index>(std::int64_t{ count } * range / ranges);
+      };
+      try
+      {
+        body(at(k), at(k + 1));
+      }
+      catch (...)
+      {
+        const std::lock_guard<std::mutex> guard(lock);
+        raised = std::current_exception();
+      }
+    }
+  };
+  std::vector<std::thread> threads;
+  try
+  {
+    threads.reserve(threadCount());
+    while (threads.size() + 1 < threadCount())
+    {
+      threads.emplace_back(work);
+    }
+  }
+  catch (const std::system_error&) // the system has no more: those that run do all
+  {
+  }
+  work();
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  if (raised)
+  {
+    std::rethrow_exception(raised);
+  }
+}
+
+Points2 points2Of(const Numbers& values)
+{
+  Points2 points(static_cast<std::size_t>(values.shape(0)));
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    points[k] = Point2(values.data()[2 * k], values.data()[2 * k + 1]);
+  }
+  return points;
+}
+
+Points3 points3Of(const Numbers& values)
+{
+  Points3 points(static_cast<std::size_t>(values.shape(0)));
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    const double* const x = values.data() + 3 * k;
+    points[k] = Point3(x[0], x[1], x[2]);
+  }
+  return points;
+}
+}
+
+OptionValue valueOf(const Option& option, const py::handle& value)
+{
+  switch (option.type)
+  {
+    case OptionType::Text:
+      return value.cast<std::string>();
+    case OptionType::Ids:
+    case OptionType::Numbers:
+    {
+      std::vector<double> numbers;
+      for (const py::handle number : value)
+      {
+        numbers.push_back(number.cast<double>());
+      }
+      return numbers;
+    }
+    default:
+      return value.cast<double>();
+  }
+}
+
+OptionOwner ownerNamed(const std::string& name)
+{
+  for (const Option& option : optionTable())
+  {
+    if (className(option.owner) == name)
+    {
+      return option.owner;
+    }
+  }
+  throw py::value_error("no class " + name + " has options");
+}
+
+py::object textOf(const std::string& text)
+{
+  PyObject* const decoded =
+    PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "replace");
+  if (!decoded)
+  {
+    throw py::error_already_set();
+  }
+  return py::reinterpret_steal<py::object>(decoded);
+}
+
+py::dict dictOf(Columns columns)
+{
+  py::dict dict;
+  for (Column& column : columns)
+  {
+    dict[textOf(column.name)] = std::visit(
+      [&column](auto&& values) -> py::object {
+        using Value = typename std::decay_t<decltype(values)>::value_type;
+        if constexpr (std::is_same_v<Value, std::string>)
+        {
+          py::list texts;
+          for (const std::string& text : values)
+          {
+            texts.append(textOf(text));
+          }
+          return std::move(texts);
+        }
+        else
+        {
+          return arrayOf<Value>(std::move(values), column.components);
+        }
+      },
+      std::move(column.values));
+  }
+  return dict;
+}
+
+py::tuple tupleOf(const Status& status)
+{
+  py::list remedies;
+  for (const SuggestedRemedy& suggested : status.remedies)
+  {
+    remedies.append(py::make_tuple(remedyName(suggested.remedy), textOf(suggested.subject)));
+  }
+  py::list ids;
+  for (const std::int64_t id : status.ids.values)
+  {
+    ids.append(id);
+  }
+  return py::make_tuple(static_cast<int>(status.code), statusName(status.code),
+    textOf(status.message), ids, kindName(status.ids.kind), remedies);
+}
+
+SurfaceTriangles readSurface(const Numbers& points, const Ids& corners, const py::object& offsets)
+{
+  SurfaceTriangles surface;
+  surface.outcome = checkSize(points.shape(0), corners.size());
+  if (!surface.outcome.ok())
+  {
+    return surface;
+  }
+  surface.points = points3Of(points);
+  Indices starts;
+  if (!offsets.is_none())
+  {
+    const auto given = offsets.cast<Ids>();
+    starts.assign(given.data(), given.data() + given.size());
+  }
+  else
+  {
+    for (Index k = 0; k <= corners.size(); k += 3)
+    {
+      starts.push_back(k);
+    }
+  }
+  Indices ids(static_cast<std::size_t>(corners.size()));
+  std::transform(corners.data(), corners.data() + corners.size(), ids.begin(), pointIndex);
+  const auto sound = [&surface](Index p) {
+    return p >= 0 && p < static_cast<Index>(surface.points.size()) && isFinite(surface.points[p]);
+  };
+  const bool divides = std::all_of(ids.begin(), ids.end(), sound);
+  std::vector<std::int64_t> lost;
+  for (std::size_t cell = 0; cell + 1 < starts.size(); ++cell)
+  {
+    const Indices polygon(ids.begin() + starts[cell], ids.begin() + starts[cell + 1]);
+    if (polygon.size() > 3 && divides)
+    {
+      if (!appendPolygon(surface, static_cast<std::int64_t>(cell), polygon, {}))
+      {
+        lost.push_back(static_cast<std::int64_t>(cell));
+      }
+      continue;
+    }
+    // Triangles; or fans, which keep the unsound points for prepareSurface() to refuse.
+    for (std::size_t k = 2; k < polygon.size(); ++k)
+    {
+      surface.triangles.push_back({ polygon[0], polygon[k - 1], polygon[k] });
+      surface.cellOfTriangle.push_back(static_cast<std::int64_t>(cell));
+    }
+  }
+  surface.outcome = refuseLost(lost);
+  return surface;
+}
+
+CurveInput readCurves(const py::list& curves)
+{
+  CurveInput input;
+  Index first = 0;
+  for (const py::handle curve : curves)
+  {
+    const auto row = curve.cast<py::tuple>();
+    const auto cell = static_cast<std::int64_t>(input.polylines.size());
+    Polyline polyline;
+    polyline.points = points3Of(row[0].cast<Numbers>());
+    for (std::size_t k = 0; k < polyline.points.size(); ++k)
+    {
+      polyline.pointIds.push_back(first++);
+    }
+    polyline.name = row[1].cast<std::string>();
+    polyline.type = static_cast<CurveType>(row[2].cast<int>());
+    polyline.keyShape = static_cast<KeyShape>(row[3].cast<int>());
+    polyline.tolerance = row[4].cast<double>();
+    input.outcome = checkTolerance(cell, polyline.tolerance);
+    if (input.outcome.ok() && !row[5].is_none())
+    {
+      input.outcome = takePlanarShape(points2Of(row[5].cast<Numbers>()), polyline);
+    }
+    if (!input.outcome.ok())
+    {
+      return input;
+    }
+    input.polylines.push_back(std::move(polyline));
+    input.cellOfPolyline.push_back(cell);
+    input.sourceOfPolyline.push_back(1);
+  }
+  return input;
+}
+
+Settings::Settings(const std::string& owner, const py::dict& values)
+{
+  const auto has = [&values](const char* property) { return values.contains(property); };
+  const OptionOwner last = ownerNamed(owner);
+  for (const Option* const option : optionsOf(last))
+  {
+    if (option->set && has(option->property.c_str()))
+    {
+      option->set(this->structures, valueOf(*option, values[option->property.c_str()]));
+    }
+  }
+  FlatteningOptions& flattening = this->structures.flattening;
+  if (last == OptionOwner::Conformal)
+  {
+    flattening.scheme = Scheme::LeastSquaresConformal;
+    const auto ids = values["Pins"].cast<py::sequence>();
+    this->pins = { ids[0].cast<std::int64_t>(), ids[1].cast<std::int64_t>() };
+  }
+  const auto material = values["Material"].cast<std::string>();
+  if (!material.empty())
+  {
+    flattening.cloth = readCloth(material, values["Grain"].cast<std::string>());
+  }
+  const auto rows = [&](const char* property) {
+    return has(property) ? values[property].cast<py::list>() : py::list();
+  };
+  for (const py::handle item : rows("CurveTolerances"))
+  {
+    const auto row = item.cast<py::tuple>();
+    this->tolerances.emplace_back(row[0].cast<std::string>(), row[1].cast<double>());
+  }
+  for (const py::handle item : rows("CurveEases"))
+  {
+    const auto row = item.cast<py::tuple>();
+    flattening.eases.push_back(
+      { row[0].cast<std::string>(), row[1].cast<Index>(), row[2].cast<double>() });
+  }
+}
+
+WatchedRun::WatchedRun(py::object progress)
+  : Progress(std::move(progress))
+{
+  this->tell(0.0);
+}
+
+Execution WatchedRun::execution()
+{
+  Execution execution;
+  execution.progress = [this](double fraction, const char*) { this->tell(fraction); };
+  execution.cancel = [this] {
+    // Who watches may want to end the run, however long a phase takes.
+    if (Clock::now() - this->Told > std::chrono::milliseconds(50))
+    {
+      this->tell(this->Fraction);
+    }
+    return this->Raised != nullptr;
+  };
+  execution.parallel = runParallel;
+  return execution;
+}
+
+void WatchedRun::tell(double fraction)
+{
+  this->Fraction = fraction;
+  if (!this->Raised)
+  {
+    const py::gil_scoped_acquire lock;
+    try
+    {
+      if (PyErr_CheckSignals() != 0)
+      {
+        throw py::error_already_set();
+      }
+      if (!this->Progress.is_none())
+      {
+        this->Progress(fraction);
+      }
+    }
+    catch (...)
+    {
+      this->Raised = std::current_exception();
+    }
+  }
+  this->Told = Clock::now();
+}
+
+void WatchedRun::finish()
+{
+  if (!this->Raised)
+  {
+    this->tell(1.0);
+  }
+  if (this->Raised)
+  {
+    std::rethrow_exception(this->Raised);
+  }
+}
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Between numpy and Core.
+#pragma once
+
+#include "Base/Execution.h"
+#include "Base/Status.h"
+#include "Input/CurvedSurface.h"
+#include "Options/OptionStructures.h"
+#include "Options/OptionTable.h"
+#include "Report/ReportColumns.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flattening::python
+{
+namespace py = pybind11;
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Ids = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+/// An array that keeps the values, which are not copied. \tparam Value a number, or a point of
+/// numbers
+template <class Number, class Value>
+py::array arrayOf(std::vector<Value> values, int components = sizeof(Value) / sizeof(Number))
+{
+  auto kept = std::make_unique<std::vector<Value>>(std::move(values));
+  const auto count = static_cast<py::ssize_t>(kept->size() * (sizeof(Value) / sizeof(Number)));
+  std::vector<py::ssize_t> shape{ count / components };
+  if (components > 1)
+  {
+    shape.push_back(components);
+  }
+  const auto* const data = reinterpret_cast<const Number*>(kept->data());
+  const py::capsule owner(
+    kept.get(), [](void* vector) { delete static_cast<std::vector<Value>*>(vector); });
+  static_cast<void>(kept.release()); // the capsule has it
+  return py::array_t<Number>(shape, data, owner);
+}
+
+/// A text, with a mark for what is not UTF-8.
+py::object textOf(const std::string& text);
+
+/// Name: array, or list of texts.
+py::dict dictOf(Columns columns);
+
+/// Code, name, defect, ids, their kind, and remedies with their subjects.
+py::tuple tupleOf(const Status& status);
+
+/// Triangles, or with offsets polygons, over points.
+SurfaceTriangles readSurface(const Numbers& points, const Ids& corners, const py::object& offsets);
+
+/// Curves as tuples of positions, name, type, shape of a key, tolerance, and shape in the plane or
+/// None.
+CurveInput readCurves(const py::list& curves);
+
+OptionOwner ownerNamed(const std::string& name);
+
+OptionValue valueOf(const Option& option, const py::handle& value);
+
+/// Core's options of a filter, and what it has beside them. \param values by property
+struct Settings
+{
+  Settings(const std::string& owner, const py::dict& values);
+
+  OptionStructures structures;
+  std::vector<std::pair<std::string, double>> tolerances;
+  std::array<std::int64_t, 2> pins{ -1, -1 };
+};
+
+/// A run that Python sees: calls progress(), and ends with what that or a signal raises.
+class WatchedRun
+{
+public:
+  /// \param progress a function, or None
+  explicit WatchedRun(py::object progress);
+
+  Execution execution();
+  /// Raises what ended the run; tells the end of the others.
+  void finish();
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  void tell(double fraction);
+
+  py::object Progress;
+  double Fraction = 0.0;
+  Clock::time_point Told = Clock::now();
+  std::exception_ptr Raised;
+};
+}

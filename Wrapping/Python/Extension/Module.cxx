@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The module surfaceflattening._core: surfaces and curves as arrays in, results as arrays out. It
+// needs no VTK.
+#include "Conversions.h"
+
+#include "Design/KeyPrices.h"
+#include "Flattening/SurfaceFlattening.h"
+#include "Input/StatusWords.h"
+#include "Report/FlatteningArrays.h"
+#include "Report/FlatteningTables.h"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+namespace flattening::python
+{
+namespace
+{
+/// A surface with its curves, and what is to be said of it. The last status counts.
+struct Run
+{
+  CurvedSurface source;
+  Status status;
+  std::vector<std::string> warnings;
+
+  /// \return whether there is a result up to here
+  bool conclude(const Status& outcome)
+  {
+    this->status = outcome;
+    return !outcome.refused();
+  }
+
+  void warn(const std::vector<std::string>& sentences)
+  {
+    for (const std::string& sentence : sentences)
+    {
+      const bool known =
+        std::find(this->warnings.begin(), this->warnings.end(), sentence) != this->warnings.end();
+      if (!known)
+      {
+        this->warnings.push_back(sentence);
+      }
+    }
+  }
+};
+
+/// Heals the surface and imprints the curves. \return whether that could be done
+bool load(SurfaceTriangles surface, CurveInput curves, const Settings& settings,
+  const Execution& execution, Run& run)
+{
+  CurvedSurface& source = run.source;
+  const OptionStructures& options = settings.structures;
+  source.surface = surface.outcome.ok() ? loadSurface(std::move(surface), options.coincidentPoints,
+                                            options.healSurface ? Defects::Heal : Defects::Refuse)
+                                        : LoadedSurface{ {}, {}, surface.outcome, {} };
+  source.warnings = source.surface.mendings;
+  source.outcome = source.surface.outcome;
+  if (source.outcome.ok())
+  {
+    imprintInput(std::move(curves), options.imprint, execution, source);
+  }
+  const std::map<std::string, double> tolerances(
+    settings.tolerances.begin(), settings.tolerances.end());
+  const bool loaded =
+    run.conclude(source.outcome) && run.conclude(applyTolerances(tolerances, source));
+  run.warn(loaded ? source.warnings : std::vector<std::string>());
+  return loaded;
+}
+
+/// What Python makes a Flattening of.
+struct Flattened
+{
+  FlatteningArrays arrays;
+  Triangles triangles;
+  std::vector<Indices> wires;
+  Columns pieces;
+  Columns curves;
+  ReportTables tables;
+  StageSeconds seconds;
+};
+
+std::optional<Flattened> flattenSource(
+  const Settings& settings, const Execution& execution, Run& run)
+{
+  const CurvedSurface& source = run.source;
+  FlatteningOptions options = settings.structures.flattening;
+  if (!run.conclude(source.pinVertices(settings.pins, options.conformal.pins)))
+  {
+    return {};
+  }
+  run.warn(describeShortEnds(source));
+  const FlatteningResult result =
+    flattenSurface(source.imprinted.mesh, source.imprinted.curves, options, execution);
+  if (!run.conclude(
+        source.outcomeOfStage(result.status, result.status.refused() ? nullptr : result.cut.get())))
+  {
+    return {};
+  }
+  if (!result.leftOut.empty())
+  {
+    run.warn({ describeLeftOut(source, result) });
+  }
+  run.warn(describeVerdicts(source, result));
+  Flattened flattened;
+  flattened.arrays = flatteningArrays(source, result, options);
+  addRows<std::string>(flattened.arrays.fieldArrays, "RunStatus", 1,
+    [&](std::size_t) { return statusName(run.status.code); });
+  addRows<std::string>(flattened.arrays.fieldArrays, "RunStatusMessage", 1,
+    [&](std::size_t) { return inWords(run.status); });
+  flattened.triangles = result.cut->mesh.triangles();
+  for (const Wire& wire : result.wires)
+  {
+    flattened.wires.push_back(wire.vertices);
+  }
+  flattened.pieces = pieceTable(source, result, "", {});
+  flattened.curves = curveTable(result.curves);
+  flattened.tables = ReportTables(source, result);
+  flattened.seconds = result.seconds;
+  return flattened;
+}
+
+py::array rowsOf(const Triangles& triangles)
+{
+  std::vector<std::array<std::int64_t, 3>> rows;
+  rows.reserve(triangles.size());
+  for (const Triangle& t : triangles)
+  {
+    rows.push_back({ t[0], t[1], t[2] });
+  }
+  return arrayOf<std::int64_t>(std::move(rows));
+}
+
+py::dict resultOf(Flattened flattened)
+{
+  py::list wires;
+  for (const Indices& vertices : flattened.wires)
+  {
+    wires.append(
+      arrayOf<std::int64_t>(std::vector<std::int64_t>(vertices.begin(), vertices.end())));
+  }
+  const StageSeconds& seconds = flattened.seconds;
+  ReportTables& tables = flattened.tables;
+  using pybind11::literals::operator""_a;
+  return py::dict("positions"_a = arrayOf<double>(std::move(flattened.arrays.positions)),
+    "points"_a = arrayOf<double>(std::move(flattened.arrays.points)),
+    "triangles"_a = rowsOf(flattened.triangles),
+    "point_arrays"_a = dictOf(std::move(flattened.arrays.pointArrays)),
+    "cell_arrays"_a = dictOf(std::move(flattened.arrays.cellArrays)),
+    "field_arrays"_a = dictOf(std::move(flattened.arrays.fieldArrays)),
+    "wire_arrays"_a = dictOf(std::move(flattened.arrays.wireArrays)), "wires"_a = wires,
+    "tables"_a = py::dict("pieces"_a = dictOf(std::move(flattened.pieces)),
+      "curves"_a = dictOf(std::move(flattened.curves)),
+      "angle_iterations"_a = dictOf(std::move(tables.angleIterations)),
+      "isometric_iterations"_a = dictOf(std::move(tables.isometricIterations)),
+      "releases"_a = dictOf(std::move(tables.releaseTrials)),
+      "piece_remedies"_a = dictOf(std::move(tables.pieceRemedies)),
+      "left_out"_a = dictOf(std::move(tables.leftOutPieces))),
+    "seconds"_a = py::make_tuple(seconds.wires, seconds.interior, seconds.quality, seconds.total));
+}
+
+py::dict outcomeOf(const Run& run)
+{
+  py::list warnings;
+  for (const std::string& sentence : run.warnings)
+  {
+    warnings.append(textOf(sentence));
+  }
+  using pybind11::literals::operator""_a;
+  return py::dict(
+    "status"_a = tupleOf(run.status), "refused"_a = run.status.refused(), "warnings"_a = warnings);
+}
+
+/// Points, corners, offsets or None, and curves, as readSurface() and readCurves() take them.
+struct Input
+{
+  SurfaceTriangles surface;
+  CurveInput curves;
+
+  Input(const Numbers& points, const Ids& corners, const py::object& offsets, const py::list& given)
+    : surface(readSurface(points, corners, offsets))
+    , curves(readCurves(given))
+  {
+  }
+};
+
+py::dict flatten(const Numbers& points, const Ids& corners, const py::object& offsets,
+  const py::list& curves, const std::string& owner, const py::dict& options, py::object progress)
+{
+  Input input(points, corners, offsets, curves);
+  const Settings settings(owner, options);
+  WatchedRun watched(std::move(progress));
+  Run run;
+  std::optional<Flattened> flattened;
+  {
+    const py::gil_scoped_release free;
+    const Execution execution = watched.execution();
+    if (load(std::move(input.surface), std::move(input.curves), settings, execution, run))
+    {
+      flattened = flattenSource(settings, execution, run);
+    }
+  }
+  watched.finish();
+  py::dict result = outcomeOf(run);
+  if (flattened)
+  {
+    result["flattening"] = resultOf(std::move(*flattened));
+  }
+  return result;
+}
+
+py::tuple trialOf(const KeyTrial& trial, const std::vector<FeatureCurve>& curves)
+{
+  py::list released;
+  for (const Index curve : trial.released)
+  {
+    released.append(textOf(curves[curve].name));
+  }
+  return py::make_tuple(statusName(trial.status), trial.areaError, trial.strainP95, released);
+}
+
+py::dict priceKeys(const Numbers& points, const Ids& corners, const py::object& offsets,
+  const py::list& curves, const std::string& owner, const py::dict& options, py::object progress)
+{
+  Input input(points, corners, offsets, curves);
+  const Settings settings(owner, options);
+  WatchedRun watched(std::move(progress));
+  Run run;
+  KeyPrices prices;
+  {
+    const py::gil_scoped_release free;
+    const Execution execution = watched.execution();
+    if (load(std::move(input.surface), std::move(input.curves), settings, execution, run))
+    {
+      prices = flattening::priceKeys(run.source.imprinted.mesh, run.source.imprinted.curves,
+        settings.structures.flattening, execution);
+      run.conclude(run.source.outcomeOfStage(prices.status));
+    }
+  }
+  watched.finish();
+  py::dict result = outcomeOf(run);
+  if (run.status.refused())
+  {
+    return result;
+  }
+  const std::vector<FeatureCurve>& known = run.source.imprinted.curves;
+  py::list keys;
+  for (const KeyPrice& key : prices.keys)
+  {
+    keys.append(
+      py::make_tuple(key.curve, key.price, trialOf(key.without, known), trialOf(key.alone, known)));
+  }
+  result["all"] = trialOf(prices.all, known);
+  result["none"] = trialOf(prices.none, known);
+  result["keys"] = keys;
+  return result;
+}
+
+/// What is wrong with an option that is given although it has no effect; empty: nothing.
+std::string describeIdle(
+  const std::string& owner, const py::dict& options, const std::vector<std::string>& given)
+{
+  OptionValues values(ownerNamed(owner));
+  for (const Option* const option : optionsOf(values.owner()))
+  {
+    if (option->type != OptionType::List && options.contains(option->property.c_str()))
+    {
+      values.set(option->property, valueOf(*option, options[option->property.c_str()]));
+    }
+  }
+  for (const std::string& property : given)
+  {
+    values.markGiven(property);
+  }
+  return describeIdleOption(values, OptionSpelling::Python);
+}
+
+/// Class and property of each option that a filter has.
+std::vector<std::pair<std::string, std::string>> namesOfOptions(const std::string& owner)
+{
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const Option* const option : optionsOf(ownerNamed(owner)))
+  {
+    names.emplace_back(className(option->owner), option->property);
+  }
+  return names;
+}
+
+py::dict materials()
+{
+  return dictOf(materialTable());
+}
+
+std::string remedySentenceOf(const std::string& name)
+{
+  for (int k = 0; k < remedyCount; ++k)
+  {
+    const auto remedy = static_cast<Remedy>(k);
+    if (name == remedyName(remedy))
+    {
+      return remedySentence(remedy);
+    }
+  }
+  return {};
+}
+}
+}
+
+PYBIND11_MODULE(_core, module)
+{
+  using namespace flattening::python;
+  module.def("flatten", &flatten);
+  module.def("price_keys", &priceKeys);
+  module.def("describe_idle", &describeIdle);
+  module.def("options_of", &namesOfOptions);
+  module.def("materials", &materials);
+  module.def("remedy_sentence", &remedySentenceOf);
+}
