@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <random>
 
 namespace
 {
@@ -129,4 +130,47 @@ TEST(PdfPages, AnOverlapThatLeavesNoPageIsRefused)
     EXPECT_EQ(
       planPages(patternOf({ { 10.0, 10.0 } }), options, plan).code, StatusCode::InvalidOption);
   }
+}
+
+TEST(PdfPages, APieceThatFitsAPageIsNotSplit)
+{
+  std::mt19937 random(7);
+  for (int k = 0; k < 30; ++k)
+  {
+    const auto number = [&random](double from, double to) {
+      return std::uniform_real_distribution<double>(from, to)(random);
+    };
+    Points2 extents;
+    for (int p = 0; p < 2 + k % 9; ++p)
+    {
+      const double most = p % 4 == 3 ? 600.0 : 160.0;
+      extents.emplace_back(number(20.0, most), number(20.0, 1.4 * most));
+    }
+    const Pattern pattern = patternOf(extents);
+    const PagePlan plan = planOf(pattern, PaperSize::A4);
+    const Point2 room = plan.step - Point2::Constant(plan.overlap);
+    for (std::size_t p = 0; p < extents.size(); ++p)
+    {
+      const PageMarks marks = pagesOf(pattern, plan, p);
+      if ((room - extents[p]).minCoeff() >= 0.0)
+      {
+        EXPECT_EQ(std::count(marks.begin(), marks.end(), 1), 1) << k << ": " << extents[p];
+      }
+      for (std::size_t q = 0; q < p; ++q)
+      {
+        const Eigen::AlignedBox2d one(plan.layout.corners[p], plan.layout.corners[p] + extents[p]);
+        const Eigen::AlignedBox2d other(
+          plan.layout.corners[q], plan.layout.corners[q] + extents[q]);
+        // On pages beside each other they are as far apart as these overlap.
+        EXPECT_GE(std::sqrt(one.squaredExteriorDistance(other)), plan.overlap - 1e-6) << k;
+      }
+    }
+  }
+}
+
+TEST(PdfPages, SmallPiecesShareAPage)
+{
+  const PagePlan plan = planOf(
+    patternOf({ { 70.0, 60.0 }, { 70.0, 60.0 }, { 60.0, 50.0 }, { 60.0, 50.0 } }), PaperSize::A4);
+  EXPECT_EQ(plan.pages.size(), 1U);
 }

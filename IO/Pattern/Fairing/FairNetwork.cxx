@@ -589,6 +589,15 @@ private:
   {
     Rows hessian(2 * this->Unknowns, 2 * this->Unknowns);
     hessian.setFromTriplets(this->Squares.begin(), this->Squares.end());
+    this->Squares.clear(); // each step adds them: once summed they are far fewer
+    for (Eigen::Index outer = 0; outer < hessian.outerSize(); ++outer)
+    {
+      for (Rows::InnerIterator entry(hessian, outer); entry; ++entry)
+      {
+        this->Squares.emplace_back(
+          static_cast<int>(entry.row()), static_cast<int>(entry.col()), entry.value());
+      }
+    }
     const Eigen::SimplicialLDLT<Rows> factor(hessian);
     if (factor.info() != Eigen::Success)
     {

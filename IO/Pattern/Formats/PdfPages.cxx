@@ -6,9 +6,12 @@
 #include "Outlines/PlaneGeometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 namespace flattening::pattern
 {
@@ -105,6 +108,152 @@ PagePlan planFor(const Pattern& pattern, const PageOptions& options, const Point
   return plan;
 }
 
+/// Packs pieces into pages, on shelves from the top, in the order of their heights.
+class PageShelves
+{
+public:
+  /// \param first what is taken from the top of the first page
+  PageShelves(const PagePlan& plan, int columns, double first)
+    : Step(plan.step)
+    , Band(plan.overlap)
+    , Room(roomOf(plan))
+    , Columns(columns)
+  {
+    this->Pages.push_back({ first, 0.0, this->Room.x() + 1.0 });
+  }
+
+  /// What a page shows and its neighbors do not.
+  static Point2 roomOf(const PagePlan& plan) { return plan.step - Point2::Constant(plan.overlap); }
+
+  static bool fits(const PagePlan& plan, const PatternPiece& piece)
+  {
+    return (roomOf(plan) - piece.extent).minCoeff() >= 0.0;
+  }
+
+  /// The upper left corner of a piece that fits.
+  Point2 place(const Point2& extent)
+  {
+    for (std::size_t page = 0;; ++page)
+    {
+      if (page == this->Pages.size())
+      {
+        this->Pages.push_back({ 0.0, 0.0, 0.0 });
+      }
+      Page& shelf = this->Pages[page];
+      const bool beside = shelf.x + extent.x() <= this->Room.x() && extent.y() <= shelf.height;
+      const double below = shelf.height > 0.0 ? shelf.top + shelf.height + pieceGap : shelf.top;
+      if (!beside && below + extent.y() > this->Room.y())
+      {
+        continue;
+      }
+      if (!beside)
+      {
+        shelf = { below, extent.y(), 0.0 };
+      }
+      const Point2 within(shelf.x, shelf.top);
+      shelf.x += extent.x() + pieceGap;
+      return this->corner(page) + within;
+    }
+  }
+
+  /// The first row of pages below.
+  double end() const
+  {
+    return this->corner(this->Pages.size() + static_cast<std::size_t>(this->Columns) - 1).y();
+  }
+
+private:
+  struct Page
+  {
+    double top; ///< of its last shelf
+    double height;
+    double x; ///< where there is room on it
+  };
+
+  Point2 corner(std::size_t page) const
+  {
+    const std::size_t columns = static_cast<std::size_t>(this->Columns);
+    const std::size_t row = page / columns;
+    const Point2 tile(static_cast<double>(page % columns), static_cast<double>(row));
+    return tile.cwiseProduct(this->Step) + Point2::Constant(this->Band);
+  }
+
+  Point2 Step;
+  double Band;
+  Point2 Room;
+  int Columns;
+  std::vector<Page> Pages;
+};
+
+/// The pieces, the highest first.
+std::vector<std::size_t> byHeight(const Pattern& pattern)
+{
+  std::vector<std::size_t> order(pattern.pieces.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::stable_sort(order.begin(), order.end(), [&pattern](std::size_t a, std::size_t b) {
+    return pattern.pieces[a].extent.y() > pattern.pieces[b].extent.y();
+  });
+  return order;
+}
+
+/// The same plan with each piece that fits a page on one, and the others in rows below them.
+PagePlan byPages(const Pattern& pattern, PagePlan plan, int columns)
+{
+  const std::vector<std::size_t> order = byHeight(pattern);
+  PageShelves shelves(plan, columns, legendExtent(plan.hasMap).y() + legendGap);
+  for (const std::size_t p : order)
+  {
+    if (PageShelves::fits(plan, pattern.pieces[p]))
+    {
+      plan.layout.corners[p] = shelves.place(pattern.pieces[p].extent);
+    }
+  }
+  const double right = plan.origin.x() + columns * plan.step.x() - plan.overlap;
+  Point2 at(plan.origin.x(), shelves.end());
+  double rowHeight = 0.0;
+  plan.layout.extent = plan.origin + legendExtent(plan.hasMap);
+  for (const std::size_t p : order)
+  {
+    const Point2& extent = pattern.pieces[p].extent;
+    if (!PageShelves::fits(plan, pattern.pieces[p]))
+    {
+      if (at.x() > plan.origin.x() && at.x() + extent.x() > right)
+      {
+        at = Point2(plan.origin.x(), at.y() + rowHeight + pieceGap);
+        rowHeight = 0.0;
+      }
+      plan.layout.corners[p] = at;
+      at.x() += extent.x() + pieceGap;
+      rowHeight = std::max(rowHeight, extent.y());
+    }
+    plan.layout.extent = plan.layout.extent.cwiseMax(plan.layout.corners[p] + extent);
+  }
+  return plan;
+}
+
+/// Pieces that fit a page and lie on several.
+int splitPieces(const Pattern& pattern, const PagePlan& plan)
+{
+  int split = 0;
+  for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
+  {
+    if (PageShelves::fits(plan, pattern.pieces[p]))
+    {
+      const PageMarks marks = pagesOf(pattern, plan, p);
+      split += std::accumulate(marks.begin(), marks.end(), 0) > 1 ? 1 : 0;
+    }
+  }
+  return split;
+}
+
+/// The pages of a plan, and how far it is from a square, which is easier to lay out and to read as
+/// a map.
+std::pair<std::size_t, double> costOf(const PagePlan& plan)
+{
+  return { plan.pages.size(),
+    std::abs(std::log(plan.columns * plan.step.x() / (plan.rows * plan.step.y()))) };
+}
+
 Status planSheet(const Pattern& pattern, PagePlan& plan)
 {
   plan = PagePlan();
@@ -170,58 +319,78 @@ Status planPages(const Pattern& pattern, const PageOptions& options, PagePlan& p
     widest = std::max(widest, piece.extent.x());
   }
   double fewest = 1e300;
-  bool found = false;
+  std::array<std::optional<PagePlan>, 2> best; // in rows, and by pages
+  const auto consider = [&](PagePlan next, std::optional<PagePlan>& least) {
+    const bool withMap = next.hasMap;
+    const double across = tilesAlong(next.layout.extent.x(), next.step.x(), options.overlap);
+    const double down = tilesAlong(next.layout.extent.y(), next.step.y(), options.overlap);
+    // Blank pages are left out, but hardly more than nine in ten.
+    if (!(across * down <= 10.0 * options.maximumPages))
+    {
+      fewest = std::min(fewest, across * down);
+      return;
+    }
+    next.columns = static_cast<int>(across);
+    next.rows = static_cast<int>(down);
+    findPages(pattern, next);
+    const double pages = static_cast<double>(next.pages.size());
+    // The map is for those that have pages to join.
+    if (withMap != (pages > 1.0) || pages > options.maximumPages)
+    {
+      fewest = withMap == (pages > 1.0) ? std::min(fewest, pages) : fewest;
+      return;
+    }
+    if (!least || costOf(next) < costOf(*least))
+    {
+      least = std::move(next);
+    }
+  };
   for (const bool withMap : { false, true })
   {
     for (const bool landscape : { false, true })
     {
       const Point2 paper = landscape ? Point2(upright.y(), upright.x()) : upright;
       const double step = paper.x() - 2.0 * pageMargin - options.overlap;
-      const double least = tilesAlong(widest + options.overlap, step, options.overlap);
-      const double most =
-        std::max(least, tilesAlong(squareWidth(pattern) * 2.0, step, options.overlap));
+      const double first = tilesAlong(widest + options.overlap, step, options.overlap);
+      const double last =
+        std::max(first, tilesAlong(squareWidth(pattern) * 2.0, step, options.overlap));
       // Counted apart: adding one to a huge number leaves it as it is.
-      for (int more = 0; more < 12 && least + more <= most; ++more)
+      for (int more = 0; more < 12 && first + more <= last; ++more)
       {
-        PagePlan next = planFor(pattern, options, paper, least + more, withMap);
-        const double across = tilesAlong(next.layout.extent.x(), next.step.x(), options.overlap);
-        const double down = tilesAlong(next.layout.extent.y(), next.step.y(), options.overlap);
-        const double most_pages = across * down;
-        // Blank pages are left out, but hardly more than nine in ten.
-        if (!(most_pages <= 10.0 * options.maximumPages))
+        const PagePlan rows = planFor(pattern, options, paper, first + more, withMap);
+        consider(rows, best[0]);
+        const bool hasRoom = (PageShelves::roomOf(rows) - legendExtent(withMap)).minCoeff() >= 0.0;
+        if (!pattern.fabric && hasRoom && first + more <= 10.0 * options.maximumPages)
         {
-          fewest = std::min(fewest, most_pages);
-          continue;
-        }
-        next.columns = static_cast<int>(across);
-        next.rows = static_cast<int>(down);
-        findPages(pattern, next);
-        const double pages = static_cast<double>(next.pages.size());
-        // The map is for those that have pages to join.
-        if (withMap != (pages > 1.0) || pages > options.maximumPages)
-        {
-          fewest = withMap == (pages > 1.0) ? std::min(fewest, pages) : fewest;
-          continue;
-        }
-        if (!found || next.pages.size() < plan.pages.size())
-        {
-          plan = next;
-          found = true;
+          consider(byPages(pattern, rows, static_cast<int>(first) + more), best[1]);
         }
       }
     }
   }
-  if (found && plan.pages.size() > 1)
-  {
-    saveByShifts(pattern, plan);
-    findPages(pattern, plan);
-  }
-  if (!found)
+  if (!best[0] && !best[1])
   {
     return tooLarge(pattern,
       "the pattern would need about " + formatNumber(fewest, 0) + " pages " +
         paperName(options.paper) + ", more than " + std::to_string(options.maximumPages),
       Remedy::TakeLargerPaper);
+  }
+  std::pair<int, std::size_t> least; // pieces that are split for no need, and pages
+  bool found = false;
+  for (std::optional<PagePlan>& one : best)
+  {
+    if (one && one->pages.size() > 1)
+    {
+      saveByShifts(pattern, *one);
+      findPages(pattern, *one);
+    }
+    const std::pair<int, std::size_t> cost =
+      one ? std::pair(splitPieces(pattern, *one), one->pages.size()) : least;
+    if (one && (!found || cost < least))
+    {
+      least = cost;
+      plan = std::move(*one);
+      found = true;
+    }
   }
   return {};
 }
@@ -375,6 +544,7 @@ private:
     this->count(piece, -1);
     std::pair<int, int> least = this->cost(this->Marks[piece]);
     const Point2 by = this->Plan.step / (placesOfSide - 1);
+    const bool onePage = PageShelves::fits(this->Plan, this->Source.pieces[piece]);
     for (int y = 0; y < (placesOfSide - 1) * this->Plan.rows; ++y)
     {
       for (int x = 0; x < (placesOfSide - 1) * this->Plan.columns; ++x)
@@ -387,7 +557,7 @@ private:
         }
         PageMarks marks = pagesOf(this->Source, this->Plan, piece);
         const std::pair<int, int> now = this->cost(marks);
-        if (now < least)
+        if (now < least && (now.second == 1 || !onePage))
         {
           least = now;
           best = corner;

@@ -82,6 +82,7 @@ Status closePdf(_cairo_surface* surface, _cairo* context)
 }
 
 constexpr double mapHeight = 45.0;
+constexpr double legendLetters = 2.8;
 constexpr std::array<double, 3> blackInk{ 0.0, 0.0, 0.0 };
 constexpr std::array<double, 3> grey{ 0.6, 0.6, 0.6 };
 constexpr std::array<double, 3> cyan{ 0.0, 0.55, 0.75 };
@@ -130,6 +131,10 @@ public:
     }
     if (this->Selected.pages)
     {
+      if (this->Plan.tiled && this->listedPieces() < this->Drawn.pieces.size())
+      {
+        this->drawTable(this->listOfPieces());
+      }
       for (const PatternTable& table : this->Drawn.tables)
       {
         this->drawTable(table);
@@ -315,6 +320,29 @@ private:
     }
   }
 
+  /// As many as there is room for above the lower edge of the rectangle.
+  std::size_t listedPieces() const
+  {
+    const double head = 4.0 + 9.0 + (this->Plan.pages.size() > 1 ? 3.0 : 1.5) * legendLetters;
+    const auto lines = static_cast<std::size_t>((50.0 - head) / (1.5 * legendLetters));
+    const std::size_t pieces = this->Drawn.pieces.size();
+    return pieces <= lines ? pieces : lines - 1;
+  }
+
+  PatternTable listOfPieces() const
+  {
+    PatternTable list;
+    list.title = "Pieces";
+    list.columns = { 0.0, 14.0, 104.0, 139.0 };
+    list.rows.push_back({ "No.", "Name", "Size", "Cut" });
+    for (const PatternPiece& piece : this->Drawn.pieces)
+    {
+      list.rows.push_back(
+        { std::to_string(piece.number), piece.name, piece.size, std::to_string(piece.quantity) });
+    }
+    return list;
+  }
+
   void drawLegend()
   {
     this->pen(blackInk, 0.25);
@@ -323,7 +351,7 @@ private:
     this->text("100 mm x 50 mm", { 50.0, 21.0 }, 4.0, Anchor::Middle);
     this->text("Print at 100 % and measure this rectangle.", { 50.0, 29.0 }, 4.0, Anchor::Middle);
     const double room = legendExtent(false).x() - 103.0;
-    const double small = 2.8;
+    constexpr double small = legendLetters;
     double y = 4.0;
     const auto write = [&](const std::string& content, double height) {
       this->text(fitText(content, height, room), { 103.0, y }, height, Anchor::Start);
@@ -337,11 +365,7 @@ private:
           ": join at the crosses.",
         small);
     }
-    // As many pieces as there is room for above the lower edge of the rectangle.
-    const std::size_t lines = static_cast<std::size_t>(std::max(1.0, (50.0 - y) / (1.5 * small)));
-    const std::size_t pieces = this->Drawn.pieces.size();
-    const std::size_t shown = pieces <= lines ? pieces : lines - 1;
-    for (std::size_t p = 0; p < shown; ++p)
+    for (std::size_t p = 0; p < this->listedPieces(); ++p)
     {
       const PatternPiece& piece = this->Drawn.pieces[p];
       write(std::to_string(piece.number) + ": " + piece.name +
@@ -349,9 +373,9 @@ private:
           std::to_string(piece.quantity),
         small);
     }
-    if (shown < pieces)
+    if (this->listedPieces() < this->Drawn.pieces.size())
     {
-      write("and " + std::to_string(pieces - shown) + " more pieces", small);
+      write(std::to_string(this->Drawn.pieces.size()) + " pieces: see the last pages", small);
     }
     if (this->Plan.hasMap)
     {
