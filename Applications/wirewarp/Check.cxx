@@ -14,7 +14,6 @@
 
 #include <vtkBoundingBox.h>
 #include <vtkFlatteningAlgorithm.h>
-#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -110,25 +109,24 @@ Shape shapeOf(const TriangleList& list, const std::vector<BoundaryLoop>& loops)
   return shape;
 }
 
-double lengthOf(const BoundaryLoop& loop, vtkPoints* points)
-{
-  double length = 0.0;
-  for (std::size_t k = 0; k < loop.points.size(); ++k)
-  {
-    std::array<double, 3> a{};
-    std::array<double, 3> b{};
-    points->GetPoint(loop.points[k], a.data());
-    points->GetPoint(loop.points[(k + 1) % loop.points.size()], b.data());
-    length += std::sqrt(vtkMath::Distance2BetweenPoints(a.data(), b.data()));
-  }
-  return length;
-}
-
 std::string inShort(double value)
 {
   char text[40];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
+}
+
+/// The middle of an opening's bounding box.
+std::string placeOf(const BoundaryLoop& loop, const TriangleList& list)
+{
+  vtkBoundingBox box;
+  for (const vtkIdType point : loop.points)
+  {
+    box.AddPoint(list.points->GetPoint(point));
+  }
+  std::array<double, 3> middle{};
+  box.GetCenter(middle.data());
+  return "around " + inShort(middle[0]) + ", " + inShort(middle[1]) + ", " + inShort(middle[2]);
 }
 
 void sayUnit(const Options& options, const std::string& stated, const LikelyUnit& likely)
@@ -149,22 +147,18 @@ void sayUnit(const Options& options, const std::string& stated, const LikelyUnit
 /// \return whether the surface can be flattened without a cut
 bool saySurface(const TriangleList& list, const Shape& shape, const std::string& unit)
 {
-  const std::vector<BoundaryLoop> loops = boundaryLoops(list);
-  std::vector<double> lengths;
-  for (const BoundaryLoop& loop : loops)
-  {
-    lengths.push_back(lengthOf(loop, list.points));
-  }
-  std::sort(lengths.rbegin(), lengths.rend());
-  std::cout << "parts: " << shape.parts << ", boundaries: " << loops.size();
-  for (std::size_t k = 0; k < std::min<std::size_t>(lengths.size(), 6); ++k)
-  {
-    std::cout << (k == 0 ? " (" : ", ") << inShort(lengths[k]);
-  }
-  std::cout << (lengths.empty()         ? ""
-                   : lengths.size() > 6 ? ", ... " + unit + " long)"
-                                        : ' ' + unit + " long)")
+  const std::vector<BoundaryLoop> loops = openings(list);
+  std::cout << "parts: " << shape.parts << ", openings: " << loops.size()
             << ", handles: " << shape.handles << '\n';
+  constexpr std::size_t listed = 12;
+  for (std::size_t k = 0; k < std::min(loops.size(), listed); ++k)
+  {
+    std::cout << "opening " << k + 1 << ": " << inShort(loops[k].length) << ' ' << unit << " long, "
+              << placeOf(loops[k], list) << '\n';
+  }
+  std::cout << (loops.size() > listed
+      ? "and " + std::to_string(loops.size() - listed) + " shorter openings\n"
+      : "");
   bool flattens = true;
   if (!shape.crowded.empty())
   {

@@ -136,7 +136,7 @@ class Commands(command.CommandTest):
     def test_check_tells_size_unit_and_openings(self):
         run = self.run_well("check", "a.obj")
         self.assertIn("20 x 20 x 40", run.stdout)
-        self.assertIn("boundaries: 1", run.stdout)
+        self.assertIn("openings: 1", run.stdout)
         self.assertIn("--unit cm", run.stdout)
         self.write("box.obj", command.obj(*command.TETRAHEDRON))
         run = self.run_command("check", "box.obj")

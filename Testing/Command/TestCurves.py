@@ -41,6 +41,57 @@ class Curves(command.CommandTest):
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertIn("which is not one of its vertices; if it should be, put a name before it", run.stderr)
 
+    def tube(self):
+        """A tube of radius 1, from z = 0 to z = 2, wider at its upper end."""
+        points, triangles = command.grid(16, 8, lambda i, j: (
+            (1 + 0.05 * j) * math.cos(math.pi * i / 8), (1 + 0.05 * j) * math.sin(math.pi * i / 8), 0.25 * j), closed=True)
+        self.write("tube.obj", command.obj(points, triangles))
+
+    def lengths(self, text, *arguments, code=0):
+        """Lengths on the surface of the curves of a text file, by their names."""
+        self.write("words.txt", text)
+        report = self.flatten("tube.obj", "words.txt", "--unit", "cm", *arguments, code=code)
+        self.assertEqual(report["curve_distance_mm"] < 1e-6, True)
+        lengths = {}
+        for curve in report["curves"]:
+            lengths.setdefault(curve["name"], []).append(curve["length_3d"])
+        return lengths
+
+    def test_a_plane_cuts_where_it_meets_the_surface(self):
+        self.tube()
+        side = math.hypot(2.0, 0.4)
+        both = self.lengths("seam side plane y=0\n")
+        self.assertEqual(sorted(both), ["side"])
+        self.assertAlmostEqual(sum(both["side"]), 2 * side, delta=1e-9)
+        one = self.lengths("seam side plane y=0 x>0\naccessory waist plane z=0.9\n")
+        self.assertAlmostEqual(sum(one["side"]), side, delta=1e-9)
+        # The waist is a polygon of 16 corners and of points on the diagonals of its quads.
+        around = sum(one["waist"])
+        radius = 1 + 0.05 * 0.9 / 0.25
+        self.assertTrue(0.98 * 2 * math.pi * radius < around < 2 * math.pi * radius, around)
+
+    def test_openings_and_points_need_no_ids(self):
+        self.tube()
+        rim = 32 * math.sin(math.pi / 16)
+        lengths = self.lengths("seam side plane y=0 x>0\nedge top opening 1\nedge hem opening 2\n"
+                               "accessory line -1,0,0 -1.2,0,1\n")
+        self.assertAlmostEqual(sum(lengths["top"]), 1.4 * rim, delta=1e-9)
+        self.assertAlmostEqual(sum(lengths["hem"]), rim, delta=1e-9)
+        self.assertAlmostEqual(sum(lengths["line"]), math.hypot(1.0, 0.2), delta=1e-9)
+        listed = self.run_command("check", "tube.obj", "--unit", "cm").stdout
+        self.assertIn("openings: 2", listed)
+        self.assertIn("opening 1: %.4g cm long, around 0, 0, 2" % (1.4 * rim), listed.replace("-0,", "0,"))
+
+    def test_what_a_line_of_words_lacks_is_told(self):
+        self.tube()
+        for text, words in (("seam side plane w=0", "write plane x=NUMBER"), ("seam side plane x=0 y=1", "write plane x=NUMBER"),
+                            ("seam side plane x=9", "does not meet the surface"),
+                            ("edge hem opening 3", "N from 1 to 2"), ("edge hem opening", "N from 1 to 2"),
+                            ("accessory line 1,0 2,0,0", "is not a point")):
+            with self.subTest(text):
+                self.write("words.txt", text + "\n")
+                self.assertIn(words, self.refused("tube.obj", "words.txt", "--unit", "cm", "-o", "out"))
+
     def refused(self, *arguments):
         """The lines of an error, in one."""
         run = self.run_command(*arguments)

@@ -147,7 +147,7 @@ void markOutermost(const TriangleList& list, std::vector<BoundaryLoop>& loops)
   std::unordered_map<vtkIdType, std::pair<double, std::size_t>> longest;
   for (std::size_t k = 0; k < loops.size(); ++k)
   {
-    const double length = lengthOf(list.points, loops[k].points);
+    const double length = loops[k].length;
     auto& best = longest[parts.of(loops[k].points.front())];
     if (length > best.first)
     {
@@ -186,6 +186,7 @@ std::vector<BoundaryLoop> boundaryLoops(const TriangleList& list)
       if (next == loop.points.front())
       {
         loop.across = box.GetDiagonalLength();
+        loop.length = lengthOf(list.points, loop.points);
         loops.push_back(loop);
         break;
       }
@@ -193,6 +194,15 @@ std::vector<BoundaryLoop> boundaryLoops(const TriangleList& list)
     }
   }
   markOutermost(list, loops);
+  return loops;
+}
+
+//------------------------------------------------------------------------------
+std::vector<BoundaryLoop> openings(const TriangleList& list)
+{
+  std::vector<BoundaryLoop> loops = boundaryLoops(list);
+  std::stable_sort(loops.begin(), loops.end(),
+    [](const BoundaryLoop& a, const BoundaryLoop& b) { return a.length > b.length; });
   return loops;
 }
 

@@ -2,16 +2,23 @@
 #include "ReadCurves.h"
 
 #include "BorderWays.h"
+#include "BoundaryLoops.h"
 #include "CurveList.h"
 #include "InputError.h"
+#include "PlaneSection.h"
 #include "ReadCsvCurves.h"
 #include "ReadDxfCurves.h"
 #include "ReadObj.h"
 #include "ReadVtk.h"
 #include "TextFile.h"
+#include "TriangleList.h"
 
 #include <vtkFlatteningAlgorithm.h>
+#include <vtkPoints.h>
+#include <vtkSmartPointer.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -45,31 +52,82 @@ struct CurveReader
   std::string path;
   LineReader lines;
   vtkPolyData* surface;
-  std::optional<BorderWays> ways = std::nullopt; ///< made where an edge asks for them
+  std::optional<BorderWays> ways = std::nullopt; ///< made where an edge needs them
+  vtkSmartPointer<vtkPoints> points = nullptr;   ///< those of the surface and new ones, if any
 
   [[noreturn]] void refuse(const std::string& text) const
   {
     throw InputError(this->path, this->lines.number(), text);
   }
 
-  std::vector<vtkIdType> readIds(std::string_view rest, const std::string& name) const
+  /// The point of the surface with an id, or a new one at coordinates.
+  vtkIdType pointOf(std::string_view word, const std::string& name, bool isEdge)
+  {
+    long long id = 0;
+    if (word.find(',') != std::string_view::npos)
+    {
+      return this->pointAt(word, name, isEdge);
+    }
+    if (!parseInteger(word, id))
+    {
+      this->refuse(inQuotes(word) +
+        " is not a vertex id; write TYPE NAME v0 v1 ... with whole numbers, or points as x,y,z");
+    }
+    if (id < 0 || id >= this->surface->GetNumberOfPoints())
+    {
+      this->refuse("curve " + inQuotes(name) + ": vertex id " + std::to_string(id) +
+        " is out of range; the surface has " + std::to_string(this->surface->GetNumberOfPoints()) +
+        " vertices and ids count from 0");
+    }
+    return id;
+  }
+
+  vtkIdType pointAt(std::string_view word, const std::string& name, bool isEdge)
+  {
+    std::array<double, 3> x{};
+    std::string_view rest = word;
+    bool read = true;
+    for (std::size_t k = 0; k < 3 && read; ++k)
+    {
+      const std::size_t comma = rest.find(',');
+      read = parseNumber(rest.substr(0, comma), x[k]) && (comma == rest.npos) == (k == 2);
+      rest.remove_prefix(std::min(rest.size(), comma == rest.npos ? rest.size() : comma + 1));
+    }
+    if (!read)
+    {
+      this->refuse(inQuotes(word) + " is not a point; write x,y,z without blanks");
+    }
+    if (!isEdge)
+    {
+      return this->addPoint(x);
+    }
+    double distance = 0.0;
+    const vtkIdType vertex = this->borders().nearest(x.data(), distance);
+    if (vertex < 0)
+    {
+      this->refuse(
+        "edge " + inQuotes(name) + ": the surface has no boundary; make the curve accessory");
+    }
+    return vertex;
+  }
+
+  vtkIdType addPoint(const std::array<double, 3>& x)
+  {
+    if (!this->points)
+    {
+      this->points = vtkSmartPointer<vtkPoints>::New();
+      this->points->SetDataTypeToDouble();
+      this->points->DeepCopy(this->surface->GetPoints());
+    }
+    return this->points->InsertNextPoint(x.data());
+  }
+
+  std::vector<vtkIdType> readIds(std::string_view rest, const std::string& name, bool isEdge)
   {
     std::vector<vtkIdType> ids;
     for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest))
     {
-      long long id = 0;
-      if (!parseInteger(word, id))
-      {
-        this->refuse(
-          inQuotes(word) + " is not a vertex id; write TYPE NAME v0 v1 ... with whole numbers");
-      }
-      if (id < 0 || id >= this->surface->GetNumberOfPoints())
-      {
-        this->refuse("curve " + inQuotes(name) + ": vertex id " + std::to_string(id) +
-          " is out of range; the surface has " +
-          std::to_string(this->surface->GetNumberOfPoints()) + " vertices and ids count from 0");
-      }
-      ids.push_back(id);
+      ids.push_back(this->pointOf(word, name, isEdge));
     }
     if (ids.size() < 2)
     {
@@ -78,14 +136,67 @@ struct CurveReader
     return ids;
   }
 
-  std::vector<vtkIdType> alongBorder(const std::vector<vtkIdType>& ids, const std::string& name)
+  /// All around an opening, by its number.
+  std::vector<vtkIdType> readOpening(std::string_view rest, const std::string& name) const
+  {
+    const std::vector<BoundaryLoop> all = openings(listTriangles(this->surface));
+    long long number = 0;
+    const std::string_view word = takeWord(rest);
+    if (!parseInteger(word, number) || number < 1 || !takeWord(rest).empty() ||
+      number > static_cast<long long>(all.size()))
+    {
+      this->refuse("curve " + inQuotes(name) +
+        ": there is no such opening; write opening N, N from 1 to " + std::to_string(all.size()) +
+        " as wirewarp check lists them");
+    }
+    std::vector<vtkIdType> ids = all[static_cast<std::size_t>(number - 1)].points;
+    ids.push_back(ids.front());
+    return ids;
+  }
+
+  /// The lines in which a plane cuts the surface.
+  std::vector<std::vector<vtkIdType>> readPlane(std::string_view rest, const std::string& name)
+  {
+    const std::optional<SectionPlane> plane = sectionPlaneOf(rest);
+    if (!plane)
+    {
+      this->refuse("curve " + inQuotes(name) +
+        ": write plane x=NUMBER (or y, z), and behind it where it runs, as y>NUMBER z<NUMBER");
+    }
+    std::vector<std::vector<vtkIdType>> found;
+    for (const SectionLine& line : sectionOf(listTriangles(this->surface), *plane))
+    {
+      std::vector<vtkIdType>& ids = found.emplace_back();
+      for (const std::array<double, 3>& x : line)
+      {
+        ids.push_back(this->addPoint(x));
+      }
+      if (line.front() == line.back())
+      {
+        ids.back() = ids.front();
+      }
+    }
+    if (found.empty())
+    {
+      this->refuse("curve " + inQuotes(name) +
+        ": the plane does not meet the surface there; see its size with wirewarp check");
+    }
+    return found;
+  }
+
+  BorderWays& borders()
   {
     if (!this->ways)
     {
       this->ways.emplace(this->surface);
     }
+    return *this->ways;
+  }
+
+  std::vector<vtkIdType> alongBorder(const std::vector<vtkIdType>& ids, const std::string& name)
+  {
     std::string fault;
-    const std::optional<std::vector<vtkIdType>> way = this->ways->through(ids, fault);
+    const std::optional<std::vector<vtkIdType>> way = this->borders().through(ids, fault);
     if (!way)
     {
       this->refuse("edge " + inQuotes(name) + ": " + fault);
@@ -124,10 +235,25 @@ vtkSmartPointer<vtkPolyData> readCurveText(const std::string& path, vtkPolyData*
     {
       reader.refuse("the curve has no name; write TYPE NAME v0 v1 ...");
     }
-    std::vector<vtkIdType> ids = reader.readIds(rest, *name);
+    std::string_view after = rest;
+    const std::string_view form = takeWord(after);
+    if (form == "plane" && !isEdge)
+    {
+      for (const std::vector<vtkIdType>& ids : reader.readPlane(after, *name))
+      {
+        curves.add(ids, { *kind, *name });
+      }
+      continue;
+    }
+    if (form == "opening")
+    {
+      curves.add(reader.readOpening(after, *name), { *kind, *name });
+      continue;
+    }
+    const std::vector<vtkIdType> ids = reader.readIds(rest, *name, isEdge);
     curves.add(isEdge ? reader.alongBorder(ids, *name) : ids, { *kind, *name });
   }
-  return curves.polyData(surface->GetPoints());
+  return curves.polyData(reader.points ? reader.points.Get() : surface->GetPoints());
 }
 
 vtkSmartPointer<vtkPolyData> readObjCurves(const std::string& path)
