@@ -1,7 +1,7 @@
 # Core and Pattern as static libraries without VTK, for whoever needs no VTK: the components Core and Pattern of
 # the package SurfaceFlattening, with their headers in folders of their own.
 find_package(Eigen3 REQUIRED CONFIG) # of any version: Filters/Core has looked at it
-find_package(superlu REQUIRED CONFIG)
+find_package(superlu CONFIG)
 set(flattening_libraries Core)
 if (TARGET FlatteningPattern)
   add_library(FlatteningPatternArchive STATIC $<TARGET_OBJECTS:FlatteningPattern>)

@@ -10,7 +10,7 @@
 #include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
-#include "Report/ReportColumns.h"
+#include "Report/SuggestionReport.h"
 #include "Suggestion/CurveSuggestion.h"
 #include "Suggestion/RegionWeights.h"
 
@@ -84,18 +84,6 @@ Status readWeights(const CurvedPolyData& source, const std::string& array, Regio
   return {};
 }
 
-/// A curve of the input as a row beside the proposed ones.
-SuggestedCurve rowOf(const Polyline& curve)
-{
-  SuggestedCurve row;
-  row.curve = curve;
-  for (std::size_t k = 1; k < curve.points.size(); ++k)
-  {
-    row.length += (curve.points[k] - curve.points[k - 1]).norm();
-  }
-  return row;
-}
-
 void writeLines(const std::vector<SuggestedCurve>& rows, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -127,159 +115,15 @@ void writeLines(const std::vector<SuggestedCurve>& rows, vtkPolyData* output)
   }
 }
 
-/// The lines that were tried and not proposed.
-Columns leftOutLines(const CurveSuggestions& suggestions)
-{
-  Columns table;
-  const TableColumns<SuggestedCurve> columns(table, suggestions.leftOut);
-  columns.add("Name", [](const SuggestedCurve& line) { return line.curve.name; });
-  columns.add("Type", [](const SuggestedCurve& line) { return curveTypeName(line.curve.type); });
-  columns.add("Sound", &SuggestedCurve::sound);
-  columns.add("Length", &SuggestedCurve::length);
-  columns.add("Gain", &SuggestedCurve::gain);
-  columns.add("AreaErrorBefore", &SuggestedCurve::areaErrorBefore);
-  columns.add("AreaErrorAfter", &SuggestedCurve::areaErrorAfter);
-  columns.add("StrainBefore", &SuggestedCurve::strainBefore);
-  columns.add("StrainAfter", &SuggestedCurve::strainAfter);
-  return table;
-}
-
-/// Writes one row: how the search ended.
-Columns searchTable(const CurveSuggestions& suggestions)
-{
-  Columns table;
-  const std::vector<const CurveSuggestions*> rows{ &suggestions };
-  const TableColumns<const CurveSuggestions*> columns(table, rows);
-  columns.add("BoundMet", &CurveSuggestions::boundMet);
-  columns.add("StrainBefore", &CurveSuggestions::strainBefore);
-  columns.add("StrainAfter", &CurveSuggestions::strainAfter);
-  columns.add("Trials", &CurveSuggestions::trials);
-  columns.add("Work", &CurveSuggestions::work);
-  return table;
-}
-
 /// Curves and then proposed cuts as polylines with points of their own; the arrays are those of
 /// vtkFeatureCurveSuggestion.
 void writeSuggestions(
   const std::vector<Polyline>& curves, const CurveSuggestions& suggestions, vtkPolyData* output)
 {
-  std::vector<SuggestedCurve> rows;
-  for (const Polyline& curve : curves)
-  {
-    rows.push_back(rowOf(curve));
-  }
-  const std::size_t first = rows.size();
-  rows.insert(rows.end(), suggestions.curves.begin(), suggestions.curves.end());
+  const std::vector<SuggestedCurve> rows = suggestionRows(curves, suggestions);
   writeLines(rows, output);
-
-  vtkCellData* const cells = output->GetCellData();
-  const std::size_t count = rows.size();
-  const auto addNumbers = [&](const char* name, double SuggestedCurve::*value) {
-    addRows<vtkDoubleArray>(cells, name, count, [&](std::size_t c) { return rows[c].*value; });
-  };
-  addRows<vtkIntArray>(
-    cells, "CurveType", count, [&](std::size_t c) { return static_cast<int>(rows[c].curve.type); });
-  addRows<vtkStringArray>(
-    cells, "CurveName", count, [&](std::size_t c) { return rows[c].curve.name; });
-  addRows<vtkIntArray>(cells, "KeyShape", count,
-    [&](std::size_t c) { return rows[c].curve.keyShape == KeyShape::Straight ? 1 : 0; });
-  addRows<vtkDoubleArray>(
-    cells, "LengthTolerance", count, [&](std::size_t c) { return rows[c].curve.tolerance; });
-  addEases(cells, count, [&](std::size_t c) { return rows[c].curve.ease; });
-  addRows<vtkIntArray>(cells, "Rank", count,
-    [&](std::size_t c) { return c < first ? -1 : static_cast<int>(c - first) + 1; });
-  addNumbers("Length", &SuggestedCurve::length);
-  addNumbers("PredictedGain", &SuggestedCurve::predictedGain);
-  addNumbers("Gain", &SuggestedCurve::gain);
-  addNumbers("Opening", &SuggestedCurve::opening);
-  addNumbers("AreaErrorBefore", &SuggestedCurve::areaErrorBefore);
-  addNumbers("AreaErrorAfter", &SuggestedCurve::areaErrorAfter);
-  addNumbers("StrainBefore", &SuggestedCurve::strainBefore);
-  addNumbers("StrainAfter", &SuggestedCurve::strainAfter);
-  addRows<vtkIntArray>(cells, "MirrorOf", count, [&](std::size_t c) {
-    return rows[c].mirrorOf == none ? -1 : static_cast<int>(rows[c].mirrorOf) + 1;
-  });
-
-  vtkFieldData* const field = output->GetFieldData();
-  if (suggestions.mirror && suggestions.mirror->intrinsic())
-  {
-    const std::array<Point3, 2>& axis = suggestions.mirror->intrinsic()->axis();
-    addRows<vtkDoubleArray>(field, "MirrorAxis", 6,
-      [&](std::size_t k) { return axis[k / 3][static_cast<Eigen::Index>(k % 3)]; });
-  }
-  if (suggestions.mirror && suggestions.mirror->plane())
-  {
-    const SymmetryPlane& plane = *suggestions.mirror->plane();
-    addRows<vtkDoubleArray>(field, "MirrorPlane", 4, [&](std::size_t k) {
-      return k < 3 ? plane.normal[static_cast<Eigen::Index>(k)] : plane.offset;
-    });
-  }
-}
-
-/// For a warning: how far the strain stays above the bound and where, and what ended the search.
-/// Empty where the bound is met, or there is none and no limit of work ended the search.
-/// \param curves of the input
-std::string describeShortfall(
-  const CurveSuggestions& suggestions, double bound, const std::vector<Polyline>& curves)
-{
-  const std::string byWork =
-    "the limit of work ended the search after " + std::to_string(suggestions.trials) + " trials";
-  const bool worked = suggestions.end == SearchEnd::WorkUsedUp;
-  const std::string interrupted =
-    "the search was interrupted after " + std::to_string(suggestions.trials) + " trials";
-  if (suggestions.end == SearchEnd::CutsUsedUp && suggestions.cutsNeeded > 0.0)
-  {
-    return "nothing was tried: the surface takes " +
-      std::to_string(std::lround(suggestions.cutsNeeded)) +
-      " seams to be opened, more than the cuts allowed; allow as many";
-  }
-  if (std::isnan(suggestions.strainAfter) && suggestions.end == SearchEnd::Interrupted)
-  {
-    return interrupted + ", before any cut was found";
-  }
-  if (std::isnan(suggestions.strainAfter) && worked)
-  {
-    return byWork +
-      ", before the surface could be flattened with any cuts; allow more work, or draw "
-      "seams that open the surface";
-  }
-  if (std::isnan(suggestions.strainAfter))
-  {
-    const bool keys = std::any_of(curves.begin(), curves.end(),
-      [](const Polyline& curve) { return curve.type == CurveType::Key; });
-    return keys
-      ? "nothing could be tried: the seams that open the surface meet a key curve, or cannot be "
-        "made; make it an accessory curve, or draw seams that open the surface"
-      : "nothing could be tried: seams that open the surface are not found, or it cannot be "
-        "flattened with them; draw seams that open the surface";
-  }
-  if (suggestions.boundMet || bound == 0.0)
-  {
-    return suggestions.end == SearchEnd::Interrupted ? interrupted
-      : worked && bound == 0.0                       ? byWork + "; allow more work for more cuts"
-                                                     : std::string();
-  }
-  const Point3& p = suggestions.worstPlace;
-  const std::string left = "the proposed cuts leave a strain of " +
-    shortNumber(suggestions.strainAfter) + " on 95 % of a piece, above the bound of " +
-    shortNumber(bound) + ", the largest at (" + shortNumber(p.x()) + ", " + shortNumber(p.y()) +
-    ", " + shortNumber(p.z()) + "); ";
-  switch (suggestions.end)
-  {
-    case SearchEnd::WorkUsedUp:
-      return left + byWork + "; allow more work, or a larger bound";
-    case SearchEnd::Interrupted:
-      return left + interrupted;
-    case SearchEnd::GivenUp:
-      return left + "the search was given up, since " +
-        (suggestions.cutsNeeded > 0.0 && suggestions.cutsNeeded < 1e6
-            ? "at this rate about " + std::to_string(std::lround(suggestions.cutsNeeded)) +
-              " cuts would be needed"
-            : std::string("cuts do not help here")) +
-        "; smooth the surface, or take a larger bound, or 0 to use up the cuts";
-    default:
-      return left + "allow more or longer cuts, seams as well as darts, or a larger bound";
-  }
+  addColumns(output->GetCellData(), suggestionArrays(rows, curves.size()));
+  addColumns(output->GetFieldData(), mirrorArrays(suggestions));
 }
 }
 }
@@ -407,12 +251,11 @@ int vtkFeatureCurveSuggestion::RequestData(
   {
     vtkPolyData::GetData(outputVector, 5)->ShallowCopy(all);
     flattening::bridge::writeTable(
-      flattening::bridge::searchTable(suggestions), vtkTable::GetData(outputVector, 6));
-    this->LeftOutLines =
-      flattening::bridge::makeTable(flattening::bridge::leftOutLines(suggestions));
+      flattening::searchTable(suggestions), vtkTable::GetData(outputVector, 6));
+    this->LeftOutLines = flattening::bridge::makeTable(flattening::leftOutTable(suggestions));
     const std::string shortfall = this->SuggestedCuts == LINES
       ? std::string()
-      : flattening::bridge::describeShortfall(suggestions, this->Bound, source->curves.polylines);
+      : flattening::describeShortfall(suggestions, this->Bound, source->curves.polylines);
     if (!shortfall.empty())
     {
       this->Warn({ shortfall });

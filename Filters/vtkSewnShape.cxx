@@ -3,8 +3,8 @@
 
 #include "AttributeArrays.h"
 #include "Base/Types.h"
-#include "BodyInput.h"
 #include "Cut/SurfaceCut.h"
+#include "FieldArrays.h"
 #include "FilterExecution.h"
 #include "Input/ClothInput.h"
 #include "Input/StatusWords.h"
@@ -15,6 +15,7 @@
 #include "QualityInput.h"
 #include "Report/ReportColumns.h"
 #include "Sewing/PieceSewing.h"
+#include "SurfaceInput.h"
 #include "SurfaceOutput.h"
 
 #include "vtkCellData.h"
@@ -394,7 +395,7 @@ int vtkSewnShape::RequestData(vtkInformation* vtkNotUsed(request),
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   const flattening::bridge::SewnInput input =
     flattening::bridge::loadSewnInput(vtkPolyData::GetData(inputVector[0]), design);
-  const flattening::bridge::LoadedBody body =
+  const flattening::LoadedBody body =
     flattening::bridge::loadBody(vtkPolyData::GetData(inputVector[2]));
   if (this->Conclude(input.outcome) && this->Conclude(body.outcome))
   {

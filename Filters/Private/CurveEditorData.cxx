@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurveEditorData.h"
 
+#include "AttributeArrays.h"
 #include "Base/Types.h"
 #include "CurveInput.h"
 #include "Editing/DrawingSurface.h"
 #include "FieldArrays.h"
 #include "Imprint/ImprintedSurface.h"
+#include "Report/ReportColumns.h"
 #include "Surface/FeatureCurve.h"
 
 #include "vtkCellArray.h"
@@ -127,9 +129,11 @@ void writeTraits(const std::vector<CurveRow>& rows, vtkPolyData* data)
     [&](std::size_t k) { return static_cast<int>(traits(k).keyShape); });
   addRows<vtkDoubleArray>(
     cells, "LengthTolerance", rows.size(), [&](std::size_t k) { return traits(k).tolerance; });
-  addEases(cells, rows.size(), [&](std::size_t k) {
+  Columns eases;
+  addEases(eases, rows.size(), [&](std::size_t k) {
     return rows[k].imageOf < 0 ? traits(k).ease : easeOfImage(traits(k).ease);
   });
+  addColumns(cells, eases);
   addRows<vtkIdTypeArray>(
     cells, imageOf, rows.size(), [&](std::size_t k) { return rows[k].imageOf; });
 }

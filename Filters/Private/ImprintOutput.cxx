@@ -2,6 +2,7 @@
 #include "ImprintOutput.h"
 
 #include "FieldArrays.h"
+#include "Report/ReportColumns.h"
 #include "SurfaceOutput.h"
 
 #include "vtkCellArray.h"
@@ -127,7 +128,9 @@ void writeCurves(const CurvedPolyData& source, vtkPolyData* surface, vtkPolyData
     [&](std::size_t c) { return curves[c].keyShape == KeyShape::Straight ? 1 : 0; });
   addRows<vtkDoubleArray>(
     cells, "LengthTolerance", count, [&](std::size_t c) { return curves[c].tolerance; });
-  addEases(cells, count, [&](std::size_t c) { return curves[c].ease; });
+  Columns eases;
+  addEases(eases, count, [&](std::size_t c) { return curves[c].ease; });
+  addColumns(cells, eases);
   addRows<vtkIdTypeArray>(
     cells, "CurveId", count, [](std::size_t c) { return static_cast<vtkIdType>(c); });
   addRows<vtkDoubleArray>(cells, "RestLength", count,

@@ -177,5 +177,10 @@ LoadedSurface loadSurface(
 {
   return flattening::loadSurface(readTriangles(surface, ghosts), coincident, defects);
 }
+
+LoadedBody loadBody(vtkPolyData* body)
+{
+  return body ? flattening::loadBody(readTriangles(body)) : LoadedBody();
+}
 }
 }

@@ -40,6 +40,9 @@ SurfaceTriangles readTriangles(vtkPolyData* surface, GhostCells ghosts = GhostCe
 LoadedSurface loadSurface(vtkPolyData* surface, CoincidentPoints coincident, Defects defects,
   GhostCells ghosts = GhostCells::LeftOut);
 
+/// Reads a body; null: there is none.
+LoadedBody loadBody(vtkPolyData* body);
+
 /// Calls visit(k, count, ids) for each cell of an array, k counting from 0.
 template <class Visit>
 void forEachCell(vtkCellArray* cells, Visit&& visit)

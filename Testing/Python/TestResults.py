@@ -336,7 +336,7 @@ class Patterns(unittest.TestCase):
                 self.path("own." + kind), unit="inch", name="Trousers", size="40", quantity=2, piece_quantities=[4],
                 piece_names=["front"], allowance=12, curve_allowances={"boundary": 20.0}, mitre_limit=3,
                 notch_spacing=70, cut_darts_out=True, paper="letter", page_overlap=5, max_pages=900,
-                laser_colors=True, cut_on_fold=True, curve_notches={"boundary": [30]},
+                laser_colors=True, cutter_style=True, cut_on_fold=True, curve_notches={"boundary": [30]},
                 double_notches=["boundary"], notch_corners=True, notch_curve_ends=True, dart_tip=9,
                 curve_dart_tips={"waist_dart": 11}, curve_fairs={"boundary": 0.4}, symmetrize=True)
             mine, theirs = self.content("own." + kind), self.content(f"out/pattern.{kind}")

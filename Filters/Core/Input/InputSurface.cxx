@@ -12,6 +12,26 @@ namespace flattening
 {
 namespace
 {
+bool isInsideOut(const TriangleMesh& mesh)
+{
+  double volume = 0.0;
+  const Point3& origin = mesh.point(0);
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const Triangle& c = mesh.triangle(t);
+    for (Index h = 3 * t; h < 3 * t + 3; ++h)
+    {
+      if (mesh.twin(h) == none)
+      {
+        return false;
+      }
+    }
+    volume +=
+      (mesh.point(c[0]) - origin).dot((mesh.point(c[1]) - origin).cross(mesh.point(c[2]) - origin));
+  }
+  return volume < 0.0;
+}
+
 /// Gives the triangles of the input that healing left the places that they have in the mesh.
 void keepHealed(LoadedSurface& surface)
 {
@@ -127,6 +147,33 @@ LoadedSurface loadSurface(SurfaceTriangles input, CoincidentPoints coincident, D
   if (!result.prepared.originalTriangle.empty())
   {
     keepHealed(result);
+  }
+  return result;
+}
+
+LoadedBody loadBody(SurfaceTriangles body)
+{
+  LoadedBody result;
+  const LoadedSurface surface =
+    loadSurface(std::move(body), CoincidentPoints::Automatic, Defects::Heal);
+  result.outcome = surface.outcome;
+  if (!result.outcome.ok())
+  {
+    // Ids would be taken for those of the surface.
+    result.outcome.message = "the body: " + result.outcome.message;
+    result.outcome.ids = {};
+    return result;
+  }
+  result.mesh = surface.prepared.mesh;
+  result.given = true;
+  if (isInsideOut(result.mesh))
+  {
+    Triangles turned = result.mesh.triangles();
+    for (Triangle& c : turned)
+    {
+      std::swap(c[1], c[2]);
+    }
+    result.mesh = TriangleMesh(result.mesh.points(), std::move(turned));
   }
   return result;
 }

@@ -4,6 +4,7 @@
 #include "Base/Status.h"
 #include "Surface/SurfaceHealing.h"
 #include "Surface/SurfacePreparation.h"
+#include "Surface/TriangleMesh.h"
 
 #include <cstdint>
 #include <string>
@@ -57,4 +58,17 @@ struct LoadedSurface
 };
 
 LoadedSurface loadSurface(SurfaceTriangles input, CoincidentPoints coincident, Defects defects);
+
+/// A body that cloth lies on.
+struct LoadedBody
+{
+  TriangleMesh mesh;
+  bool given = false;
+  Status outcome;
+
+  const TriangleMesh* get() const { return this->given ? &this->mesh : nullptr; }
+};
+
+/// One that is closed is turned so that its normals point outwards.
+LoadedBody loadBody(SurfaceTriangles body);
 }

@@ -4,7 +4,11 @@
 #include "Base/Memory.h"
 #include "Base/Types.h"
 
+#ifdef FLATTENING_WITHOUT_SUPERLU
+#include <Eigen/SparseLU>
+#else
 #include <slu_ddefs.h>
+#endif
 
 #include <algorithm>
 #include <new>
@@ -12,6 +16,33 @@
 
 namespace flattening
 {
+#ifdef FLATTENING_WITHOUT_SUPERLU
+struct SuperLUFactorization::Factors
+{
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu;
+};
+
+SuperLUFactorization::SuperLUFactorization() = default;
+SuperLUFactorization::~SuperLUFactorization() = default;
+
+bool SuperLUFactorization::factorize(const Eigen::SparseMatrix<double>& matrix)
+{
+  this->Held.reset();
+  if (matrix.rows() != matrix.cols() ||
+    !isFinite(Eigen::Map<const Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros())))
+  {
+    return false;
+  }
+  this->Held = std::make_unique<Factors>();
+  this->Held->lu.compute(matrix);
+  return this->Held->lu.info() == Eigen::Success;
+}
+
+Eigen::MatrixXd SuperLUFactorization::solve(const Eigen::MatrixXd& rightHandSide) const
+{
+  return this->Held->lu.solve(rightHandSide);
+}
+#else
 struct SuperLUFactorization::Factors
 {
   SuperMatrix lower{};
@@ -199,4 +230,5 @@ Eigen::MatrixXd SuperLUFactorization::solve(const Eigen::MatrixXd& rightHandSide
   Destroy_SuperMatrix_Store(&b);
   return factors.columnScale.asDiagonal() * x;
 }
+#endif
 }

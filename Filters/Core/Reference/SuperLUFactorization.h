@@ -8,7 +8,7 @@
 namespace flattening
 {
 /// L U of a square matrix with partial pivoting by the SuperLU library: equilibrated, columns in
-/// the order of COLAMD.
+/// the order of COLAMD. A build without SuperLU takes Eigen's SparseLU instead.
 ///
 /// Calls the library's steps one by one. Its driver for all of them, dgssvx, keeps memory for ever
 /// where the matrix is singular (up to SuperLU 5.3), also when Eigen calls it.

@@ -39,6 +39,24 @@ void addRows(Columns& columns, const char* name, std::size_t rows, const Value& 
   columns.push_back({ name, std::move(values) });
 }
 
+/// Adds `LengthEase` and `EasedPiece` of curves, where one of them is eased. \param easeOf the
+/// LengthEase of a row
+template <class EaseOf>
+void addEases(Columns& columns, std::size_t rows, const EaseOf& easeOf)
+{
+  bool eased = false;
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    eased = eased || easeOf(row).fraction != 0.0;
+  }
+  if (eased)
+  {
+    addRows<double>(
+      columns, "LengthEase", rows, [&](std::size_t row) { return easeOf(row).fraction; });
+    addRows<int>(columns, "EasedPiece", rows, [&](std::size_t row) { return easeOf(row).piece; });
+  }
+}
+
 /// Writes a table with one row per element of a list, column by column.
 template <class Row>
 class TableColumns

@@ -326,6 +326,16 @@ Settings::Settings(const std::string& owner, const py::dict& values)
     const auto row = item.cast<py::tuple>();
     this->tolerances.emplace_back(row[0].cast<std::string>(), row[1].cast<double>());
   }
+  for (const py::handle item : rows("Preferences"))
+  {
+    const auto row = item.cast<py::tuple>();
+    this->structures.search.preferences.push_back(
+      { row[0].cast<std::string>(), row[1].cast<double>() });
+  }
+  for (const py::handle item : rows("KeptCurves"))
+  {
+    this->keptCurves.insert(item.cast<py::tuple>()[0].cast<std::string>());
+  }
   for (const py::handle item : rows("CurveEases"))
   {
     const auto row = item.cast<py::tuple>();
@@ -350,7 +360,7 @@ Execution WatchedRun::execution()
     {
       this->tell(this->Fraction);
     }
-    return this->Raised != nullptr;
+    return this->Ended;
   };
   execution.parallel = runParallel;
   return execution;
@@ -376,20 +386,32 @@ void WatchedRun::tell(double fraction)
     catch (...)
     {
       this->Raised = std::current_exception();
+      this->Ended = true;
     }
   }
   this->Told = Clock::now();
 }
 
-void WatchedRun::finish()
+void WatchedRun::finish(bool early)
 {
   if (!this->Raised)
   {
     this->tell(1.0);
   }
-  if (this->Raised)
+  if (!this->Raised)
+  {
+    return;
+  }
+  try
   {
     std::rethrow_exception(this->Raised);
+  }
+  catch (const py::error_already_set& error)
+  {
+    if (!early || !error.matches(PyExc_KeyboardInterrupt))
+    {
+      throw;
+    }
   }
 }
 }

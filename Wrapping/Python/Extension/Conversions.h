@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <exception>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -75,6 +76,7 @@ struct Settings
   OptionStructures structures;
   std::vector<std::pair<std::string, double>> tolerances;
   std::array<std::int64_t, 2> pins{ -1, -1 };
+  std::set<std::string> keptCurves;
 };
 
 /// A run that Python sees: calls progress(), and ends with what that or a signal raises.
@@ -85,8 +87,11 @@ public:
   explicit WatchedRun(py::object progress);
 
   Execution execution();
-  /// Raises what ended the run; tells the end of the others.
-  void finish();
+  /// Lets what follows run, although the run has been ended.
+  void goOn() { this->Ended = false; }
+  /// Raises what ended the run; tells the end of the others. \param early KeyboardInterrupt ends a
+  /// run with what it has found so far
+  void finish(bool early = false);
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -96,6 +101,7 @@ private:
   py::object Progress;
   double Fraction = 0.0;
   Clock::time_point Told = Clock::now();
+  bool Ended = false;
   std::exception_ptr Raised;
 };
 }

@@ -4,10 +4,13 @@
 #include "Conversions.h"
 
 #include "Design/KeyPrices.h"
+#include "Design/LineSuggestion.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "Input/StatusWords.h"
 #include "Report/FlatteningArrays.h"
 #include "Report/FlatteningTables.h"
+#include "Report/SuggestionReport.h"
+#include "Suggestion/CurveSuggestion.h"
 
 #include <pybind11/stl.h>
 
@@ -187,23 +190,34 @@ struct Input
   }
 };
 
-py::dict flatten(const Numbers& points, const Ids& corners, const py::object& offsets,
-  const py::list& curves, const std::string& owner, const py::dict& options, py::object progress)
+/// Runs work(execution, run) with the interpreter's lock free. \return whether it gave a result
+template <class Work>
+Run runWatched(Input input, const Settings& settings, py::object progress, const Work& work,
+  bool endsEarly = false)
 {
-  Input input(points, corners, offsets, curves);
-  const Settings settings(owner, options);
   WatchedRun watched(std::move(progress));
   Run run;
-  std::optional<Flattened> flattened;
   {
     const py::gil_scoped_release free;
     const Execution execution = watched.execution();
     if (load(std::move(input.surface), std::move(input.curves), settings, execution, run))
     {
-      flattened = flattenSource(settings, execution, run);
+      work(execution, run, watched);
     }
   }
-  watched.finish();
+  watched.finish(endsEarly && !run.status.refused());
+  return run;
+}
+
+py::dict flatten(const Numbers& points, const Ids& corners, const py::object& offsets,
+  const py::list& curves, const std::string& owner, const py::dict& options, py::object progress)
+{
+  const Settings settings(owner, options);
+  std::optional<Flattened> flattened;
+  const Run run = runWatched({ points, corners, offsets, curves }, settings, std::move(progress),
+    [&](const Execution& execution, Run& running, WatchedRun&) {
+      flattened = flattenSource(settings, execution, running);
+    });
   py::dict result = outcomeOf(run);
   if (flattened)
   {
@@ -225,22 +239,15 @@ py::tuple trialOf(const KeyTrial& trial, const std::vector<FeatureCurve>& curves
 py::dict priceKeys(const Numbers& points, const Ids& corners, const py::object& offsets,
   const py::list& curves, const std::string& owner, const py::dict& options, py::object progress)
 {
-  Input input(points, corners, offsets, curves);
   const Settings settings(owner, options);
-  WatchedRun watched(std::move(progress));
-  Run run;
   KeyPrices prices;
-  {
-    const py::gil_scoped_release free;
-    const Execution execution = watched.execution();
-    if (load(std::move(input.surface), std::move(input.curves), settings, execution, run))
-    {
-      prices = flattening::priceKeys(run.source.imprinted.mesh, run.source.imprinted.curves,
-        settings.structures.flattening, execution);
-      run.conclude(run.source.outcomeOfStage(prices.status));
-    }
-  }
-  watched.finish();
+  const Run run = runWatched({ points, corners, offsets, curves }, settings, std::move(progress),
+    [&](const Execution& execution, Run& running, WatchedRun&) {
+      const ImprintedSurface& surface = running.source.imprinted;
+      prices = flattening::priceKeys(
+        surface.mesh, surface.curves, settings.structures.flattening, execution);
+      running.conclude(running.source.outcomeOfStage(prices.status));
+    });
   py::dict result = outcomeOf(run);
   if (run.status.refused())
   {
@@ -256,6 +263,95 @@ py::dict priceKeys(const Numbers& points, const Ids& corners, const py::object& 
   result["all"] = trialOf(prices.all, known);
   result["none"] = trialOf(prices.none, known);
   result["keys"] = keys;
+  return result;
+}
+
+/// The curves of the input with those proposed behind them, of a source of their own.
+CurveInput withProposed(CurveInput curves, const std::vector<SuggestedCurve>& proposed)
+{
+  Index point = 0;
+  for (std::size_t k = 0; k < proposed.size(); ++k)
+  {
+    Polyline curve = proposed[k].curve;
+    curve.pointIds.clear();
+    while (curve.pointIds.size() < curve.points.size())
+    {
+      curve.pointIds.push_back(point++);
+    }
+    curves.polylines.push_back(std::move(curve));
+    curves.cellOfPolyline.push_back(static_cast<std::int64_t>(k));
+    curves.sourceOfPolyline.push_back(2);
+  }
+  return curves;
+}
+
+py::dict suggest(const Numbers& points, const Ids& corners, const py::object& offsets,
+  const py::list& curves, const py::object& weights, const std::string& owner,
+  const py::dict& options, py::object progress)
+{
+  const Settings settings(owner, options);
+  const OptionStructures& all = settings.structures;
+  SuggestionOptions search;
+  search.search = all.search;
+  search.imprint = all.imprint;
+  search.flattening = all.flattening;
+  std::vector<double> weightOfCell;
+  if (!weights.is_none())
+  {
+    const auto given = weights.cast<Numbers>();
+    weightOfCell.assign(given.data(), given.data() + given.size());
+  }
+  const bool lines = all.search.cuts == SuggestedCuts::Lines;
+  CurveSuggestions found;
+  std::optional<Flattened> flattened;
+  const Run run = runWatched(
+    { points, corners, offsets, curves }, settings, std::move(progress),
+    [&](const Execution& execution, Run& running, WatchedRun& watched) {
+      CurvedSurface& source = running.source;
+      for (const std::int64_t cell :
+        weightOfCell.empty() ? std::vector<std::int64_t>() : source.surface.input.cellOfTriangle)
+      {
+        search.weights.push_back(weightOfCell[static_cast<std::size_t>(cell)]);
+      }
+      found = (lines ? suggestLines : suggestCurves)(
+        source.surface.prepared.mesh, source.curves.polylines, search, execution);
+      if (!running.conclude(source.outcomeOfStage(found.status)))
+      {
+        return;
+      }
+      const std::vector<Polyline> given = source.curves.polylines;
+      if (found.end == SearchEnd::Interrupted)
+      {
+        watched.goOn(); // the surface is flattened with the cuts found so far
+      }
+      imprintInput(withProposed(source.curves, found.curves), all.imprint, execution, source);
+      if (running.conclude(source.outcome))
+      {
+        flattened = flattenSource(settings, execution, running);
+      }
+      const std::string shortfall =
+        flattened && !lines ? describeShortfall(found, all.search.bound, given) : std::string();
+      if (!shortfall.empty())
+      {
+        running.warn({ shortfall });
+      }
+    },
+    !lines);
+  py::dict result = outcomeOf(run);
+  if (flattened)
+  {
+    py::list places;
+    for (const SuggestedCurve& curve : found.curves)
+    {
+      places.append(arrayOf<double>(Points3(curve.curve.points)));
+    }
+    result["flattening"] = resultOf(std::move(*flattened));
+    result["places"] = places;
+    result["curves"] = dictOf(suggestionArrays(found.curves, 0));
+    result["search"] = dictOf(searchTable(found));
+    result["left_out"] = dictOf(leftOutTable(found));
+    result["mirror"] = dictOf(mirrorArrays(found));
+  }
   return result;
 }
 
@@ -314,6 +410,7 @@ PYBIND11_MODULE(_core, module)
   using namespace flattening::python;
   module.def("flatten", &flatten);
   module.def("price_keys", &priceKeys);
+  module.def("suggest", &suggest);
   module.def("describe_idle", &describeIdle);
   module.def("options_of", &namesOfOptions);
   module.def("materials", &materials);

@@ -27,6 +27,16 @@ def price_keys(
     options: Mapping[str, Any],
     progress: _Progress,
 ) -> Dict[str, Any]: ...
+def suggest(
+    points: NDArray[np.float64],
+    corners: NDArray[np.int64],
+    offsets: Optional[NDArray[np.int64]],
+    curves: Sequence[CurveRow],
+    weights: Optional[NDArray[np.float64]],
+    owner: str,
+    options: Mapping[str, Any],
+    progress: _Progress,
+) -> Dict[str, Any]: ...
 def describe_idle(owner: str, options: Mapping[str, Any], given: Sequence[str]) -> str: ...
 def options_of(owner: str) -> List[Tuple[str, str]]: ...
 def materials() -> Dict[str, Any]: ...

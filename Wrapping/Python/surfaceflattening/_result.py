@@ -13,9 +13,11 @@ from numpy.typing import NDArray
 
 from ._curves import CURVE_TYPES
 from ._equality import ComparedByValue, same
+from ._errors import missing_vtk
 from ._options import word_of
 from ._report import Table, make_report, values_in
 from ._types import Coloring, Paper, Part, Report, Unit, WireType
+from ._version import BUILT_WITH_VTK
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -247,6 +249,8 @@ class Flattening(ComparedByValue):
             OutOfMemoryError: there is not enough memory to draw it.
         """
         options = {key: value for key, value in locals().items() if key not in ("self", "path")}
+        if not BUILT_WITH_VTK:
+            raise ImportError(missing_vtk("write_pattern()"))
         from ._pattern import write_parts
         from ._vtk import parts_of
         write_parts(parts_of(self), os.fspath(path), options)

@@ -4,20 +4,20 @@
 from __future__ import annotations  # help() prints hints as they are written here
 
 from dataclasses import dataclass
-from typing import Any, List, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, List, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._curves import CURVE_TYPES, Curve, weights_of
+from . import _core
+from ._curves import CURVE_TYPES, Curve, curve_rows, surface_of, weights_of
 from ._equality import ComparedByValue
-from ._options import with_options
-from ._report import rows_of
-from ._result import Flattening
-from ._vtk import (
-    add_weights, coordinates_of, curves_on, demand_polydata, make_curves, make_filter, make_surface, points_of_cell, result_of,
-    table_of, update, values_of)
+from ._options import read_options, with_options
+from ._report import Table, raise_refusal, rows_of, values_in, warn_of
+from ._result import Flattening, flattening_of
+
+if TYPE_CHECKING:
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 _OWNER = "vtkFeatureCurveSuggestion"
 
@@ -116,36 +116,24 @@ class Suggestion(ComparedByValue):
         return suggestion_to_html(self)
 
 
-def _make_suggestion(filter_: Any, flattening: Flattening) -> Suggestion:
-    curves = filter_.GetOutput(5)
-    cells = curves.GetCellData()
-    kinds, names = values_of(cells, "CurveType"), values_of(cells, "CurveName")
-    shapes = values_of(cells, "KeyShape")
-    ranks, mirrors = values_of(cells, "Rank"), values_of(cells, "MirrorOf")
-    numbers = [values_of(cells, name) for name in (
-        "Length", "PredictedGain", "Gain", "Opening", "StrainBefore", "StrainAfter",
-        "AreaErrorBefore", "AreaErrorAfter")]
-    cuts = []
-    for cell, rank in enumerate(ranks):
-        if rank < 1:
-            continue
-        points = coordinates_of(curves)[points_of_cell(curves, cell)]
-        length, predicted, gain, opening, before, after, *area = (
-            column[cell] for column in numbers)
-        cuts.append(SuggestedCut(
-            Curve(points, CURVE_TYPES[kinds[cell]], names[cell],
-                  key_shape="straight" if shapes[cell] == 1 else "surface"), length, predicted, gain, opening,
-            before, after, mirrors[cell] - 1 if mirrors[cell] > 0 else -1, *area))
-    field = curves.GetFieldData()
-    met = values_of(filter_.GetOutputDataObject(6).GetRowData(), "BoundMet")
-    left_out = [LeftOutLine(**row) for row in rows_of(table_of(filter_.GetLeftOutLines()), {
+def _make_suggestion(
+    flattening: Flattening, places: Sequence[NDArray[np.float64]], curves: Table, search: Table, left_out: Table, mirror: Table
+) -> Suggestion:
+    """By the tables of a search; those of the curves have a row for each that is proposed, which lie at these places."""
+    cuts = [
+        SuggestedCut(Curve(points, CURVE_TYPES[kind], name, key_shape="straight" if shape == 1 else "surface"),
+                     length, predicted, gain, opening, before, after, image - 1 if image > 0 else -1, *area)
+        for points, kind, name, shape, length, predicted, gain, opening, before, after, image, *area in zip(
+            places, *(values_in(curves, column) for column in (
+                "CurveType", "CurveName", "KeyShape", "Length", "PredictedGain", "Gain", "Opening", "StrainBefore",
+                "StrainAfter", "MirrorOf", "AreaErrorBefore", "AreaErrorAfter")))]
+    lines = [LeftOutLine(**row) for row in rows_of(left_out, {
         "name": "Name", "type": "Type", "length": "Length", "gain": "Gain", "E_area_before": "AreaErrorBefore",
         "E_area_after": "AreaErrorAfter", "strain_before": "StrainBefore", "strain_after": "StrainAfter",
         "sound": "Sound"})]
-    plane, axis = values_of(field, "MirrorPlane"), values_of(field, "MirrorAxis")
-    mirror = (MirrorPlane(np.array(plane[:3]), plane[3]) if plane
-              else MirrorAxis(np.reshape(axis, (2, 3))) if axis else None)
-    return Suggestion(cuts, bool(met[0]), flattening, left_out, mirror)
+    plane, axis = values_in(mirror, "MirrorPlane"), values_in(mirror, "MirrorAxis")
+    return Suggestion(cuts, bool(values_in(search, "BoundMet")[0]), flattening, lines, (
+        MirrorPlane(np.array(plane[:3]), plane[3]) if plane else MirrorAxis(np.reshape(axis, (2, 3))) if axis else None))
 
 
 @with_options(_OWNER)
@@ -176,10 +164,16 @@ def suggest(
 
     Raises and warns as :func:`flatten` does; a bound that is not met is a FlatteningWarning.
     """
-    surface = make_surface(points, triangles)
-    return _suggest(
-        surface, make_curves(curves, points), weights=None if weights is None else add_weights(
-            surface, weights_of(weights, surface.GetNumberOfCells())), **options)
+    owner, values = read_options({**options, "weights": None}, "suggest", _OWNER)
+    surface = surface_of(points, triangles)
+    cells = len(surface.corners) // 3 if surface.offsets is None else len(surface.offsets) - 1
+    run = _core.suggest(
+        *surface, curve_rows(curves, points), None if weights is None else weights_of(weights, cells), owner, values,
+        options.get("progress"))
+    raise_refusal(run)
+    warn_of(run, 2)
+    return _make_suggestion(flattening_of(run, run["flattening"]), run["places"], run["curves"], run["search"],
+                            run["left_out"], run["mirror"])
 
 
 @with_options(_OWNER)
@@ -195,14 +189,20 @@ def suggest_polydata(
     curves: as for :func:`flatten_polydata`, which takes those that are proposed as such a list.
     weights: the name of a cell array. Default: None, everywhere alike.
     """
+    from ._vtk import (
+        coordinates_of, curves_on, demand_polydata, make_filter, points_of_cell, result_of, table_of, table_of_arrays, update)
+
     demand_polydata(surface, "surface", "; suggest() takes arrays")
-    return _suggest(surface, curves_on(surface, curves), weights=weights, **options)
-
-
-def _suggest(surface: vtkPolyData, curves: Optional[vtkPolyData], **options: Any) -> Suggestion:
-    filter_ = make_filter(options, "suggest", _OWNER)
+    on_surface = curves_on(surface, curves)
+    filter_ = make_filter({**options, "weights": weights}, "suggest_polydata", _OWNER)
     filter_.SetInputData(surface)
-    if curves is not None:
-        filter_.SetCurvesData(curves)
+    if on_surface is not None:
+        filter_.SetCurvesData(on_surface)
     update(filter_, options.get("progress"), finishes=filter_.GetSuggestedCuts() != filter_.LINES)
-    return _make_suggestion(filter_, result_of(filter_, type(surface)))
+    proposed = filter_.GetOutput(5)
+    table = table_of_arrays(proposed.GetCellData())
+    rows = [row for row, rank in enumerate(table["Rank"]) if rank > 0]
+    return _make_suggestion(
+        result_of(filter_, type(surface)), [coordinates_of(proposed)[points_of_cell(proposed, row)] for row in rows],
+        {name: [values[row] for row in rows] for name, values in table.items()}, table_of(filter_.GetOutputDataObject(6)),
+        table_of(filter_.GetLeftOutLines()), table_of_arrays(proposed.GetFieldData()))

@@ -14,7 +14,6 @@ from vtkmodules.vtkCommonCore import (
     VTK_CHAR, vtkBitArray, vtkCharArray, vtkPoints, vtkStringArray, vtkUnsignedCharArray)
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyData
 
-from . import vtkFiltersFlattening as _filters
 from ._curves import Curve, curve_rows, surface_of
 from ._errors import ArgumentTypeError, FlatteningError, MissingFileError
 from ._options import WARPING, read_options, text_of
@@ -51,10 +50,15 @@ def values_of(field: Any, name: str) -> List[Any]:
     return values
 
 
+def table_of_arrays(data: Any) -> Dict[str, List[Any]]:
+    """Arrays with a name as Python values."""
+    names = [data.GetArrayName(k) for k in range(data.GetNumberOfArrays())]
+    return {name: values_of(data, name) for name in names if name}
+
+
 def table_of(table: Any) -> Dict[str, List[Any]]:
     """The columns of a vtkTable."""
-    rows = table.GetRowData()
-    return {rows.GetArrayName(k): values_of(rows, rows.GetArrayName(k)) for k in range(rows.GetNumberOfArrays())}
+    return table_of_arrays(table.GetRowData())
 
 
 def coordinates_of(mesh: vtkPolyData) -> NDArray[np.float64]:
@@ -298,8 +302,7 @@ def arrays_of_parts(parts: Parts) -> Dict[str, Any]:
         "point_arrays": arrays_of(flat.GetPointData()), "cell_arrays": arrays_of(flat.GetCellData()),
         "field_arrays": arrays_of(fields), "wires": [
             np.array(points_of_cell(wires, row), np.int64) for row in range(wires.GetNumberOfCells())],
-        "wire_arrays": {cells.GetArrayName(k): values_of(cells, cells.GetArrayName(k))
-                        for k in range(cells.GetNumberOfArrays()) if cells.GetArrayName(k)}}
+        "wire_arrays": table_of_arrays(cells)}
 
 
 def result_of(filter_: Any, mesh_class: type) -> Flattening:
@@ -324,8 +327,10 @@ def unpickled(flat: bytes, wires: bytes, cut: bytes, report: Report, mesh_class:
 
 def make_filter(options: Mapping[str, Any], function: str, owner: str = WARPING) -> Any:
     """A filter with these options, or an exception that names the wrong one."""
+    from . import vtkFiltersFlattening
+
     owner, values = read_options(options, function, owner)
-    filter_ = getattr(_filters, owner)()
+    filter_ = getattr(vtkFiltersFlattening, owner)()
     filter_.CachingOff()  # it runs once
     set_properties(filter_, values)
     return filter_
@@ -362,12 +367,6 @@ def make_surface(points: ArrayLike, triangles: Optional[ArrayLike]) -> vtkPolyDa
     surface.SetPoints(make_points(coordinates))
     surface.SetPolys(make_triangles(corners) if offsets is None else _cells(offsets, corners))
     return surface
-
-
-def add_weights(surface: vtkPolyData, weights: NDArray[np.float64]) -> str:
-    """Adds a number a cell to the surface; the name of the array."""
-    surface.GetCellData().AddArray(named("Weight", to_vtk(np.ascontiguousarray(weights))))
-    return "Weight"
 
 
 def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) -> vtkPolyData:

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Report/SuggestionReport.h"
+
+#include "Base/Types.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace flattening
+{
+namespace
+{
+/// A curve of the input as a row beside the proposed ones.
+SuggestedCurve rowOf(const Polyline& curve)
+{
+  SuggestedCurve row;
+  row.curve = curve;
+  for (std::size_t k = 1; k < curve.points.size(); ++k)
+  {
+    row.length += (curve.points[k] - curve.points[k - 1]).norm();
+  }
+  return row;
+}
+}
+
+std::vector<SuggestedCurve> suggestionRows(
+  const std::vector<Polyline>& curves, const CurveSuggestions& suggestions)
+{
+  std::vector<SuggestedCurve> rows;
+  for (const Polyline& curve : curves)
+  {
+    rows.push_back(rowOf(curve));
+  }
+  rows.insert(rows.end(), suggestions.curves.begin(), suggestions.curves.end());
+  return rows;
+}
+
+Columns suggestionArrays(const std::vector<SuggestedCurve>& rows, std::size_t first)
+{
+  Columns cells;
+  const std::size_t count = rows.size();
+  const auto addNumbers = [&](const char* name, double SuggestedCurve::*value) {
+    addRows<double>(cells, name, count, [&](std::size_t c) { return rows[c].*value; });
+  };
+  addRows<int>(
+    cells, "CurveType", count, [&](std::size_t c) { return static_cast<int>(rows[c].curve.type); });
+  addRows<std::string>(
+    cells, "CurveName", count, [&](std::size_t c) { return rows[c].curve.name; });
+  addRows<int>(cells, "KeyShape", count,
+    [&](std::size_t c) { return rows[c].curve.keyShape == KeyShape::Straight ? 1 : 0; });
+  addRows<double>(
+    cells, "LengthTolerance", count, [&](std::size_t c) { return rows[c].curve.tolerance; });
+  addEases(cells, count, [&](std::size_t c) { return rows[c].curve.ease; });
+  addRows<int>(cells, "Rank", count,
+    [&](std::size_t c) { return c < first ? -1 : static_cast<int>(c - first) + 1; });
+  addNumbers("Length", &SuggestedCurve::length);
+  addNumbers("PredictedGain", &SuggestedCurve::predictedGain);
+  addNumbers("Gain", &SuggestedCurve::gain);
+  addNumbers("Opening", &SuggestedCurve::opening);
+  addNumbers("AreaErrorBefore", &SuggestedCurve::areaErrorBefore);
+  addNumbers("AreaErrorAfter", &SuggestedCurve::areaErrorAfter);
+  addNumbers("StrainBefore", &SuggestedCurve::strainBefore);
+  addNumbers("StrainAfter", &SuggestedCurve::strainAfter);
+  addRows<int>(cells, "MirrorOf", count, [&](std::size_t c) {
+    return rows[c].mirrorOf == none ? -1 : static_cast<int>(rows[c].mirrorOf) + 1;
+  });
+  return cells;
+}
+
+Columns mirrorArrays(const CurveSuggestions& suggestions)
+{
+  Columns field;
+  if (suggestions.mirror && suggestions.mirror->intrinsic())
+  {
+    const std::array<Point3, 2>& axis = suggestions.mirror->intrinsic()->axis();
+    addRows<double>(field, "MirrorAxis", 6,
+      [&](std::size_t k) { return axis[k / 3][static_cast<Eigen::Index>(k % 3)]; });
+  }
+  if (suggestions.mirror && suggestions.mirror->plane())
+  {
+    const SymmetryPlane& plane = *suggestions.mirror->plane();
+    addRows<double>(field, "MirrorPlane", 4, [&](std::size_t k) {
+      return k < 3 ? plane.normal[static_cast<Eigen::Index>(k)] : plane.offset;
+    });
+  }
+  return field;
+}
+
+Columns leftOutTable(const CurveSuggestions& suggestions)
+{
+  Columns table;
+  const TableColumns<SuggestedCurve> columns(table, suggestions.leftOut);
+  columns.add("Name", [](const SuggestedCurve& line) { return line.curve.name; });
+  columns.add("Type", [](const SuggestedCurve& line) { return curveTypeName(line.curve.type); });
+  columns.add("Sound", &SuggestedCurve::sound);
+  columns.add("Length", &SuggestedCurve::length);
+  columns.add("Gain", &SuggestedCurve::gain);
+  columns.add("AreaErrorBefore", &SuggestedCurve::areaErrorBefore);
+  columns.add("AreaErrorAfter", &SuggestedCurve::areaErrorAfter);
+  columns.add("StrainBefore", &SuggestedCurve::strainBefore);
+  columns.add("StrainAfter", &SuggestedCurve::strainAfter);
+  return table;
+}
+
+Columns searchTable(const CurveSuggestions& suggestions)
+{
+  Columns table;
+  const std::vector<const CurveSuggestions*> rows{ &suggestions };
+  const TableColumns<const CurveSuggestions*> columns(table, rows);
+  columns.add("BoundMet", &CurveSuggestions::boundMet);
+  columns.add("StrainBefore", &CurveSuggestions::strainBefore);
+  columns.add("StrainAfter", &CurveSuggestions::strainAfter);
+  columns.add("Trials", &CurveSuggestions::trials);
+  columns.add("Work", &CurveSuggestions::work);
+  return table;
+}
+
+std::string describeShortfall(
+  const CurveSuggestions& suggestions, double bound, const std::vector<Polyline>& curves)
+{
+  const std::string byWork =
+    "the limit of work ended the search after " + std::to_string(suggestions.trials) + " trials";
+  const bool worked = suggestions.end == SearchEnd::WorkUsedUp;
+  const std::string interrupted =
+    "the search was interrupted after " + std::to_string(suggestions.trials) + " trials";
+  if (suggestions.end == SearchEnd::CutsUsedUp && suggestions.cutsNeeded > 0.0)
+  {
+    return "nothing was tried: the surface takes " +
+      std::to_string(std::lround(suggestions.cutsNeeded)) +
+      " seams to be opened, more than the cuts allowed; allow as many";
+  }
+  if (std::isnan(suggestions.strainAfter) && suggestions.end == SearchEnd::Interrupted)
+  {
+    return interrupted + ", before any cut was found";
+  }
+  if (std::isnan(suggestions.strainAfter) && worked)
+  {
+    return byWork +
+      ", before the surface could be flattened with any cuts; allow more work, or draw "
+      "seams that open the surface";
+  }
+  if (std::isnan(suggestions.strainAfter))
+  {
+    const bool keys = std::any_of(curves.begin(), curves.end(),
+      [](const Polyline& curve) { return curve.type == CurveType::Key; });
+    return keys
+      ? "nothing could be tried: the seams that open the surface meet a key curve, or cannot be "
+        "made; make it an accessory curve, or draw seams that open the surface"
+      : "nothing could be tried: seams that open the surface are not found, or it cannot be "
+        "flattened with them; draw seams that open the surface";
+  }
+  if (suggestions.boundMet || bound == 0.0)
+  {
+    return suggestions.end == SearchEnd::Interrupted ? interrupted
+      : worked && bound == 0.0                       ? byWork + "; allow more work for more cuts"
+                                                     : std::string();
+  }
+  const Point3& p = suggestions.worstPlace;
+  const std::string left = "the proposed cuts leave a strain of " +
+    shortNumber(suggestions.strainAfter) + " on 95 % of a piece, above the bound of " +
+    shortNumber(bound) + ", the largest at (" + shortNumber(p.x()) + ", " + shortNumber(p.y()) +
+    ", " + shortNumber(p.z()) + "); ";
+  switch (suggestions.end)
+  {
+    case SearchEnd::WorkUsedUp:
+      return left + byWork + "; allow more work, or a larger bound";
+    case SearchEnd::Interrupted:
+      return left + interrupted;
+    case SearchEnd::GivenUp:
+      return left + "the search was given up, since " +
+        (suggestions.cutsNeeded > 0.0 && suggestions.cutsNeeded < 1e6
+            ? "at this rate about " + std::to_string(std::lround(suggestions.cutsNeeded)) +
+              " cuts would be needed"
+            : std::string("cuts do not help here")) +
+        "; smooth the surface, or take a larger bound, or 0 to use up the cuts";
+    default:
+      return left + "allow more or longer cuts, seams as well as darts, or a larger bound";
+  }
+}
+}
