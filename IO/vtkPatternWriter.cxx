@@ -622,6 +622,7 @@ flattening::pattern::FileOptions vtkPatternWriter::MakeOptions(int format) const
   options.pattern.notchCurveEnds = this->NotchCurveEnds;
   options.pattern.notchLength = this->NotchLength;
   options.pattern.joinMarks = this->JoinMarks;
+  options.pattern.up = static_cast<pattern::UpAxis>(this->UpAxis);
   options.pattern.cutOnFold = this->CutOnFold;
   options.pattern.foldsAlong = this->Folds;
   options.pattern.dartTip = this->DartTip;
@@ -679,6 +680,7 @@ void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NotchSpacing: " << this->NotchSpacing << "\n";
   os << indent << "NotchLength: " << this->NotchLength << "\n";
   os << indent << "JoinMarks: " << (this->JoinMarks ? "On" : "Off") << "\n";
+  os << indent << "UpAxis: " << this->UpAxis << "\n";
   os << indent << "CutDartsOut: " << (this->CutDartsOut ? "On" : "Off") << "\n";
   for (const auto& [curve, distances] : this->CurveNotches)
   {

@@ -15,9 +15,9 @@
  * Each piece is drawn with its cut line, its sew lines, its feature curves, darts with legs and
  * fold line and a drill hole near the tip, notches, a grainline along its first straight key curve,
  * its name, size, quantity, number and the names of its curves. Pieces are moved beside each other,
- * not turned or scaled: **every wire has in the file the length that it has on the surface**, to
- * 1e-9 mm in SVG, 1e-8 mm in DXF, 0.001 mm in PDF and 0.0125 mm in HPGL for each coordinate. Lines
- * made here (cut line) keep to a 10,000th of a millimetre.
+ * turned (UpAxis) and not scaled: **every wire has in the file the length that it has on the
+ * surface**, to 1e-9 mm in SVG, 1e-8 mm in DXF, 0.001 mm in PDF and 0.0125 mm in HPGL for each
+ * coordinate. Lines made here (cut line) keep to a 10,000th of a millimetre.
  *
  * - **SVG**: user unit millimetre; a group a piece, in it a group a role, both layers in Inkscape, the
  *   role's name as class (`cut-line`,
@@ -446,6 +446,29 @@ public:
   vtkGetMacro(NotchLength, double);
   ///@}
 
+  /**
+   * The axis of the surface that points up.
+   */
+  enum UpAxes
+  {
+    UP_AUTOMATIC = 0,
+    UP_X = 1,
+    UP_Y = 2,
+    UP_Z = 3,
+    UP_NONE = 4
+  };
+
+  ///@{
+  /**
+   * Turn each piece so that the up of the surface is up in it, with its grain along that, unless it
+   * has a straight key curve, lies on its cloth (Grain) or rather level in space, or sizes are
+   * connected. UP_AUTOMATIC: of y and z the axis along which the surface is larger; UP_NONE: no
+   * piece is turned. Default: UP_AUTOMATIC.
+   */
+  vtkSetClampMacro(UpAxis, int, UP_AUTOMATIC, UP_NONE);
+  vtkGetMacro(UpAxis, int);
+  ///@}
+
   ///@{
   /**
    * Mark both sides of each stretch that is sewn to another with the same letters, A, B, ..., AA,
@@ -719,6 +742,7 @@ private:
   bool NotchCurveEnds = false;
   double NotchLength = 0.0;
   bool JoinMarks = true;
+  int UpAxis = UP_AUTOMATIC;
   bool CutDartsOut = false;
   bool CutOnFold = false;
   std::set<std::string> Folds;

@@ -322,6 +322,20 @@ void addDrawing(CLI::App& app, PatternRequest& request)
   addFlag("--notch-curve-ends", &vtkPatternWriter::SetNotchCurveEnds,
     "Notch the border where feature curves and edges end on it, and opposite on what is sewn to "
     "it");
+  const std::vector<std::string> axes{ "auto", "x", "y", "z", "none" };
+  app
+    .add_option_function<std::string>(
+      "--up",
+      [axes, writer](const std::string& axis) {
+        const auto found = std::find(axes.begin(), axes.end(), axis);
+        writer->SetUpAxis(static_cast<int>(found - axes.begin()));
+      },
+      "The axis of SURFACE that points up in each piece, with the grain along it. Not of pieces "
+      "with a grain of their own; auto: of y and z that along which it is larger; none: no piece "
+      "is turned")
+    ->transform(CLI::IsMember(axes, CLI::ignore_case).description(""))
+    ->type_name("auto|x|y|z|none")
+    ->default_str(axes[static_cast<std::size_t>(writer->GetUpAxis())]);
   app.add_flag_callback(
     "--no-join-marks", [writer] { writer->SetJoinMarks(false); },
     "No letters along the two sides of what is sewn together");

@@ -49,8 +49,8 @@ class Commands(command.CommandTest):
 
     def test_a_result_is_laid_on_cloth(self):
         self.run_well("a.obj", "--unit", "cm", "-o", "out")
-        self.run_well("nest", "out", "--roll-width", "1400", "-o", "lay.svg", "-o", "lay.plt")
-        self.run_well("nest", "a.obj", "--unit", "cm", "--roll-width", "1400", "-o", "two.svg", "-o", "two")
+        self.run_well("nest", "out", "--roll-width", "1400", "--up", "none", "-o", "lay.svg", "-o", "lay.plt")
+        self.run_well("nest", "a.obj", "--unit", "cm", "--roll-width", "1400", "--up", "none", "-o", "two.svg", "-o", "two")
         self.assertEqual(self.read("lay.svg"), self.read("two.svg"))
         for folder in ("out", "two"):
             lay = self.report(folder)["lay"]

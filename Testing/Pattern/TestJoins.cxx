@@ -73,10 +73,12 @@ std::map<std::string, int> marksOf(const PatternPiece& piece)
 TEST(Joins, MarksCountOnBehindZ)
 {
   EXPECT_EQ(joinMark(0), "A");
-  EXPECT_EQ(joinMark(25), "Z");
-  EXPECT_EQ(joinMark(26), "AA");
-  EXPECT_EQ(joinMark(27), "AB");
-  EXPECT_EQ(joinMark(26 * 27), "AAA");
+  EXPECT_EQ(joinMark(7), "H");
+  EXPECT_EQ(joinMark(8), "J"); // an I would look like a notch
+  EXPECT_EQ(joinMark(23), "Z");
+  EXPECT_EQ(joinMark(24), "AA");
+  EXPECT_EQ(joinMark(25), "AB");
+  EXPECT_EQ(joinMark(24 * 25), "AAA");
 }
 
 TEST(Joins, ACurveThatMeetsTwoPiecesIsTwoJoinsWithMarksOnBothSides)

@@ -197,7 +197,7 @@ class Layers(pattern.PatternTest):
 
     def test_the_grain_has_a_head_at_its_upper_end_or_at_both_where_none_is_known(self):
         for piece, known in (("shirt_front", True), ("quarter_sphere", False)):
-            self.make(piece, "-o", "out/pattern.dxf")
+            self.make(piece, "-o", "out/pattern.dxf", "--up", "none")
             _, (block,) = self.blocks()
             (grain,) = [line for line in block.query("LINE") if line.dxf.layer == "7"]
             heads = [[tuple(head.dxf.get(f"vtx{k}"))[:2] for k in range(4)]

@@ -88,13 +88,22 @@ public:
     {
       this->Drawing.lines.push_back(foldLine(this->Drawing.lines, fold->axis));
     }
+    std::vector<JoinSide> joins = this->joinSides();
+    if (half)
+    {
+      joins = rightHalf(joins, fold->axis);
+      for (Points2& outline : this->Outlines)
+      {
+        outline = rightHalf(outline, fold->axis);
+      }
+    }
+    const bool stands = this->standUp(fold, joins);
     for (const Points2& outline : this->Outlines)
     {
-      addSegments(half ? rightHalf(outline, fold->axis) : outline, true, this->Boundary);
+      addSegments(outline, true, this->Boundary);
     }
-    drawGrainline(this->Boundary, this->All.source.onCloth, this->Drawing);
-    const std::vector<JoinSide> joins = this->joinSides();
-    placeTexts(this->Boundary, half ? rightHalf(joins, fold->axis) : joins, this->Drawing);
+    drawGrainline(this->Boundary, this->All.source.onCloth, stands, this->Drawing);
+    placeTexts(this->Boundary, joins, this->Drawing);
     // A cutter would cut twice.
     std::vector<PatternLine>& lines = this->Drawing.lines;
     lines.erase(std::remove_if(
@@ -105,6 +114,43 @@ public:
   }
 
 private:
+  /// Turns a piece that has no grain of its own so that the up of its surface is upright.
+  /// \return whether there is one
+  bool standUp(const std::optional<NamedFold>& fold, std::vector<JoinSide>& joins)
+  {
+    const PatternSource& source = this->All.source;
+    // Rules of grading go along the axes of the flat pieces.
+    if (source.onCloth || !source.gradePoints.empty() || hasStraightKey(this->Drawing))
+    {
+      return false;
+    }
+    std::optional<Point2> up = upOf(source, this->Piece, this->All.options.up);
+    if (!up)
+    {
+      return false;
+    }
+    if (fold) // it is the grain, or across it
+    {
+      const Point2 along = fold->axis.along;
+      const Point2 across(-along.y(), along.x());
+      const Point2& nearest = std::abs(along.dot(*up)) > std::abs(across.dot(*up)) ? along : across;
+      up = nearest.dot(*up) > 0.0 ? nearest : Point2(-nearest);
+    }
+    Eigen::Matrix2d turn;
+    turn << up->y(), -up->x(), up->x(), up->y();
+    const auto turned = [&turn](Point2& p) { p = turn * p; };
+    forEachPoint(this->Drawing, turned);
+    for (Points2& outline : this->Outlines)
+    {
+      std::for_each(outline.begin(), outline.end(), turned);
+    }
+    for (JoinSide& side : joins)
+    {
+      std::for_each(side.line.begin(), side.line.end(), turned);
+    }
+    return true;
+  }
+
   Status drawCutLine()
   {
     for (const Indices& loop : this->Loops)

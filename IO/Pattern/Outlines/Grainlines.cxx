@@ -22,6 +22,12 @@ double bendOf(const PatternLine& line)
   return farthestFromChord(line.points) / (line.points.back() - line.points.front()).norm();
 }
 
+bool isOpenKey(const PatternLine& line)
+{
+  return line.kind == LineKind::KeyCurve && !line.closed &&
+    line.points.front() != line.points.back();
+}
+
 /// The first straight key curve, or none.
 const PatternLine* straightKey(PatternPiece& piece)
 {
@@ -29,7 +35,7 @@ const PatternLine* straightKey(PatternPiece& piece)
   double least = std::numeric_limits<double>::infinity();
   for (const PatternLine& line : piece.lines)
   {
-    if (line.kind != LineKind::KeyCurve || line.closed || line.points.front() == line.points.back())
+    if (!isOpenKey(line))
     {
       continue;
     }
@@ -55,14 +61,61 @@ const PatternLine* straightKey(PatternPiece& piece)
 }
 }
 
-void drawGrainline(const Segments& boundary, bool onCloth, PatternPiece& piece)
+std::optional<Point2> upOf(const PatternSource& source, std::size_t piece, UpAxis axis)
+{
+  constexpr double leastSlope = 0.3;
+  if (axis == UpAxis::None || source.inSpace.empty())
+  {
+    return std::nullopt;
+  }
+  Eigen::AlignedBox3d box;
+  for (const Point3& x : source.inSpace)
+  {
+    box.extend(x);
+  }
+  const Eigen::Index up = axis == UpAxis::X ? 0
+    : axis == UpAxis::Y                     ? 1
+    : axis == UpAxis::Z                     ? 2
+    : box.sizes().y() > box.sizes().z()     ? 1
+                                            : 2;
+  Point2 slope = Point2::Zero(); // of the height, times the area
+  double area = 0.0;
+  for (std::size_t t = 0; t < source.triangles.size(); ++t)
+  {
+    if (source.pieceOfTriangle[t] != static_cast<Index>(piece))
+    {
+      continue;
+    }
+    const Triangle& corners = source.triangles[t];
+    const auto at = [&](std::size_t k) { return source.positions[corners[k % 3]]; };
+    area += cross(at(1) - at(0), at(2) - at(0)) / 2.0;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Point2 opposite = at(k + 2) - at(k + 1);
+      slope += source.inSpace[corners[k]][up] / 2.0 * Point2(-opposite.y(), opposite.x());
+    }
+  }
+  if (!(slope.norm() > leastSlope * area))
+  {
+    return std::nullopt;
+  }
+  return slope.normalized();
+}
+
+bool hasStraightKey(const PatternPiece& piece)
+{
+  return std::any_of(piece.lines.begin(), piece.lines.end(),
+    [](const PatternLine& line) { return isOpenKey(line) && bendOf(line) <= straightness; });
+}
+
+void drawGrainline(const Segments& boundary, bool onCloth, bool stands, PatternPiece& piece)
 {
   double room = 0.0;
   Point2 anchor = widestPlace(boundary, {}, room);
   Point2 direction(0.0, 1.0);
   double length = std::numeric_limits<double>::infinity();
   const PatternLine* key = onCloth ? nullptr : straightKey(piece);
-  piece.grain.known = key || onCloth;
+  piece.grain.known = key || onCloth || stands;
   if (key)
   {
     const Point2 chord = key->points.back() - key->points.front();

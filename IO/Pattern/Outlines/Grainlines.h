@@ -2,9 +2,11 @@
 #pragma once
 
 #include "Outlines/Pattern.h"
+#include "Outlines/PatternSource.h"
 #include "Outlines/PlaneGeometry.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace flattening::pattern
@@ -13,11 +15,19 @@ namespace flattening::pattern
 /// lays cloth: 1.5 mm on 30 cm.
 inline constexpr double straightness = 0.005;
 
+/// Where the up of the surface points in a flat piece, of length 1: the mean slope of the height
+/// there. None where the surface is not known, or lies rather level in the piece.
+std::optional<Point2> upOf(const PatternSource& source, std::size_t piece, UpAxis axis);
+
+/// Whether a piece has a key curve that is straight in the plane, along which its grain runs.
+bool hasStraightKey(const PatternPiece& piece);
+
 /// Draws the grain of a piece: of one that lies on its cloth upright, else along the first of its
 /// key curves that is straight in the plane, and upright where none is. A piece whose key curves
 /// all bend gets a warning that names the one that bends least and by how much.
 /// \param boundary of the cloth, in which the arrow stays
-void drawGrainline(const Segments& boundary, bool onCloth, PatternPiece& piece);
+/// \param stands the piece is turned so that the up of its surface is upright
+void drawGrainline(const Segments& boundary, bool onCloth, bool stands, PatternPiece& piece);
 
 /// The heads of its arrow, as triangles: one where the grain is known, else one at either end; none
 /// where it has no length.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Outlines/Joins.h"
 
+#include <string_view>
 #include <unordered_set>
 
 namespace flattening::pattern
@@ -38,10 +39,11 @@ std::unordered_set<std::uint64_t> foldedEdges(
 
 std::string joinMark(std::size_t number)
 {
+  constexpr std::string_view letters = "ABCDEFGHJKLMNPQRSTUVWXYZ";
   std::string mark;
-  for (std::size_t rest = number + 1; rest > 0; rest = (rest - 1) / 26)
+  for (std::size_t rest = number + 1; rest > 0; rest = (rest - 1) / letters.size())
   {
-    mark.insert(mark.begin(), static_cast<char>('A' + (rest - 1) % 26));
+    mark.insert(mark.begin(), letters[(rest - 1) % letters.size()]);
   }
   return mark;
 }

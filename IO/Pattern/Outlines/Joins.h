@@ -21,7 +21,8 @@ struct Join
   std::array<Indices, 2> points;      ///< of the sides, in the direction of the curve
 };
 
-/// The mark of a join by its number from 0: A, ..., Z, AA, AB, ...
+/// The mark of a join by its number from 0: A, ..., Z, AA, AB, ... without I and O, which look like
+/// a notch and a hole.
 std::string joinMark(std::size_t number);
 
 /// All joins, in the order of the wires that are their first sides.

@@ -93,6 +93,16 @@ enum class DartStyle
   CutOut, ///< the cloth of the dart is cut away: its legs are seams with allowance
 };
 
+/// The axis of the surface that points up.
+enum class UpAxis
+{
+  Automatic, ///< of y and z that along which the surface is larger
+  X,
+  Y,
+  Z,
+  None, ///< pieces are drawn as they lie
+};
+
 /// How to make a pattern of a flattening. Lengths in millimetres whatever the unit of the surface.
 struct PatternOptions
 {
@@ -114,6 +124,7 @@ struct PatternOptions
   bool notchCorners = false;           ///< notches where the sew lines of a corner end
   bool notchCurveEnds = false;         ///< notches where curves meet the border
   double notchLength = 5.0;
+  UpAxis up = UpAxis::Automatic; ///< of pieces without a grain of their own
   bool joinMarks = true; ///< A, B, ... at both ends and in the middle of what is sewn together
   DartStyle darts = DartStyle::Folded;
   /// Of smooth borders and curves from the flat pieces, but panels, which are smooth; 0: as these

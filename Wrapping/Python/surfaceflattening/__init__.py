@@ -44,7 +44,8 @@ from ._result import Flattening, Wire
 from ._suggestion import LeftOutLine, MirrorAxis, MirrorPlane, SuggestedCut, Suggestion
 from ._types import (
     BoundaryMode, ClothReport, CoincidentPoints, Coloring, CurveReport, CurveType, CutChoice, DartLegs, Energy,
-    Interior, KeyShape, Options, Paper, Part, PieceReport, Report, Scheme, SeamSource, SewingTest, Solver, Unit, WireType)
+    Interior, KeyShape, Options, Paper, Part, PieceReport, Report, Scheme, SeamSource, SewingTest, Solver, Unit, UpAxis,
+    WireType)
 
 if _VTK:
     from ._calls import flatten_polydata, make_flattenable, make_flattenable_polydata, suggest_polydata
@@ -62,7 +63,7 @@ __all__ = [
     "GarmentPattern", "GradeRule", "Grading", "Interior", "KeyPrice", "KeyPrices", "KeyShape", "KeyTrial",
     "LeftOutLine", "MirrorAxis", "MirrorPlane", "MissingFileError", "Options", "OutOfMemoryError", "Panel",
     "PanelEdge", "Paper", "Part", "PieceReport", "Report", "Resewn", "ResewnShape", "Scheme", "SeamSource",
-    "SewingTest", "Solver", "Stitch", "SuggestedCut", "Suggestion", "Unit", "Wire", "WireType", "__version__",
+    "SewingTest", "Solver", "Stitch", "SuggestedCut", "Suggestion", "Unit", "UpAxis", "Wire", "WireType", "__version__",
     "flatten", "flatten_polydata", "grade", "make_curves", "make_flattenable", "make_flattenable_polydata",
     "make_surface", "materials", "price_keys", "read_curves", "read_garmentcode", "read_surface", "resew",
     "suggest", "suggest_polydata"]

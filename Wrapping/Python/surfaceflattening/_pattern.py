@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Mapping, Sequence, get_args
 from ._errors import ArgumentError, ArgumentTypeError, FlatteningWarning
 from ._options import flag, index_of, text_of
 from ._report import error_of
-from ._types import Paper, Unit
+from ._types import Paper, Unit, UpAxis
 from ._vtk import silence, status_of
 from .vtkFiltersFlattening import vtkFlatteningAlgorithm
 
@@ -59,6 +59,7 @@ def _set_options(writer: vtkPatternWriter, options: Mapping[str, Any]) -> None:
     if options["unit"] is not None:
         writer.SetUnit(1 + index_of(options["unit"], get_args(Unit), "unit"))
     writer.SetPaper(index_of(options["paper"], get_args(Paper), "paper"))
+    writer.SetUpAxis(index_of(options["up"], get_args(UpAxis), "up"))
     for option, property_ in _FLAGS.items():
         getattr(writer, "Set" + property_)(flag(options[option], option))
     for option, set_text in (("name", writer.SetPatternName), ("size", writer.SetPatternSize)):

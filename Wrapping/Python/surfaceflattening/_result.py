@@ -16,7 +16,7 @@ from ._equality import ComparedByValue, same
 from ._errors import missing_vtk
 from ._options import word_of
 from ._report import Table, make_report, values_in
-from ._types import Coloring, Paper, Part, Report, Unit, WireType
+from ._types import Coloring, Paper, Part, Report, Unit, UpAxis, WireType
 from ._version import BUILT_WITH_VTK
 
 if TYPE_CHECKING:
@@ -166,6 +166,7 @@ class Flattening(ComparedByValue):
         notch_curve_ends: bool = False,
         notch_length: float = 5.0,
         join_marks: bool = True,
+        up: UpAxis = "auto",
         cut_darts_out: bool = False,
         cut_on_fold: bool = False,
         folds: Sequence[str] = (),
@@ -215,6 +216,8 @@ class Flattening(ComparedByValue):
             notch_length: in [0, 1e6].
             join_marks: mark both sides of each stretch that is sewn to another with the same letters, and list
                 them in a PDF.
+            up: the axis of the surface that points up in each piece, with its grain along it, where the piece has no
+                grain of its own: "x", "y", "z", "auto" (of y and z that along which the surface is larger), or "none".
             cut_darts_out: cut darts out along their allowance instead of folding them.
             cut_on_fold: draw a half of each symmetric piece, to be cut on the fold of the cloth.
             folds: names of curves along which pieces are cut on the fold: inside, where a half is drawn of a

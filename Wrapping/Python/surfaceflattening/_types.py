@@ -25,6 +25,7 @@ Part = Literal["flat", "wires", "cut"]
 Coloring = Literal["homogeneity", "area", "aspect-ratio", "developability", "stretch", "warp", "weft", "shear"]
 Unit = Literal["mm", "cm", "m", "inch"]
 Paper = Literal["A4", "letter", "A3", "A0", "sheet"]
+UpAxis = Literal["auto", "x", "y", "z", "none"]
 
 
 class Remedy(TypedDict):
