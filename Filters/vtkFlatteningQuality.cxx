@@ -3,10 +3,13 @@
 
 #include "AttributeArrays.h"
 #include "Base/Execution.h"
+#include "FieldArrays.h"
 #include "FilterExecution.h"
 #include "Quality/BoundaryOverlap.h"
 #include "Quality/SurfaceDevelopability.h"
 #include "QualityInput.h"
+#include "Report/FlatteningArrays.h"
+#include "Report/FlatteningTables.h"
 #include "SurfaceOutput.h"
 
 #include "vtkCellData.h"

@@ -6,10 +6,13 @@
 #include "Design/KeyPrices.h"
 #include "Design/LineSuggestion.h"
 #include "Flattening/SurfaceFlattening.h"
+#include "Input/InputSurface.h"
 #include "Input/StatusWords.h"
 #include "Report/FlatteningArrays.h"
 #include "Report/FlatteningTables.h"
+#include "Report/ReshapingReport.h"
 #include "Report/SuggestionReport.h"
+#include "Reshaping/FlattenableSurface.h"
 #include "Suggestion/CurveSuggestion.h"
 
 #include <pybind11/stl.h>
@@ -86,6 +89,28 @@ struct Flattened
   StageSeconds seconds;
 };
 
+/// \pre the status of the run is that of the result
+Flattened reportOf(const CurvedSurface& source, const FlatteningResult& result,
+  const FlatteningOptions& options, const Run& run)
+{
+  Flattened flattened;
+  flattened.arrays = flatteningArrays(source, result, options);
+  addRows<std::string>(flattened.arrays.fieldArrays, "RunStatus", 1,
+    [&](std::size_t) { return statusName(run.status.code); });
+  addRows<std::string>(flattened.arrays.fieldArrays, "RunStatusMessage", 1,
+    [&](std::size_t) { return inWords(run.status); });
+  flattened.triangles = result.cut->mesh.triangles();
+  for (const Wire& wire : result.wires)
+  {
+    flattened.wires.push_back(wire.vertices);
+  }
+  flattened.pieces = pieceTable(source, result, "", {});
+  flattened.curves = curveTable(result.curves);
+  flattened.tables = ReportTables(source, result);
+  flattened.seconds = result.seconds;
+  return flattened;
+}
+
 std::optional<Flattened> flattenSource(
   const Settings& settings, const Execution& execution, Run& run)
 {
@@ -108,22 +133,7 @@ std::optional<Flattened> flattenSource(
     run.warn({ describeLeftOut(source, result) });
   }
   run.warn(describeVerdicts(source, result));
-  Flattened flattened;
-  flattened.arrays = flatteningArrays(source, result, options);
-  addRows<std::string>(flattened.arrays.fieldArrays, "RunStatus", 1,
-    [&](std::size_t) { return statusName(run.status.code); });
-  addRows<std::string>(flattened.arrays.fieldArrays, "RunStatusMessage", 1,
-    [&](std::size_t) { return inWords(run.status); });
-  flattened.triangles = result.cut->mesh.triangles();
-  for (const Wire& wire : result.wires)
-  {
-    flattened.wires.push_back(wire.vertices);
-  }
-  flattened.pieces = pieceTable(source, result, "", {});
-  flattened.curves = curveTable(result.curves);
-  flattened.tables = ReportTables(source, result);
-  flattened.seconds = result.seconds;
-  return flattened;
+  return reportOf(source, result, options, run);
 }
 
 py::array rowsOf(const Triangles& triangles)
@@ -355,6 +365,74 @@ py::dict suggest(const Numbers& points, const Ids& corners, const py::object& of
   return result;
 }
 
+py::dict makeFlattenable(const Numbers& points, const Ids& corners, const py::object& offsets,
+  const py::list& curves, const py::object& bodySurface, const std::string& owner,
+  const py::dict& options, py::object progress)
+{
+  const Settings settings(owner, options);
+  FlattenableOptions reshaping = settings.structures.reshaping;
+  reshaping.flattening = settings.structures.flattening;
+  LoadedBody body;
+  if (!bodySurface.is_none())
+  {
+    const auto given = bodySurface.cast<py::tuple>();
+    body = loadBody(readSurface(given[0].cast<Numbers>(), given[1].cast<Ids>(), given[2]));
+  }
+  reshaping.body = body.get();
+  FlattenableSurface moved;
+  std::optional<Flattened> flattened;
+  Columns arrays;
+  const Run run = runWatched({ points, corners, offsets, curves }, settings, std::move(progress),
+    [&](const Execution& execution, Run& running, WatchedRun&) {
+      CurvedSurface& source = running.source;
+      if (!running.conclude(body.outcome) ||
+        !running.conclude(findCurves(settings.keptCurves, source, reshaping.kept)))
+      {
+        return;
+      }
+      running.warn(describeShortEnds(source));
+      moved = flattening::makeFlattenable(
+        source.imprinted.mesh, source.imprinted.curves, reshaping, execution);
+      if (!running.conclude(source.outcomeOfStage(
+            moved.status, moved.status.refused() ? nullptr : moved.after.cut.get())))
+      {
+        return;
+      }
+      if (!moved.after.leftOut.empty())
+      {
+        running.warn({ describeLeftOut(source, moved.after) });
+      }
+      if (!moved.boundMet)
+      {
+        running.warn({ describeShortfall(moved, reshaping) });
+      }
+      arrays = shiftArrays(source.imprinted.mesh, moved);
+      source.imprinted.mesh = moved.mesh;
+      flattened = reportOf(source, moved.after, reshaping.flattening, running);
+    });
+  py::dict result = outcomeOf(run);
+  if (flattened)
+  {
+    py::list chains;
+    for (const FeatureCurve& curve : run.source.imprinted.curves)
+    {
+      chains.append(py::make_tuple(arrayOf<std::int64_t>(std::vector<std::int64_t>(
+                                     curve.vertices.begin(), curve.vertices.end())),
+        static_cast<int>(curve.type), textOf(curve.name), curve.keyShape == KeyShape::Straight,
+        curve.tolerance,
+        curve.keyShape == KeyShape::Planar ? py::object(arrayOf<double>(Points2(curve.planarShape)))
+                                           : py::none()));
+    }
+    result["flattening"] = resultOf(std::move(*flattened));
+    result["points"] = arrayOf<double>(Points3(moved.mesh.points()));
+    result["triangles"] = rowsOf(moved.mesh.triangles());
+    result["arrays"] = dictOf(std::move(arrays));
+    result["measures"] = dictOf(shiftTable(moved));
+    result["curves"] = chains;
+  }
+  return result;
+}
+
 /// What is wrong with an option that is given although it has no effect; empty: nothing.
 std::string describeIdle(
   const std::string& owner, const py::dict& options, const std::vector<std::string>& given)
@@ -411,6 +489,7 @@ PYBIND11_MODULE(_core, module)
   module.def("flatten", &flatten);
   module.def("price_keys", &priceKeys);
   module.def("suggest", &suggest);
+  module.def("make_flattenable", &makeFlattenable);
   module.def("describe_idle", &describeIdle);
   module.def("options_of", &namesOfOptions);
   module.def("materials", &materials);

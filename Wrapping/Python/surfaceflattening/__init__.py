@@ -15,12 +15,13 @@ Two ways to use it:
   :func:`read_garmentcode` reads sewing patterns of GarmentCode, to be drawn
   at true scale; :func:`grade` lays the sizes of one pattern on each other, with their rule table.
 
-Neither needs a screen. What pip installs has flatten(), suggest(), price_keys() and materials() alone, which need no VTK. Start with help(surfaceflattening.flatten); help(surfaceflattening.Flattening),
+Neither needs a screen. What pip installs has flatten(), suggest(), make_flattenable(),
+price_keys() and materials() alone, which need no VTK. Start with help(surfaceflattening.flatten); help(surfaceflattening.Flattening),
 help(surfaceflattening.Report) and help(surfaceflattening.PieceReport) say what it gives, and each filter has a
 help() of its own, such as help(surfaceflattening.vtkWireWarpingFilter).
 
 Threads: any number of them may flatten at the same time, each with surfaces of its own, and get the
-results of a single one. flatten(), suggest() and price_keys() leave the interpreter's lock to other threads while they
+results of a single one. flatten(), suggest(), make_flattenable() and price_keys() leave the interpreter's lock to other threads while they
 run; VTK's filters, and what takes or gives its meshes, hold it but for calls of progress. One run uses several
 cores by itself. For many surfaces take processes (concurrent.futures.ProcessPoolExecutor; results, curves and
 errors can be sent between them) or the command wirewarp batch.
@@ -34,12 +35,13 @@ from ._version import __version__
 
 if _VTK:
     from .vtk import *  # noqa: F401,F403
-from ._calls import flatten, price_keys, suggest
+from ._calls import flatten, make_flattenable, price_keys, suggest
 from ._curves import Curve
 from ._errors import (
     ArgumentError, ArgumentTypeError, FileError, FlatteningError, FlatteningWarning, MissingFileError, OutOfMemoryError)
 from ._keys import KeyPrice, KeyPrices, KeyTrial
 from ._materials import materials
+from ._reshaping import Flattenable
 from ._result import Flattening, Wire
 from ._suggestion import LeftOutLine, MirrorAxis, MirrorPlane, SuggestedCut, Suggestion
 from ._types import (
@@ -48,11 +50,10 @@ from ._types import (
     WireType)
 
 if _VTK:
-    from ._calls import flatten_polydata, make_flattenable, make_flattenable_polydata, suggest_polydata
+    from ._calls import flatten_polydata, make_flattenable_polydata, suggest_polydata
     from ._garment import GarmentPattern, Panel, PanelEdge, Stitch, read_garmentcode
     from ._grading import GradeRule, Grading, grade
     from ._readers import read_curves, read_surface
-    from ._reshaping import Flattenable
     from ._resewing import Resewn, ResewnShape, resew
     from ._vtk import make_curves, make_surface
 

@@ -3,10 +3,8 @@
 
 from ._flatten import flatten, flatten_polydata
 from ._keys import price_keys
+from ._reshaping import make_flattenable, make_flattenable_polydata
 from ._suggestion import suggest, suggest_polydata
-from ._version import BUILT_WITH_VTK
 
-__all__ = ["flatten", "flatten_polydata", "price_keys", "suggest", "suggest_polydata"]
-if BUILT_WITH_VTK:
-    from ._reshaping import make_flattenable, make_flattenable_polydata
-    __all__ += ["make_flattenable", "make_flattenable_polydata"]
+__all__ = [
+    "flatten", "flatten_polydata", "make_flattenable", "make_flattenable_polydata", "price_keys", "suggest", "suggest_polydata"]

@@ -5,7 +5,7 @@ from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ._curves import CurveRow
+from ._curves import CurveRow, Surface
 
 _Progress = Optional[Callable[[float], Any]]
 
@@ -33,6 +33,16 @@ def suggest(
     offsets: Optional[NDArray[np.int64]],
     curves: Sequence[CurveRow],
     weights: Optional[NDArray[np.float64]],
+    owner: str,
+    options: Mapping[str, Any],
+    progress: _Progress,
+) -> Dict[str, Any]: ...
+def make_flattenable(
+    points: NDArray[np.float64],
+    corners: NDArray[np.int64],
+    offsets: Optional[NDArray[np.int64]],
+    curves: Sequence[CurveRow],
+    body: Optional[Surface],
     owner: str,
     options: Mapping[str, Any],
     progress: _Progress,

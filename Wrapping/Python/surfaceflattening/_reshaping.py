@@ -4,19 +4,22 @@
 from __future__ import annotations  # help() prints hints as they are written here
 
 from dataclasses import dataclass
-from typing import Any, List, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from ._curves import CURVE_TYPES, KEY_SHAPES, Curve
+from . import _core
+from ._curves import CURVE_TYPES, KEY_SHAPES, Curve, Surface, curve_rows, surface_of
 from ._equality import ComparedByValue
-from ._options import with_options
-from ._result import Flattening
-from ._vtk import (
-    coordinates_of, corners_of, curves_on, demand_polydata, make_curves, make_filter, make_surface, numbers_of, points_of_cell,
-    result_of, update, values_of)
+from ._options import read_options, with_options
+from ._report import Table, raise_refusal, values_in, warn_of
+from ._result import Flattening, flattening_of
+
+if TYPE_CHECKING:
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+    Body = Union[None, vtkPolyData, Tuple[ArrayLike, ArrayLike]]
 
 _OWNER = "vtkMakeFlattenable"
 
@@ -64,7 +67,7 @@ def make_flattenable(
     triangles: Optional[ArrayLike] = None,  # make_surface() says what is missing
     curves: Sequence[Union[Curve, ArrayLike]] = (),
     *,
-    body: Optional[vtkPolyData] = None,
+    body: Body = None,
     **options: Any,
 ) -> Flattenable:
     """Moves a surface as little as it takes to lie flat with little strain, and flattens it.
@@ -72,13 +75,21 @@ def make_flattenable(
     Args:
         points, triangles, curves: as for :func:`flatten`.
         _OPTIONS_
-        body: a surface that is not entered, its normals outwards, such as :func:`make_surface` makes of
-            points and triangles.
+        body: a surface that is not entered, its normals outwards: points and triangles, or a vtkPolyData.
         options: the options of :func:`flatten`.
 
     Raises and warns as :func:`flatten` does; a bound that is not met is a FlatteningWarning.
     """
-    return _make_flattenable(make_surface(points, triangles), make_curves(curves, points), body, **options)
+    owner, values = read_options(options, "make_flattenable", _OWNER)
+    run = _core.make_flattenable(
+        *surface_of(points, triangles), curve_rows(curves, points), _arrays_of_body(body), owner, values,
+        options.get("progress"))
+    raise_refusal(run)
+    warn_of(run, 2)
+    moved = [Curve(chain, CURVE_TYPES[kind], name, KEY_SHAPES[straight], tolerance, shape)
+             for chain, kind, name, straight, tolerance, shape in run["curves"]]
+    return _flattenable(flattening_of(run, run["flattening"]), run["points"], run["triangles"], run["arrays"], moved,
+                        run["measures"])
 
 
 @with_options(_OWNER)
@@ -91,51 +102,46 @@ def make_flattenable_polydata(
 ) -> Flattenable:
     """:func:`make_flattenable` for a vtkPolyData, as :func:`flatten_polydata` is :func:`flatten` for
     one."""
+    from ._vtk import (
+        coordinates_of, corners_of, curves_on, demand_polydata, make_curves_of, make_filter, numbers_of, result_of, table_of,
+        update)
+
     demand_polydata(surface, "surface", "; make_flattenable() takes arrays")
-    return _make_flattenable(surface, curves_on(surface, curves), body, **options)
-
-
-def _curves_of(data: vtkPolyData) -> List[Curve]:
-    cells = data.GetCellData()
-    kinds, names = values_of(cells, "CurveType"), values_of(cells, "CurveName")
-    shapes, tolerances = values_of(cells, "KeyShape"), values_of(cells, "LengthTolerance")
-    planar = data.GetPointData().GetArray("PlanarShape")
-    curves = []
-    for cell, kind in enumerate(kinds):
-        chain = points_of_cell(data, cell)
-        rows = None if planar is None else numbers_of(data.GetPointData(), "PlanarShape")[chain]
-        planar_shape = rows if rows is not None and np.isfinite(rows).all() else None
-        curves.append(Curve(
-            chain, CURVE_TYPES[kind], names[cell], KEY_SHAPES[shapes[cell]], tolerances[cell],
-            planar_shape))
-    return curves
-
-
-def _make_flattenable(
-    surface: vtkPolyData, curves: Optional[vtkPolyData], body: Optional[vtkPolyData], **options: Any
-) -> Flattenable:
+    filter_ = make_filter(options, "make_flattenable_polydata", _OWNER)
+    filter_.SetInputData(surface)
+    on_surface = curves_on(surface, curves)
+    if on_surface is not None:
+        filter_.SetCurvesData(on_surface)
     if body is not None:
         demand_polydata(body, "body")
-    filter_ = make_filter(options, "make_flattenable", _OWNER)
-    filter_.SetInputData(surface)
-    if curves is not None:
-        filter_.SetCurvesData(curves)
-    if body is not None:
         filter_.SetBodyData(body)
     update(filter_, options.get("progress"))
-    flattening = result_of(filter_, type(surface))
     moved = filter_.GetOutput(5)
-    measures, arrays = filter_.GetOutputDataObject(9).GetRowData(), moved.GetPointData()
+    arrays = {name: numbers_of(moved.GetPointData(), name) for name in ("Shift", "Kept")}
+    return _flattenable(result_of(filter_, type(surface)), coordinates_of(moved), corners_of(moved), arrays,
+                        make_curves_of(filter_.GetOutput(6)), table_of(filter_.GetOutputDataObject(9)))
 
+
+def _arrays_of_body(body: Body) -> Optional[Surface]:
+    """Points and triangles as they are, or those of a mesh."""
+    if body is None or isinstance(body, tuple):
+        return None if body is None else surface_of(*body)
+    from ._vtk import demand_polydata, triangulated
+    demand_polydata(body, "body", ", or points and triangles")
+    return surface_of(*triangulated(body))
+
+
+def _flattenable(flattening: Flattening, points: NDArray[np.float64], triangles: NDArray[np.int64],
+                 arrays: Mapping[str, NDArray[Any]], curves: List[Curve], measures: Table) -> Flattenable:
     def number(name: str) -> float:
-        return float(values_of(measures, name)[0])
+        return float(values_in(measures, name)[0])
 
     return Flattenable(
-        points=coordinates_of(moved),
-        triangles=corners_of(moved),
-        shift=numbers_of(arrays, "Shift"),
-        kept=numbers_of(arrays, "Kept") != 0,
-        curves=_curves_of(filter_.GetOutput(6)),
+        points=points,
+        triangles=triangles,
+        shift=arrays["Shift"],
+        kept=arrays["Kept"] != 0,
+        curves=curves,
         bound_met=number("BoundMet") != 0.0,
         strain_before=number("StrainBefore"),
         strain_after=number("StrainAfter"),

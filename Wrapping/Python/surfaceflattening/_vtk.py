@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonCore import (
     VTK_CHAR, vtkBitArray, vtkCharArray, vtkPoints, vtkStringArray, vtkUnsignedCharArray)
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyData
 
-from ._curves import Curve, curve_rows, surface_of
+from ._curves import CURVE_TYPES, KEY_SHAPES, Curve, curve_rows, surface_of
 from ._errors import ArgumentTypeError, FlatteningError, MissingFileError
 from ._options import WARPING, read_options, text_of
 from ._report import Status, error_of, raise_refusal, warn_of
@@ -395,6 +395,30 @@ def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) ->
         _add(result.GetPointData(), {"PlanarShape": np.concatenate([
             np.full((len(row.positions), 2), np.nan) if row.planar_shape is None else row.planar_shape for row in rows])})
     return result
+
+
+def make_curves_of(data: vtkPolyData) -> List[Curve]:
+    """The polylines of a filter's curves, with the arrays that it gives them."""
+    table, planar = table_of_arrays(data.GetCellData()), data.GetPointData().GetArray("PlanarShape")
+    curves = []
+    for cell, (kind, name, shape, tolerance) in enumerate(zip(*(
+            table.get(column, []) for column in ("CurveType", "CurveName", "KeyShape", "LengthTolerance")))):
+        chain = points_of_cell(data, cell)
+        rows = None if planar is None else as_numpy(planar)[chain]
+        curves.append(Curve(chain, CURVE_TYPES[kind], name, KEY_SHAPES[shape], tolerance,
+                            rows if rows is not None and np.isfinite(rows).all() else None))
+    return curves
+
+
+def triangulated(mesh: vtkPolyData) -> Tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """Points and triangles, as the filters divide polygons and strips."""
+    from .vtkFiltersFlattening import vtkFlatteningAlgorithm
+
+    triangles = vtkPolyData()
+    vtkFlatteningAlgorithm.Triangulate(mesh, triangles)
+    if triangles.GetNumberOfPoints() == 0:
+        return np.empty((0, 3)), np.empty((0, 3), np.int64)
+    return coordinates_of(triangles), corners_of(triangles)
 
 
 def demand_polydata(data: Any, what: str, hint: str = "") -> None:
