@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Isometric/WireStiffness.h"
+#include "Isometric/IsometricModel.h"
 
 #include "Flattened.h"
 #include "TestMeshes.h"

@@ -40,13 +40,6 @@ struct Modulus
 };
 }
 
-bool ClothMaterial::limited() const
-{
-  return std::isfinite(this->warpLimits.least) || std::isfinite(this->warpLimits.greatest) ||
-    std::isfinite(this->weftLimits.least) || std::isfinite(this->weftLimits.greatest) ||
-    std::isfinite(this->shearLimit);
-}
-
 Status checkMaterial(const ClothMaterial& material)
 {
   if (!material.status.ok() || material.isotropic)

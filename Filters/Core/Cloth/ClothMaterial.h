@@ -45,8 +45,6 @@ struct ClothMaterial
   Status status;
   bool oneWay = false; ///< nap, pile or print: the pieces may not be turned by half a turn
   bool sheet = false;  ///< its edges do not fray: patterns have no seam allowance by default
-
-  bool limited() const;
 };
 
 /// Its own status, or InvalidOption where a number has no meaning: a modulus that is not above 0,

@@ -1,20 +1,171 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Reshaping/FlattenableSurface.h"
 
+#include "Base/Execution.h"
 #include "Base/Memory.h"
+#include "Base/Types.h"
+#include "Flattening/FlatteningResult.h"
 #include "Flattening/SurfaceFlattening.h"
+#include "Quality/StrainMeasures.h"
 #include "Sewing/BodyContact.h"
+#include "Sewing/SewingModel.h"
+#include "Sewing/SewnTopology.h"
+#include "Surface/TriangleMesh.h"
+#include "Surface/VertexFan.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace flattening
 {
 namespace
 {
+/// The surface is flattened again before rest would matter, and where it finds none.
+constexpr double energyTolerance = 1e-4;
+constexpr int maximumRestIterations = 60;
+
+/// A surface while it is changed, over the triangles of its design.
+class ReshapedSurface
+{
+public:
+  /// \param design it must outlive the surface. \param held per vertex: it stays where it is.
+  ReshapedSurface(const TriangleMesh& design, std::vector<char> held)
+    : Design(&design)
+    , Held(std::move(held))
+    , Outwards(vertexNormals(design))
+    , Points(design.points())
+  {
+  }
+
+  const Points3& points() const { return this->Points; }
+
+  TriangleMesh mesh() const
+  {
+    Indices twins(this->Design->halfedgeCount());
+    for (Index h = 0; h < this->Design->halfedgeCount(); ++h)
+    {
+      twins[h] = this->Design->twin(h);
+    }
+    return { this->Points, this->Design->triangles(), std::move(twins) };
+  }
+
+  bool canMove() const
+  {
+    return std::find(this->Held.begin(), this->Held.end(), 0) != this->Held.end();
+  }
+
+  /// Sews flat pieces of the surface together again and lets them come to rest between themselves
+  /// and the design; the surface then lies where the cloth does. Shapes that found no rest end
+  /// where they are. \param relative thickness and gap over the root of the area. \return false
+  /// where the run is cancelled; the surface is as before then.
+  bool sew(
+    const FlatteningResult& flat, const ClothProperties& relative, const Execution& execution)
+  {
+    SewnTopology topology = sewnShapes(*flat.cut, flat.positions, SewingTest::Product);
+    Points3 sewn = this->Points;
+    for (SewnShape& shape : topology.shapes)
+    {
+      const double area = shape.cloth.restArea();
+      if (!(area > 0.0))
+      {
+        continue;
+      }
+      Indices original;
+      Points3 from;
+      for (std::size_t v = 0; v < shape.vertices.size(); ++v)
+      {
+        original.push_back(flat.cut->originalVertex[shape.vertices[v]]);
+        shape.cloth.points[v] = this->Design->point(original[v]);
+        shape.cloth.held[v] = this->Held[original[v]];
+        shape.cloth.outwards.push_back(this->Outwards[original[v]]);
+        from.push_back(this->Points[original[v]]);
+      }
+      ClothProperties properties = relative;
+      properties.thickness *= std::sqrt(area);
+      properties.gap *= std::sqrt(area);
+      SewingModel model(shape.cloth, properties);
+      if (model.unknownCount() == 0)
+      {
+        continue;
+      }
+      RestOptions rest;
+      rest.energyTolerance = energyTolerance;
+      rest.maximumIterations = maximumRestIterations;
+      const NewtonKktState end = bringToRest(model, from, rest, execution);
+      if (end.cancelled())
+      {
+        return false;
+      }
+      const Points3 points = model.positions(end.x);
+      for (std::size_t v = 0; v < points.size(); ++v)
+      {
+        if (!shape.cloth.held[v] && isFinite(points[v]))
+        {
+          sewn[original[v]] = this->settled(original[v], points[v], relative.outsideBias);
+        }
+      }
+    }
+    this->Points = std::move(sewn);
+    return true;
+  }
+
+  /// The surface by so much of the way from the design, 0 to 1.
+  ReshapedSurface partOfTheWay(double share) const
+  {
+    ReshapedSurface part = *this;
+    for (Index v = 0; v < this->Design->vertexCount(); ++v)
+    {
+      const Point3& designed = this->Design->point(v);
+      part.Points[v] =
+        this->Held[v] ? designed : Point3(designed + share * (this->Points[v] - designed));
+    }
+    return part;
+  }
+
+private:
+  /// Where a vertex ends that cloth takes there: with a full bias not inwards of its place.
+  Point3 settled(Index vertex, const Point3& place, double outsideBias) const
+  {
+    const Point3& out = this->Outwards[vertex];
+    const double along = out.dot(place - this->Design->point(vertex));
+    // Springs give, if by little.
+    return outsideBias >= 1.0 && along < 0.0 ? Point3(place - along * out) : place;
+  }
+
+  const TriangleMesh* Design; // of which surfaces are copied
+  std::vector<char> Held;
+  Points3 Outwards; // of the design
+  Points3 Points;
+};
+
+SurfaceShift measureShift(const TriangleMesh& design, const Points3& points)
+{
+  SurfaceShift shift;
+  const std::vector<double> areas =
+    vertexAreas(design.triangles(), points.size(), [&design](Index t) { return design.area(t); });
+  const double area = design.area();
+  std::vector<AreaValue> values;
+  const Points3 outwards = vertexNormals(design);
+  for (std::size_t v = 0; v < points.size(); ++v)
+  {
+    const Point3 moved = points[v] - design.point(static_cast<Index>(v));
+    shift.ofVertex.push_back(moved.norm());
+    shift.outwardsOfVertex.push_back(outwards[v].dot(moved));
+    shift.outwardsMean += areas[v] / area * shift.outwardsOfVertex[v];
+    shift.inwardsMax = std::max(shift.inwardsMax, -shift.outwardsOfVertex[v]);
+    shift.mean += areas[v] / area * shift.ofVertex[v];
+    shift.max = std::max(shift.max, shift.ofVertex[v]);
+    values.push_back({ shift.ofVertex[v], areas[v] });
+  }
+  shift.size = std::sqrt(area);
+  shift.p95 = areaQuantile(std::move(values));
+  return shift;
+}
+
 /// Springs from those that let a surface move by about a tenth of what strain asks for, down to
 /// those that hold it but against drifting.
 constexpr double firstAnchor = 64.0;
@@ -299,13 +450,13 @@ private:
   {
     for (int round = 0; round < roundsPerAnchor && this->goesOn(); ++round)
     {
-      ReshapingForces forces;
-      forces.anchor = anchor;
-      forces.outsideBias = this->Options.outsideBias;
-      forces.thickness = thickening * this->Options.thickness;
-      forces.body = this->Options.body;
-      forces.gap = gapToBody;
-      if (!this->Surface.sew(this->Flat, forces, this->Silent))
+      ClothProperties properties;
+      properties.anchor = anchor;
+      properties.outsideBias = this->Options.outsideBias;
+      properties.thickness = thickening * this->Options.thickness;
+      properties.body = this->Options.body;
+      properties.gap = gapToBody;
+      if (!this->Surface.sew(this->Flat, properties, this->Silent))
       {
         this->Cancelled = true;
       }

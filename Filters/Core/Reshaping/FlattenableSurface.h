@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/Execution.h"
 #include "Flattening/FlatteningOptions.h"
-#include "Reshaping/ReshapedSurface.h"
+#include "Flattening/FlatteningResult.h"
 
 namespace flattening
 {
@@ -31,6 +32,20 @@ struct FlattenableTrial
   double share = 1.0;  ///< of the way from the design
   double strain = 0.0; ///< largest of a piece, on 95 % of its area
   double shift = 0.0;  ///< mean, over the root of the area
+};
+
+/// How far a surface lies from its design, vertex from vertex, by area.
+struct SurfaceShift
+{
+  double size = 0.0; ///< root of the area of the design
+  double mean = 0.0;
+  double p95 = 0.0; ///< not exceeded on 95 % of the area
+  double max = 0.0;
+  std::vector<double> ofVertex;
+  /// Of that, along the normals of the design; below 0 inwards. Mean, most, and of each vertex.
+  double outwardsMean = 0.0;
+  double inwardsMax = 0.0; ///< not below 0
+  std::vector<double> outwardsOfVertex;
 };
 
 struct FlattenableSurface

@@ -5,7 +5,6 @@
 #include "Sewing/BodyContact.h"
 #include "Sewing/SewingLoads.h"
 #include "Sewing/SewnMembrane.h"
-#include "Sewing/SheetBending.h"
 #include "Sparse/NewtonKkt.h"
 #include "Sparse/NewtonKktStep.h"
 
