@@ -48,7 +48,8 @@
  * measured on what is drawn), `difference_mm`, `ease_percent` (of side a over side b),
  * `angle_sum_start_deg`, `angle_sum_end_deg` (of the cloth of both sides there: 180 where it runs
  * on smoothly over the seam; 360 within an edge; at a dart's tip that of one point), `join` (its
- * mark; empty for folded darts).
+ * mark; empty for folded darts), `bend_deg` (the angle between the surfaces of both sides along the
+ * whole join, in the mean; above 0 where it is convex: thick material is beveled by half of it).
  *
  * - **Nest**, **GradeList**, **RuleTable**: of the sizes on port 3, an SVG with the sew lines of all
  *   sizes on each other, a layer a size; comma-separated values with a row for each point that has

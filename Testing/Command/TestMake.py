@@ -41,9 +41,13 @@ class Make(command.CommandTest):
         self.assertEqual(self.layers("box.dxf"), {"CUT", "MARK", "TEXT"})
         with open(self.path("box.csv"), encoding="utf-8") as file:
             rows = [line.rstrip("\n").split(",") for line in file][1:]
-        self.assertTrue({"A", "B", "C"} <= {row[-1] for row in rows})
+        self.assertTrue({"A", "B", "C"} <= {row[-2] for row in rows})
         for row in rows:
             self.assertAlmostEqual(float(row[7]), float(row[8]), delta=1e-6)
+        bends = [float(row[-1]) for row in rows if row[-2]]
+        # Between its upright faces 90 degrees, to the slanted one about 125.
+        self.assertTrue(all(-1e-6 < bend < 125.3 for bend in bends), bends)
+        self.assertGreater(max(bends), 80)
         # Three edges of a corner at least are cut to lay the tetrahedron flat.
         self.assertGreater(sum(float(row[7]) for row in rows), 900 - 1e-6)
 

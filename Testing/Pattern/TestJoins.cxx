@@ -132,14 +132,31 @@ TEST(Joins, TheTableHasTheirPiecesAndLengths)
   const std::vector<std::vector<std::string>>& rows = pattern.tables.front().rows;
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(
-    rows[1], (std::vector<std::string>{ "A", "yoke", "1: strip", "2: left", "100", "100" }));
+    rows[1], (std::vector<std::string>{ "A", "yoke", "1: strip", "2: left", "100", "100", "" }));
   EXPECT_EQ(
-    rows[2], (std::vector<std::string>{ "B", "yoke", "1: strip", "3: right", "100", "100" }));
+    rows[2], (std::vector<std::string>{ "B", "yoke", "1: strip", "3: right", "100", "100", "" }));
   EXPECT_EQ(
-    rows[3], (std::vector<std::string>{ "C", "center", "2: left", "3: right", "100", "100" }));
+    rows[3], (std::vector<std::string>{ "C", "center", "2: left", "3: right", "100", "100", "" }));
   options.pages.paper = PaperSize::Sheet;
   ASSERT_TRUE(makePatternFile(source, options, pattern, content).ok());
   EXPECT_TRUE(pattern.tables.empty());
+}
+
+TEST(Joins, TheirBendIsThatOfTheSurface)
+{
+  PatternSource source = stripAndSquares();
+  const double half = 50.0 * std::sqrt(3.0);
+  // The left square hangs down from the strip, the right one rises by 60 degrees.
+  source.inSpace = { { 0.0, 0.0, 0.0 }, { 200.0, 0.0, 0.0 }, { 200.0, 100.0, 0.0 },
+    { 100.0, 100.0, 0.0 }, { 0.0, 100.0, 0.0 }, { 0.0, 100.0, 0.0 }, { 100.0, 100.0, 0.0 },
+    { 100.0, 100.0, -100.0 }, { 0.0, 100.0, -100.0 }, { 100.0, 100.0, 0.0 }, { 200.0, 100.0, 0.0 },
+    { 200.0, 150.0, half }, { 100.0, 150.0, half } };
+  std::vector<WalkInterval> walk;
+  ASSERT_TRUE(walkSeams(source, inMillimetres(), walk).ok());
+  EXPECT_EQ(walk.front().join, "A");
+  EXPECT_NEAR(walk.front().bend, pi / 2.0, 1e-12);
+  EXPECT_EQ(walk.at(2).join, "B");
+  EXPECT_NEAR(walk.at(2).bend, -pi / 3.0, 1e-12);
 }
 
 TEST(Joins, NoneIsDrawnWhereTheyAreTurnedOff)

@@ -133,8 +133,9 @@ TEST(SeamWalk, TheTableHoldsWhatWasWalked)
   Pattern pattern;
   pattern.names = { "front", "back" };
   const std::string table = makeWalkTable(walkOf(twoTriangles(), 0.0), pattern);
-  EXPECT_NE(table.find(
-              "\n\"side, \"\"left\"\"\",seam,front,back,1,0,100,100,110,-10,-9.090909,135,135,A\n"),
+  EXPECT_NE(
+    table.find(
+      "\n\"side, \"\"left\"\"\",seam,front,back,1,0,100,100,110,-10,-9.090909,135,135,A,\n"),
     std::string::npos)
     << table;
 }

@@ -172,6 +172,19 @@ std::vector<ClothMaterial> makePresets()
   all.push_back(unfrayed(threads("woven-carbon", "dry woven carbon for moulding",
     { 1000000, 1000000, 100 }, 1.0, { -0.002, 0.002 }, { -0.002, 0.002 }, 50,
     "assumed: threads that do not give, shear 1e-4 of theirs, locked at 50 degrees of 40 to 60")));
+  // Modulus times thickness.
+  all.push_back(unfrayed(threads("eva-foam", "ethylene-vinyl acetate foam, 10 mm",
+    { 20000, 20000, 8000 }, 1.0, { -0.05, 0.05 }, { -0.05, 0.05 }, 10,
+    "assumed: 2 MPa, alike in all directions, Poisson's ratio 0.25")));
+  all.push_back(unfrayed(threads("plywood", "birch plywood, 3 mm, warp along the face grain",
+    { 3e7, 1.8e7, 2.1e6 }, 1.0, { -0.003, 0.003 }, { -0.003, 0.003 }, 0.3,
+    "assumed: 10 GPa along and 6 GPa across the face grain, 0.7 GPa in shear")));
+  all.push_back(unfrayed(threads("aluminum", "aluminum alloy, 1 mm", { 7e7, 7e7, 2.7e7 }, 1.0,
+    { -0.002, 0.002 }, { -0.002, 0.002 }, 0.2,
+    "EN 1999-1-1: 70 GPa, 27 GPa in shear; limits where plastic strain begins, 0.2 %")));
+  all.push_back(unfrayed(threads("steel", "mild steel, 1 mm", { 2.1e8, 2.1e8, 8.1e7 }, 1.0,
+    { -0.0011, 0.0011 }, { -0.0011, 0.0011 }, 0.1,
+    "EN 1993-1-1: 210 GPa, 81 GPa in shear; limits where S235 yields, 235 MPa")));
   return all;
 }
 }

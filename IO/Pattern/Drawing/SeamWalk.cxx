@@ -190,6 +190,7 @@ private:
     const SourceWire& wire = this->Source.wires[join.wire];
     WalkInterval interval;
     interval.join = join.mark;
+    interval.bend = join.bend;
     interval.curve = wire.name;
     interval.type = wire.type;
     interval.piece = join.piece;
@@ -248,10 +249,20 @@ Status walkSeams(const PatternSource& source, const PatternOptions& given,
   return {};
 }
 
+namespace
+{
+/// Empty where the surface is not known.
+std::string bendInDegrees(const WalkInterval& row, int digits)
+{
+  return std::isnan(row.bend) ? "" : formatNumber(degreesPerRadian * row.bend, digits);
+}
+}
+
 std::string makeWalkTable(const std::vector<WalkInterval>& walk, const Pattern& pattern)
 {
-  std::string table = "curve,type,piece_a,piece_b,interval,from_mm,to_mm,length_a_mm,length_b_mm,"
-                      "difference_mm,ease_percent,angle_sum_start_deg,angle_sum_end_deg,join\n";
+  std::string table =
+    "curve,type,piece_a,piece_b,interval,from_mm,to_mm,length_a_mm,length_b_mm,"
+    "difference_mm,ease_percent,angle_sum_start_deg,angle_sum_end_deg,join,bend_deg\n";
   for (const WalkInterval& row : walk)
   {
     table += csvField(cleanText(row.curve)) + (row.type == WireType::Dart ? ",dart," : ",seam,") +
@@ -267,7 +278,7 @@ std::string makeWalkTable(const std::vector<WalkInterval>& walk, const Pattern& 
     {
       table += "," + formatNumber(angle, 3);
     }
-    table += "," + row.join + "\n";
+    table += "," + row.join + "," + bendInDegrees(row, 1) + "\n";
   }
   return table;
 }
@@ -294,7 +305,7 @@ PatternTable joinRows(const std::vector<WalkInterval>& walk, const Pattern& patt
 {
   PatternTable table;
   table.title = "Joins";
-  table.columns = { 0.0, 14.0, 59.0, 99.0, 139.0, 157.0 };
+  table.columns = { 0.0, 14.0, 56.0, 93.0, 130.0, 146.0, 162.0 };
   std::vector<WalkInterval> joins; // each with the lengths of its intervals
   for (const WalkInterval& interval : walk)
   {
@@ -312,14 +323,15 @@ PatternTable joinRows(const std::vector<WalkInterval>& walk, const Pattern& patt
   }
   if (!joins.empty())
   {
-    table.rows.push_back({ "Join", "Curve", "Side 1", "Side 2", "1 mm", "2 mm" });
+    table.rows.push_back({ "Join", "Curve", "Side 1", "Side 2", "1 mm", "2 mm", "Bend" });
   }
   const auto piece = [&pattern](
                        std::size_t p) { return std::to_string(p + 1) + ": " + pattern.names[p]; };
   for (const WalkInterval& join : joins)
   {
     table.rows.push_back({ join.join, cleanText(join.curve), piece(join.piece[0]),
-      piece(join.piece[1]), formatNumber(join.length[0], 1), formatNumber(join.length[1], 1) });
+      piece(join.piece[1]), formatNumber(join.length[0], 1), formatNumber(join.length[1], 1),
+      bendInDegrees(join, 0) + (std::isnan(join.bend) ? "" : "\u00b0") });
   }
   return table;
 }

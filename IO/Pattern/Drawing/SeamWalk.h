@@ -13,7 +13,8 @@ class FairCache;
 /// two sides along each other measures them. Lengths in millimetres, angles in degrees.
 struct WalkInterval
 {
-  std::string join; ///< its mark; empty: the legs of a folded dart
+  std::string join;  ///< its mark; empty: the legs of a folded dart
+  double bend = 0.0; ///< of the surface along the whole join, radians; see Join
   std::string curve;
   WireType type = WireType::Seam;
   std::array<std::size_t, 2> piece{}; ///< of the two sides

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Outlines/Joins.h"
 
+#include <cmath>
 #include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace flattening::pattern
@@ -15,6 +17,80 @@ std::size_t pieceOf(const BorderEdges& border, const Side& side)
   auto found = border.find(edgeKey(side[0], side[1]));
   found = found != border.end() ? found : border.find(edgeKey(side[1], side[0]));
   return found != border.end() ? static_cast<std::size_t>(found->second) : 0;
+}
+
+/// Normals of the surface in space along the borders of pieces.
+class BorderNormals
+{
+public:
+  explicit BorderNormals(const PatternSource& source)
+    : Source(source)
+  {
+    for (std::size_t t = 0; t < source.triangles.size() && !source.inSpace.empty(); ++t)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const Triangle& corners = source.triangles[t];
+        this->TriangleAt[edgeKey(corners[k], corners[(k + 1) % 3])] = t;
+      }
+    }
+  }
+
+  /// The angle between the triangles at two edges that are sewn to each other, weighted by their
+  /// length in space. \param length gets it
+  double bend(const Side& one, const Side& other, double& length) const
+  {
+    const auto here = this->TriangleAt.find(edgeKey(one[0], one[1]));
+    const bool forward = here != this->TriangleAt.end();
+    const auto first = forward ? here : this->TriangleAt.find(edgeKey(one[1], one[0]));
+    const auto second = forward ? this->TriangleAt.find(edgeKey(other[1], other[0]))
+                                : this->TriangleAt.find(edgeKey(other[0], other[1]));
+    length = 0.0;
+    if (first == this->TriangleAt.end() || second == this->TriangleAt.end())
+    {
+      return 0.0;
+    }
+    const Point3 way =
+      (forward ? 1.0 : -1.0) * (this->Source.inSpace[one[1]] - this->Source.inSpace[one[0]]);
+    length = way.norm();
+    const Point3 a = this->normal(first->second);
+    const Point3 b = this->normal(second->second);
+    return length > 0.0 ? std::atan2(a.cross(b).dot(way / length), a.dot(b)) * length : 0.0;
+  }
+
+private:
+  Point3 normal(std::size_t triangle) const
+  {
+    const Triangle& corners = this->Source.triangles[triangle];
+    const Point3& x = this->Source.inSpace[corners[0]];
+    return (this->Source.inSpace[corners[1]] - x)
+      .cross(this->Source.inSpace[corners[2]] - x)
+      .normalized();
+  }
+
+  const PatternSource& Source;
+  std::unordered_map<std::uint64_t, std::size_t> TriangleAt;
+};
+
+void findBends(const PatternSource& source, std::vector<Join>& joins)
+{
+  const BorderNormals normals(source);
+  for (Join& join : joins)
+  {
+    double sum = 0.0;
+    double whole = 0.0;
+    for (std::size_t k = 0; k + 1 < join.points[0].size(); ++k)
+    {
+      double length = 0.0;
+      sum += normals.bend({ join.points[0][k], join.points[0][k + 1] },
+        { join.points[1][k], join.points[1][k + 1] }, length);
+      whole += length;
+    }
+    if (whole > 0.0)
+    {
+      join.bend = sum / whole;
+    }
+  }
 }
 
 /// The legs of folded darts.
@@ -94,6 +170,7 @@ std::vector<Join> findJoins(const PatternSource& source, const BorderEdges& bord
       joins.back().points[1].push_back(other[1]);
     }
   }
+  findBends(source, joins);
   return joins;
 }
 }

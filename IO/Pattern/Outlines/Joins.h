@@ -3,6 +3,7 @@
 
 #include "Outlines/Darts.h"
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct Join
   double to = 0.0;
   std::array<std::size_t, 2> piece{}; ///< of the sides
   std::array<Indices, 2> points;      ///< of the sides, in the direction of the curve
+  /// The angle between the surfaces of both sides, radians, in the mean; above 0 where the surface
+  /// is convex. Not a number where the surface is not known.
+  double bend = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The mark of a join by its number from 0: A, ..., Z, AA, AB, ... without I and O, which look like
