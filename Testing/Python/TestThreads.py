@@ -3,6 +3,7 @@
 
 import concurrent.futures
 import multiprocessing
+import signal
 import threading
 import time
 import unittest
@@ -18,6 +19,12 @@ NAMES = ("pants_front", "tshirt", "shirt_front", "quarter_sphere")
 
 def flatten(name):
     return sf.flatten_polydata(read(name), read(name + "_curves"))
+
+
+def curved_grid(size):
+    points, triangles = grid(size, size)
+    points[:, 2] = np.sin(points[:, 0] / 9) * np.sin(points[:, 1] / 9)
+    return points, triangles
 
 
 def closed():
@@ -65,10 +72,17 @@ class Threads(unittest.TestCase):
         self.assertEqual(len(seen), 1)
         self.assertIsNot(seen[0], threading.main_thread())
 
-    def test_another_thread_goes_on_where_progress_is_called(self):
-        # The interpreter's lock is held while a filter runs, and free in between for what Python calls.
-        points, triangles = grid(60, 60)
-        points[:, 2] = np.sin(points[:, 0] / 9) * np.sin(points[:, 1] / 9)
+    def test_an_interrupt_ends_a_run_that_calls_nothing(self):
+        points, triangles = curved_grid(120)
+        timer = threading.Timer(0.2, signal.raise_signal, (signal.SIGINT,))
+        began = time.monotonic()
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            sf.make_flattenable(points, triangles, bound=1e-6)
+        self.assertLess(time.monotonic() - began, 5.0)
+
+    def test_another_thread_goes_on_beside_a_run(self):
+        points, triangles = curved_grid(60)
         done, beats = threading.Event(), []
 
         def beat():
@@ -80,7 +94,7 @@ class Threads(unittest.TestCase):
         heart.start()
         try:
             began = time.monotonic()
-            sf.flatten(points, triangles, progress=lambda _: time.sleep(1e-3))
+            sf.flatten(points, triangles)
             ended = time.monotonic()
         finally:
             done.set()
