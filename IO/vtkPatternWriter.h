@@ -212,7 +212,8 @@ public:
 
   ///@{
   /**
-   * Paper of a PDF. SHEET: one page as large as the pattern, up to 5080 mm. Default: A4.
+   * Paper of a PDF. SHEET: one page as large as the pattern, or where that is
+   * larger than 5080 mm, which PDF allows, pages of that size to be joined. Default: A4.
    */
   vtkSetClampMacro(Paper, int, A4, SHEET);
   vtkGetMacro(Paper, int);

@@ -112,11 +112,28 @@ TEST(PdfPages, TooLargeIsRefusedWithTheSizeOfThePiece)
     EXPECT_NEAR(width, 1e-3 * size, 1e-3 + 1e-9 * size);
     EXPECT_NEAR(height, 0.5e-3 * size, 1e-3 + 1e-9 * size);
   };
-  refuse(6e3, PaperSize::Sheet);
   for (const double size : { 1e6, 1e9, 1e14, 1e62 })
   {
     refuse(size, PaperSize::Sheet);
     refuse(size, PaperSize::A4);
+  }
+}
+
+TEST(PdfPages, ASheetBeyondTheLimitOfPdfIsDivided)
+{
+  const Pattern pattern = patternOf({ { 29e3, 1400.0 }, { 900.0, 700.0 } });
+  const PagePlan plan = planOf(pattern, PaperSize::Sheet);
+  EXPECT_TRUE(plan.tiled);
+  EXPECT_LE(plan.paper.maxCoeff(), 5080.0);
+  EXPECT_EQ(plan.pages.size(), 6U); // of 5.05 m each
+  for (const double at : { 0.0, 14e3, 29e3 })
+  {
+    const Point2 place = plan.layout.place(pattern, 0, { at, 700.0 });
+    EXPECT_TRUE(std::any_of(plan.pages.begin(), plan.pages.end(), [&](const Tile& tile) {
+      const Point2 low(tile.column * plan.step.x(), tile.row * plan.step.y());
+      return (place - low).minCoeff() >= -1e-9 &&
+        (low + plan.printable - place).minCoeff() >= -1e-9;
+    }));
   }
 }
 

@@ -80,13 +80,18 @@ class Refusals(pattern.PatternTest):
         for words in ("sail", "A4", "more than 3", "check the unit", "larger paper"):
             self.assertIn(words, message)
 
-    def test_a_piece_larger_than_a_pdf_page_can_be_is_refused(self):
+    def test_a_sheet_larger_than_a_pdf_page_can_be_is_divided_within_the_number_of_pages(self):
         piece = os.path.join(pattern.DATA, "pants_front")
-        run = self.run_command("pattern", piece + ".vtp", piece + "_curves.vtp", "--output", "out",
-                               "-o", "out/pattern.pdf", "--unit", "m", "--paper", "sheet")
-        self.assertEqual(run.returncode, 3, run.stderr)
-        self.assertIn("5.08 m", run.stderr)
-        self.assertFalse(os.path.exists(self.path("out", "pattern.pdf")))
+        for most, code in (("3", 3), ("400", 0)):
+            run = self.run_command("pattern", piece + ".vtp", piece + "_curves.vtp", "--output", "out", "-o",
+                                   "out/pattern.pdf", "--unit", "m", "--paper", "sheet", "--max-pages", most)
+            self.assertEqual(run.returncode, code, run.stderr)
+            self.assertEqual("5.08 m" in run.stderr, code == 3)
+            self.assertEqual(os.path.exists(self.path("out", "pattern.pdf")), code == 0)
+        text = pattern.run_tool("pdfinfo", "-l", "1000", self.path("out", "pattern.pdf")).decode()
+        sizes = re.findall(r"Page +\d+ size: +([\d.]+) x ([\d.]+) pts", text)
+        self.assertGreater(len(sizes), 3)
+        self.assertLessEqual(max(float(side) for size in sizes for side in size), 14400)
 
     def test_absurd_scales_are_refused_in_no_time(self):
         for paper in ("A4", "A0", "sheet"):
@@ -135,7 +140,8 @@ class Refusals(pattern.PatternTest):
                 (("-o", "out/pattern.json",), {"pattern.json"}, "hole"),
                 (("-o", "out/pattern.pdf", "--max-pages", "1", "--paper", "A4", "--quantity", "3"), set(), ""),
                 (("-o", "out/pattern.pdf", "--max-pages", "1", "--allowance", "200"), {"pattern.pdf"}, "pages"),
-                (("-o", "out/pattern.pdf", "--paper", "sheet", "--allowance", "3000"), {"pattern.pdf"}, "5.08 m"),
+                (("-o", "out/pattern.pdf", "--paper", "sheet", "--allowance", "3000", "--max-pages", "1"),
+                 {"pattern.pdf"}, "5.08 m"),
             ):
                 with self.subTest(unit=unit, asked=asked):
                     run = self.run_command("pattern", *plate, *every, *asked, "--unit", unit, "--output", "out")

@@ -254,7 +254,7 @@ std::pair<std::size_t, double> costOf(const PagePlan& plan)
     std::abs(std::log(plan.columns * plan.step.x() / (plan.rows * plan.step.y()))) };
 }
 
-Status planSheet(const Pattern& pattern, PagePlan& plan)
+void planSheet(const Pattern& pattern, PagePlan& plan)
 {
   plan = PagePlan();
   plan.tiled = false;
@@ -263,12 +263,28 @@ Status planSheet(const Pattern& pattern, PagePlan& plan)
   plan.printable = plan.step = plan.layout.extent;
   plan.paper = plan.printable + Point2::Constant(2.0 * pageMargin);
   plan.pages = { Tile() };
-  if (plan.paper.maxCoeff() > largestPage)
+}
+
+/// Divides a sheet that is larger than a page of a PDF can be into such pages, to be joined.
+Status divideSheet(const Pattern& pattern, const PageOptions& options, PagePlan& plan)
+{
+  const Point2 whole = plan.paper;
+  const Point2 paper = whole.cwiseMin(Point2::Constant(largestPage));
+  const Point2 step = paper - Point2::Constant(2.0 * pageMargin + options.overlap);
+  const double columns = tilesAlong(whole.x(), step.x(), options.overlap);
+  const double rows = tilesAlong(whole.y(), step.y(), options.overlap);
+  if (!(columns * rows <= options.maximumPages))
   {
     return tooLarge(pattern,
-      "the page would measure " + metres(plan.paper) + ", and PDF ends at 5.08 m",
+      "the page would measure " + metres(whole) + ", PDF ends at 5.08 m, and more than " +
+        std::to_string(options.maximumPages) + " pages are needed",
       Remedy::PrintOnPages);
   }
+  plan = planFor(pattern, options, paper, columns, true);
+  plan.columns =
+    static_cast<int>(tilesAlong(plan.layout.extent.x(), plan.step.x(), options.overlap));
+  plan.rows = static_cast<int>(tilesAlong(plan.layout.extent.y(), plan.step.y(), options.overlap));
+  findPages(pattern, plan);
   return {};
 }
 }
@@ -303,14 +319,15 @@ bool hasPage(const PagePlan& plan, const Tile& tile)
 
 Status planPages(const Pattern& pattern, const PageOptions& options, PagePlan& plan)
 {
-  if (options.paper == PaperSize::Sheet)
-  {
-    return planSheet(pattern, plan);
-  }
   if (!(options.overlap >= 0.0 && options.overlap <= 50.0) || options.maximumPages < 1)
   {
     return { StatusCode::InvalidOption,
       "the overlap of pages must be from 0 to 50 mm, and one page allowed at least" };
+  }
+  if (options.paper == PaperSize::Sheet)
+  {
+    planSheet(pattern, plan);
+    return plan.paper.maxCoeff() > largestPage ? divideSheet(pattern, options, plan) : Status();
   }
   const Point2 upright = paperExtent(options.paper);
   double widest = 0.0;

@@ -58,8 +58,8 @@ struct PagePlan
 Point2 legendExtent(bool withMap);
 
 /// Chooses the layout and the way to hold the paper that need the fewest pages.
-/// \return TooLarge where more than maximumPages are needed, or a single page would be larger than PDF
-/// allows (5080 mm)
+/// A Sheet that is larger than PDF allows (5080 mm) is divided into pages of that size.
+/// \return TooLarge where more than maximumPages are needed
 Status planPages(const Pattern& pattern, const PageOptions& options, PagePlan& plan);
 
 /// "A1": row A, column 1.

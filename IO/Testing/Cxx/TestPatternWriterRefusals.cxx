@@ -176,7 +176,7 @@ int TestPatternWriterRefusals(int argc, char* argv[])
   {
     double p[3];
     large->GetPoint(v, p);
-    large->GetPoints()->SetPoint(v, 600.0 * p[0], p[1], p[2]);
+    large->GetPoints()->SetPoint(v, 600000.0 * p[0], p[1], p[2]);
   }
   refusals.refuse("PatternTooLarge", large,
     [](vtkPatternWriter& writer) { writer.SetPaperToSheet(); }, { "5.08 m", "several pages" });
