@@ -57,7 +57,7 @@ class Packages(unittest.TestCase):
     def test_there_are_all(self):
         editor = {"surfaceflattening-editor"} if EDITOR else set()
         self.assertEqual(set(self.packages), {"surfaceflattening", "surfaceflattening-dev"} | editor)
-        self.assertEqual(len(self.binaries), 10 + len(editor))  # four libraries, command, its reader, four Python modules
+        self.assertEqual(len(self.binaries), 11 + len(editor))  # four libraries, command, its reader, five Python modules
         version = field(self.packages["surfaceflattening"], "Version")
         self.assertIn(f"surfaceflattening (= {version})",
                       field(self.packages["surfaceflattening-dev"], "Depends"))

@@ -73,8 +73,9 @@ Status checkTolerance(std::int64_t cell, double tolerance);
 /// the points.
 Status takePlanarShape(const Points2& shape, Polyline& curve);
 
-/// Imprints curves on the surface of the source, unless it has been done with the same points.
-void imprintInput(CurveInput curves, const ImprintOptions& options, const Execution& execution,
+/// Imprints curves that were read on the surface of the source, unless it has been done with the
+/// same points.
+void imprintInput(CurveInput read, const ImprintOptions& options, const Execution& execution,
   CurvedSurface& source);
 
 /// The refusal of a name that no curve has.
