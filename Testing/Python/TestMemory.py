@@ -30,6 +30,11 @@ def held():
         return int(file.read().split()[0]) * resource.getpagesize()
 
 
+def resident():
+    with open("/proc/self/statm", encoding="ascii") as file:
+        return int(file.read().split()[1]) * resource.getpagesize()
+
+
 def take_what_is_free():
     """What earlier work has given back to the process but not to the system.
 
@@ -98,6 +103,15 @@ class Memory(unittest.TestCase):
 
         sew()  # what the first run alone takes, such as code that is loaded
         self.assertEqual(run_with(6500 * len(self.triangles), sew, True), ENOUGH)
+
+    def test_a_thousand_calls_leave_nothing(self):
+        points, triangles = grid(6, 4)
+        points[:, 2] = 0.1 * points[:, 0] * points[:, 1]
+        for calls in (200, 1000):  # what is kept for later calls is taken in the first ones
+            before = resident()
+            for _ in range(calls):
+                sf.flatten(points, triangles, [sf.Curve([0, 1, 2], "key", "hem")])
+        self.assertLess(resident() - before, 1 << 20)
 
     def test_the_pattern_of_a_result_as_well(self):
         result = sf.flatten(self.points, self.triangles, scheme="global")
