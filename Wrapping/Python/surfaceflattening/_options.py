@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import difflib
+import functools
 import inspect
 import operator
 import os
@@ -29,7 +30,8 @@ _OTHERS: Dict[str, Any] = {"paper_method": False, "progress": None}
 WARPING, CONFORMAL = "vtkWireWarpingFilter", "vtkLeastSquaresConformalFilter"
 
 
-def options_of(owner: str) -> Dict[str, Option]:
+@functools.lru_cache(maxsize=None)
+def options_of(owner: str) -> Mapping[str, Option]:
     """The options of a filter by their names in Python, and those of the conformal map, a scheme here."""
     owned = set(_core.options_of(owner))
     return {option.name: option for option in TABLE if (option.cls, option.property) in owned}
