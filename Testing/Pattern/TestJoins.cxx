@@ -117,6 +117,21 @@ TEST(Joins, EachHasANotchOfItsOwnThatTellsItsEndsApart)
   EXPECT_NEAR(places[1], 140.0, 1e-9);
 }
 
+TEST(Joins, APieceForItsMirrorImageAsWellHasTheMarksOfBoth)
+{
+  PatternSource source = stripAndSquares();
+  // The squares become mirror images without an axis of their own, of sides of different lengths.
+  source.positions[7] = { 430.0, 80.0 };
+  source.positions[12] = { 470.0, 80.0 };
+  PatternOptions options = inMillimetres();
+  options.pairs = true;
+  const Pattern pattern = patternOf(source, options);
+  ASSERT_EQ(pattern.pieces.size(), 2U);
+  using Marks = std::map<std::string, int>;
+  EXPECT_EQ(marksOf(pattern.pieces[0]), (Marks{ { "A", 3 }, { "B", 3 } }));
+  EXPECT_EQ(marksOf(pattern.pieces[1]), (Marks{ { "A/B", 3 }, { "C", 3 } }));
+}
+
 TEST(Joins, TheTableHasTheirPiecesAndLengths)
 {
   const PatternSource source = stripAndSquares();

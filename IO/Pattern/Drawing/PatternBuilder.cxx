@@ -440,7 +440,8 @@ Status buildPattern(
     }
     addText(
       TextRole::Label, "piece " + std::to_string(piece.number) + " of " + std::to_string(pieces));
-    status = drawPiece(all, p, marks, fold, piece);
+    const bool forBoth = options.pairs && second < pieces;
+    status = drawPiece(all, p, forBoth ? std::optional(second) : std::nullopt, marks, fold, piece);
     if (fold && !fold->isBorder)
     {
       piece.notes.push_back(

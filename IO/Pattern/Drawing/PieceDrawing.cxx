@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace flattening::pattern
 {
@@ -42,9 +43,11 @@ constexpr double worthSaying = 0.1;
 class PieceDrawer
 {
 public:
-  PieceDrawer(const DrawingSource& all, std::size_t piece, PatternPiece& drawing)
+  PieceDrawer(const DrawingSource& all, std::size_t piece, std::optional<std::size_t> image,
+    PatternPiece& drawing)
     : All(all)
     , Piece(piece)
+    , Image(image)
     , Loops(all.loops[piece])
     , Cloth(all, all.loops[piece])
     , Drawing(drawing)
@@ -415,14 +418,14 @@ private:
     }
   }
 
-  std::vector<JoinSide> joinSides() const
+  std::vector<JoinSide> sidesOf(std::size_t piece) const
   {
     std::vector<JoinSide> sides;
     for (const Join& join : this->All.joins)
     {
       for (std::size_t s = 0; s < 2; ++s)
       {
-        if (!this->All.options.joinMarks || join.mark.empty() || join.piece[s] != this->Piece)
+        if (!this->All.options.joinMarks || join.mark.empty() || join.piece[s] != piece)
         {
           continue;
         }
@@ -434,6 +437,40 @@ private:
           addDrawnEdge(this->All, points[k], points[k + 1], side.line);
         }
         side.line.push_back(this->All.at(points.back()));
+      }
+    }
+    return sides;
+  }
+
+  /// Of the piece, with the marks of its mirror image where that is not drawn: "A/B". These are
+  /// told by the lengths of the sides.
+  std::vector<JoinSide> joinSides() const
+  {
+    std::vector<JoinSide> sides = this->sidesOf(this->Piece);
+    const std::vector<JoinSide> images =
+      this->Image ? this->sidesOf(*this->Image) : std::vector<JoinSide>();
+    for (JoinSide& side : sides)
+    {
+      const double length = polylineLength(side.line);
+      std::map<std::string, double> misses; // by mark, the least
+      for (const JoinSide& image : images)
+      {
+        const double miss = std::abs(polylineLength(image.line) - length);
+        const auto known = misses.emplace(image.mark, miss).first;
+        known->second = std::min(known->second, miss);
+      }
+      const auto byMiss = [](const auto& a, const auto& b) { return a.second < b.second; };
+      const auto best = std::min_element(misses.begin(), misses.end(), byMiss);
+      if (best == misses.end() || best->second > mirrorTolerance || best->first == side.mark)
+      {
+        continue;
+      }
+      const auto alike = [&best](const auto& one) {
+        return one.first != best->first && one.second < 4.0 * best->second + 1e-3;
+      };
+      if (std::none_of(misses.begin(), misses.end(), alike))
+      {
+        side.mark.append("/").append(best->first);
       }
     }
     return sides;
@@ -471,6 +508,8 @@ private:
 
   const DrawingSource& All;
   std::size_t Piece;
+  std::optional<std::size_t>
+    Image; ///< a piece that is not drawn since it is this one's mirror image
   const std::vector<Indices>& Loops;
   ClothOutline Cloth;
   PatternPiece& Drawing;
@@ -482,9 +521,9 @@ private:
 };
 }
 
-Status drawPiece(const DrawingSource& all, std::size_t piece, const std::vector<BorderMark>& marks,
-  const std::optional<NamedFold>& fold, PatternPiece& drawing)
+Status drawPiece(const DrawingSource& all, std::size_t piece, std::optional<std::size_t> image,
+  const std::vector<BorderMark>& marks, const std::optional<NamedFold>& fold, PatternPiece& drawing)
 {
-  return PieceDrawer(all, piece, drawing).draw(marks, fold);
+  return PieceDrawer(all, piece, image, drawing).draw(marks, fold);
 }
 }
