@@ -188,7 +188,7 @@ public:
 
   ///@{
   /**
-   * Draw a DXF for laser, knife and router in the place of one for pattern systems: model space
+   * Draw a DXF for laser, knife and router, not for pattern systems: model space
    * alone, the layers CUT (outlines and holes, once each), MARK (sew lines off the outline, darts,
    * curves, notches, drill holes, grain) and TEXT, polylines with arcs that are within 0.03 mm of
    * the drawing, no points; sheet materials have no grainline. Default: off.
