@@ -153,6 +153,7 @@ void vtkFeatureCurveSuggestion::VisitOptions(flattening::bridge::OptionVisitor& 
   visit("MaximumCutLength", this->MaximumCutLength);
   visit("MaximumWork", this->MaximumWork);
   visit("PieceCount", this->PieceCount);
+  visit("MaximumWidth", this->MaximumWidth);
   visit("Symmetric", this->Symmetric);
   std::string weights = this->GetWeightArray();
   visit("WeightArray", weights);
@@ -255,7 +256,8 @@ int vtkFeatureCurveSuggestion::RequestData(
     this->LeftOutLines = flattening::bridge::makeTable(flattening::leftOutTable(suggestions));
     const std::string shortfall = this->SuggestedCuts == LINES
       ? std::string()
-      : flattening::describeShortfall(suggestions, this->Bound, source->curves.polylines);
+      : flattening::describeShortfall(
+          suggestions, this->Bound, this->MaximumWidth, source->curves.polylines);
     if (!shortfall.empty())
     {
       this->Warn({ shortfall });

@@ -43,8 +43,9 @@
  * own mirror image by its lengths and angles alone, where no plane mirrors it).
  *
  * **Output 6, the search**: a vtkTable of one row with the columns `BoundMet` (int),
- * `StrainBefore`, `StrainAfter` (double; without and with all cuts), `Trials` (id; how many
- * flattenings were made) and `Work` (double; what they took, see MaximumWork).
+ * `StrainBefore`, `StrainAfter` (double; without and with all cuts), `Width` (double; of the widest
+ * piece where MaximumWidth is given, else 0), `Trials` (id; how many flattenings were made) and
+ * `Work` (double; what they took, see MaximumWork).
  *
  * A bound that cannot be met is no refusal: `BoundMet` says so, with a warning that names what is
  * left, where, and what ended the search: the most cuts or their length, MaximumWork, an abort, or
@@ -159,6 +160,17 @@ public:
 
   ///@{
   /**
+   * The greatest width of a flat piece where it is narrowest, in the unit of the surface, as that
+   * of a roll of cloth. Wider pieces are parted into strips of equal widths by seams that are
+   * straight in the plane; where that fails, as by MaximumCuts, a warning says how wide they are.
+   * 0: any. Default: 0.
+   */
+  vtkSetClampMacro(MaximumWidth, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumWidth, double);
+  ///@}
+
+  ///@{
+  /**
    * The most work that the search may take, in millions of steps of an iteration on one triangle;
    * 0: no limit. A million takes about half a second of one processor. The best cuts that
    * are found by then are proposed, and a warning names it. Work is counted, not timed: cuts are
@@ -223,6 +235,7 @@ protected:
   double Bound = 0.0;
   int MaximumCuts = 0;
   double MaximumCutLength = 0.0;
+  double MaximumWidth = 0.0;
   double MaximumWork = 0.0;
   int PieceCount = 0;
   std::string Symmetric;

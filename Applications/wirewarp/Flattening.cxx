@@ -84,23 +84,32 @@ private:
   void (*Before)(int) = SIG_DFL;
 };
 
-/// A bound that was asked for and is missed by more than half of it.
+/// A bound that was asked for and is missed by more than half of it, or a width that is exceeded.
 void checkBound(const Options& options, Flattening& result)
 {
-  const double bound = options.values.number("Bound");
-  if (!options.values.isGiven("Bound") || bound == 0.0 || result.exitCode != Done ||
-    result.search->GetNumberOfRows() == 0)
+  if (result.exitCode != Done || result.search->GetNumberOfRows() == 0)
   {
     return;
   }
+  const double bound = options.values.number("Bound");
+  const bool bounded = options.values.isGiven("Bound") && bound > 0.0;
   const double strain = numberIn(result.search, 0, "StrainAfter");
-  if (strain <= missedBy * bound)
+  const double mostWidth = options.values.number("MaximumWidth");
+  const double width = numberIn(result.search, 0, "Width");
+  const bool wide = mostWidth > 0.0 && width > mostWidth;
+  const bool kept = !bounded || strain <= missedBy * bound;
+  if (kept && !wide)
   {
     return;
   }
   std::ostringstream message;
   message << std::setprecision(4);
-  if (std::isnan(strain))
+  if (kept)
+  {
+    message << "a piece is " << width << " wide, more than the " << mostWidth
+            << " allowed; allow more cuts (--max-cuts), or part it by seams";
+  }
+  else if (std::isnan(strain))
   {
     message << "no cuts are found with which the surface can be flattened, so that the bound of "
             << bound << " is not met; draw seams that open the surface";

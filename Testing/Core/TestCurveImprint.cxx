@@ -466,6 +466,43 @@ TEST(CurveImprint, TakesPicksThatLieALittleOffTheSurface)
   EXPECT_NE(far.status.message.find("unit"), std::string::npos) << far.status.message;
 }
 
+TEST(CurveImprint, KeepsACurveOnOnePartWherePartsTouchWithoutBeingJoined)
+{
+  // Three sheets of 5 x 5 side by side, each with points of its own on the lines between them.
+  std::vector<testmeshes::Surface> sheets;
+  for (double x : { 0.0, 5.0, 10.0 })
+  {
+    sheets.push_back(
+      testmeshes::patch(5, 5, [x](double i, double j) { return Point3(x + i, j, 0.0); }));
+  }
+  const TriangleMesh mesh = testmeshes::together(sheets).mesh;
+  for (double y : { 2.0, 2.3 })
+  {
+    for (double x : { 0.0, 5.0, 10.0 })
+    {
+      for (bool backwards : { false, true })
+      {
+        Points3 points{ Point3(x, y, 0.0), Point3(x + 2.5, y, 0.0), Point3(x + 5.0, 5.0 - y, 0.0) };
+        if (backwards)
+        {
+          std::reverse(points.begin(), points.end());
+        }
+        const ImprintedSurface surface = imprintCurves(mesh, { polyline(points) }, {});
+        ASSERT_TRUE(surface.status.ok()) << surface.status.message;
+        Indices part;
+        connectedParts(surface.mesh, {}, part);
+        for (Index v : surface.curves[0].vertices)
+        {
+          EXPECT_EQ(part[surface.mesh.outgoing(v) / 3], std::lround(x / 5.0));
+        }
+      }
+    }
+  }
+  // From one sheet to the next it cannot run.
+  EXPECT_EQ(imprintCurves(mesh, { polyline({ Point3(2, 2, 0), Point3(7, 2, 0) }) }, {}).status.code,
+    StatusCode::CurveLeavesSurface);
+}
+
 TEST(CurveImprint, GoesToTheNearestVertexWhereNothingIsSplit)
 {
   const TriangleMesh mesh = grid(10);

@@ -102,6 +102,22 @@ private:
   bool Begun = false;
 };
 
+/// Calls a function with the first vertex of each edge of the convex hull, and along the edge, as a
+/// unit vector.
+template <typename Visit>
+void visitEdges(const Points2& points, const Indices& hull, const Visit& visit)
+{
+  for (std::size_t k = 0; k < hull.size(); ++k)
+  {
+    const Point2 along = points[hull[(k + 1) % hull.size()]] - points[hull[k]];
+    const double length = along.norm();
+    if (length > 0.0)
+    {
+      visit(hull[k], Point2(along / length));
+    }
+  }
+}
+
 /// Direction of the long side of the smallest rectangle around the points. One of its sides lies on
 /// the convex hull; of equal ones that at the smallest vertex counts.
 Point2 longDirection(const Points2& points)
@@ -113,16 +129,7 @@ Point2 longDirection(const Points2& points)
   Farthest ahead(points, hull);
   Farthest above(points, hull);
   Farthest behind(points, hull);
-  for (std::size_t k = 0; k < hull.size(); ++k)
-  {
-    const Index first = hull[k];
-    Point2 along = points[hull[(k + 1) % hull.size()]] - points[first];
-    const double length = along.norm();
-    if (!(length > 0.0))
-    {
-      continue;
-    }
-    along /= length;
+  visitEdges(points, hull, [&](Index first, const Point2& along) {
     const Point2 across(-along.y(), along.x());
     const Point2& origin = points[first];
     const Point2 sides(
@@ -136,7 +143,7 @@ Point2 longDirection(const Points2& points)
       chosen = first;
       direction = sides.x() >= sides.y() * (1.0 - rounding) ? along : across;
     }
-  }
+  });
   return direction;
 }
 
@@ -227,6 +234,23 @@ std::vector<Point2> cornersInRows(const std::vector<Point2>& sizes, double spaci
     rowHeight = std::max(rowHeight, size.y());
   }
   return corners;
+}
+
+LeastWidth leastWidth(const Points2& points)
+{
+  const Indices hull = convexHull(points);
+  LeastWidth least;
+  least.width = std::numeric_limits<double>::infinity();
+  Farthest above(points, hull);
+  visitEdges(points, hull, [&](Index first, const Point2& along) {
+    const Point2 across(-along.y(), along.x());
+    const double width = above.along(points[first], across);
+    if (width < least.width * (1.0 - rounding))
+    {
+      least = { width, across };
+    }
+  });
+  return least;
 }
 
 std::vector<Points2> arrangePieces(const std::vector<ArrangementPiece>& pieces, double spacing)

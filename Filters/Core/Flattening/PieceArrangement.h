@@ -24,6 +24,14 @@ struct ArrangementPiece
 /// \return the new positions, per piece; the lower left corner of the first piece is the origin.
 std::vector<Points2> arrangePieces(const std::vector<ArrangementPiece>& pieces, double spacing);
 
+/// The nearest two parallel lines that points lie between.
+struct LeastWidth
+{
+  double width = 0.0;
+  Point2 across = Point2::UnitX(); ///< a unit vector
+};
+LeastWidth leastWidth(const Points2& points);
+
 /// Points turned by an angle around the first of them, which comes to the origin: those far from it
 /// keep their digits.
 Points2 turnedAroundFirst(const Points2& points, double cosine, double sine);

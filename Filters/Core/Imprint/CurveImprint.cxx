@@ -13,6 +13,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace flattening
@@ -40,6 +41,7 @@ public:
 
 private:
   void keepNearVertices(const Points3& queries, std::vector<Indices>& candidates) const;
+  void keepToOnePart(std::size_t c, std::vector<ClosestPoint>& closest);
   SuggestedRemedies waysFrom(double farthest) const;
 
   const TriangleMesh& Mesh;
@@ -51,6 +53,7 @@ private:
   std::vector<std::size_t> First;
   Indices Vertices; ///< per point of all polylines
   std::optional<SurfaceLocator> Locator;
+  Indices Parts; ///< by triangle, of what is joined; found when needed
 };
 
 double diagonal(const TriangleMesh& mesh)
@@ -254,6 +257,7 @@ Status CurvePlacement::locate(std::size_t c, std::vector<ClosestPoint>& closest)
   }
   if (off.empty())
   {
+    this->keepToOnePart(c, closest);
     return {};
   }
   return { StatusCode::CurvePointOffSurface,
@@ -263,6 +267,47 @@ Status CurvePlacement::locate(std::size_t c, std::vector<ClosestPoint>& closest)
           ? ", as where curve and surface differ in unit, axes or place"
           : ""),
     { ElementKind::CurvePoints, off }, this->waysFrom(farthest) };
+}
+
+/// Where parts of the surface touch, points of a curve may lie on another part than the rest of it:
+/// all go to the part to which they are nearest together, if each is near enough.
+void CurvePlacement::keepToOnePart(std::size_t c, std::vector<ClosestPoint>& closest)
+{
+  if (this->Parts.empty())
+  {
+    connectedParts(this->Mesh, {}, this->Parts);
+  }
+  Index* const vertices = this->Vertices.data() + this->First[c];
+  const auto partAt = [this](Index vertex) { return this->Parts[this->Mesh.outgoing(vertex) / 3]; };
+  std::set<Index> found;
+  for (std::size_t i = 0; i < closest.size(); ++i)
+  {
+    found.insert(vertices[i] == none ? this->Parts[closest[i].triangle] : partAt(vertices[i]));
+  }
+  std::vector<ClosestPoint> best;
+  double least = this->Reach;
+  for (Index part : found.size() > 1 ? found : std::set<Index>{})
+  {
+    std::vector<ClosestPoint> there;
+    double farthest = 0.0;
+    for (const Point3& point : this->Polylines[c].points)
+    {
+      there.push_back(
+        this->Locator->closest(point, [&](Index t) { return this->Parts[t] == part; }));
+      farthest = std::max(farthest, there.back().distance);
+    }
+    if (farthest < least || (best.empty() && farthest == least))
+    {
+      least = farthest;
+      best = std::move(there);
+    }
+  }
+  for (std::size_t i = 0; i < best.size(); ++i)
+  {
+    const bool other = vertices[i] != none && partAt(vertices[i]) != this->Parts[best[i].triangle];
+    vertices[i] = other ? none : vertices[i];
+    closest[i] = best[i];
+  }
 }
 
 ImprintedSurface refuse(Status status, std::size_t curve)

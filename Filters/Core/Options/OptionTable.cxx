@@ -463,6 +463,14 @@ void addSuggestion(Table& table)
     .help(
       "About the number of pieces into which seams part the surface, with as little strain as that "
       "allows; 0: as few as the bound takes.");
+  table.add("MaximumWidth", [](All& all) { return &all.search.maximumWidth; })
+    .spelled("max-width", "max_width")
+    .range(0.0, unlimited)
+    .slider(0.0, 1000.0)
+    .where(cuts)
+    .help("Maximum width of flat pieces, each where it is narrowest, in the unit of the surface: "
+          "wider ones are parted into strips of equal widths by seams that are straight in the "
+          "plane; 0: any.");
   table.add("Symmetric", [](All& all) { return &all.search.symmetric; })
     .form("on|off|force|CURVE|PLANE")
     .help("Mirrored cuts: on (where the surface is its own mirror image within 3 %), off, force "

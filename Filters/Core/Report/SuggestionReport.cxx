@@ -113,13 +113,14 @@ Columns searchTable(const CurveSuggestions& suggestions)
   columns.add("BoundMet", &CurveSuggestions::boundMet);
   columns.add("StrainBefore", &CurveSuggestions::strainBefore);
   columns.add("StrainAfter", &CurveSuggestions::strainAfter);
+  columns.add("Width", &CurveSuggestions::width);
   columns.add("Trials", &CurveSuggestions::trials);
   columns.add("Work", &CurveSuggestions::work);
   return table;
 }
 
-std::string describeShortfall(
-  const CurveSuggestions& suggestions, double bound, const std::vector<Polyline>& curves)
+std::string describeShortfall(const CurveSuggestions& suggestions, double bound,
+  double maximumWidth, const std::vector<Polyline>& curves)
 {
   const std::string byWork =
     "the limit of work ended the search after " + std::to_string(suggestions.trials) + " trials";
@@ -151,6 +152,11 @@ std::string describeShortfall(
         "made; make it an accessory curve, or draw seams that open the surface"
       : "nothing could be tried: seams that open the surface are not found, or it cannot be "
         "flattened with them; draw seams that open the surface";
+  }
+  if (maximumWidth > 0.0 && suggestions.width > maximumWidth)
+  {
+    return "a piece is " + shortNumber(suggestions.width) + " wide, more than the " +
+      shortNumber(maximumWidth) + " allowed; allow more cuts, or part it by seams";
   }
   if (suggestions.boundMet || bound == 0.0)
   {

@@ -88,9 +88,9 @@ struct CutMesh
 };
 
 /// The cut edges between charts of few triangles each.
-std::vector<char> firstCuts(const TriangleMesh& mesh, double bound)
+std::vector<char> firstCuts(const TriangleMesh& mesh, double bound, bool holed)
 {
-  const std::vector<Indices> loops = mesh.boundaryLoops();
+  const std::vector<Indices> loops = holed ? mesh.boundaryLoops() : std::vector<Indices>{};
   const Indices chart = clusterTriangles(mesh, loops, findHoles(mesh, loops), bound);
   std::vector<char> cut(mesh.halfedgeCount(), 0);
   for (Index h = 0; h < mesh.halfedgeCount(); ++h)
@@ -294,7 +294,7 @@ public:
     {
       return {};
     }
-    Charts first(half, firstCuts(half, firstShare * this->Options.bound),
+    Charts first(half, firstCuts(half, firstShare * this->Options.bound, this->Options.holes),
       numbersTo(half.halfedgeCount()), this->Options, this->Size, this->Trials);
     TrialBudget budget(mergingShare * this->Budget.left());
     first.divide(budget, this->Run);
@@ -567,20 +567,22 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
       continue;
     }
     std::vector<SuggestedCurve> more = cuts;
-    ChartSearch search(pieces[p].mesh, std::nullopt, straight, options, budget, execution);
-    const std::vector<SuggestedCurve> here = search.run();
+    ChartOptions here = options;
+    here.holes = straight; // the next time
+    ChartSearch search(pieces[p].mesh, std::nullopt, straight, here, budget, execution);
+    const std::vector<SuggestedCurve> found = search.run();
     if (search.worst() >= drawn.fault(p))
     {
       continue;
     }
-    more.insert(more.end(), here.begin(), here.end());
+    more.insert(more.end(), found.begin(), found.end());
     if (images[p] != none)
     {
       done[images[p]] = 1;
       addImages(more, static_cast<Index>(cuts.size()), *mirror);
     }
     // Beside the others it may come too near to them.
-    if (!here.empty() && !CutTrials(mesh, {}, {}, options.flattening).paths(linesOf(more)).empty())
+    if (!found.empty() && !CutTrials(mesh, {}, {}, options.flattening).paths(linesOf(more)).empty())
     {
       cuts = std::move(more);
       added = true;

@@ -72,7 +72,7 @@ Charts::Charts(const TriangleMesh& mesh, std::vector<char> cut, Indices images,
 {
   const std::vector<Indices> loops = mesh.boundaryLoops();
   const std::vector<char> holes = findHoles(mesh, loops);
-  for (std::size_t l = 0; l < loops.size(); ++l)
+  for (std::size_t l = 0; l < loops.size() && options.holes; ++l)
   {
     for (Index h : holes[l] ? loops[l] : Indices{})
     {

@@ -17,6 +17,7 @@ struct ChartOptions
   /// In that unit, no dart is shorter.
   double leastDart = 0.12;
   bool darts = true; ///< whether seams may end inside
+  bool holes = true; ///< whether charts may surround holes of the surface
   Index pieces = 0;  ///< no fewer charts; 0: as few as the bound takes
   /// Whether a mirror plane is kept to where its two sides differ too much to be cut alike.
   bool mirrorKept = false;

@@ -9,11 +9,14 @@
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/OpeningCuts.h"
 #include "Suggestion/SeamDrawing.h"
+#include "Suggestion/StripSeams.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 
 namespace flattening
@@ -51,6 +54,13 @@ constexpr int mostLooser = 6;
 constexpr double forcedError = 0.25;
 /// Planes that mirror a surface better than this are taken before mirrors by lengths on it.
 constexpr double nearlyExact = 3e-3;
+/// What a flattening in which legs of darts fold on each other may take, by one in which they do
+/// not: mostly it is twice as much.
+constexpr double mostFolding = 4.0;
+/// Pieces are parted into strips this often at most.
+constexpr int mostStrippings = 3;
+/// Of the width allowed, that of strips: they are flattened anew and may come out a little wider.
+constexpr std::array<double, 3> stripShares{ 1.0, 0.97, 0.9 };
 /// Up to this many cuts are searched for once.
 constexpr Index singleSearch = 2;
 
@@ -128,7 +138,7 @@ public:
     }
     this->MostMeasuring = std::min(shareOfMeasuring * this->Budget.left(),
       stepsOfMeasuring * this->Mesh.triangleCount() * mostMeasured);
-    const CutSet best = this->bestSet(surface, uncut);
+    const CutSet best = this->narrowSet(surface, uncut);
     const Index most = this->Options.search.maximumCuts;
     if (!best.outcome.valid && most > 0 && !this->Run.cancelled())
     {
@@ -238,6 +248,12 @@ private:
     return {};
   }
 
+  bool tooWide() const
+  {
+    const double most = this->Options.search.maximumWidth;
+    return most > 0.0 && this->Result.width > most;
+  }
+
   bool hasKeys() const
   {
     return std::any_of(this->Curves.begin(), this->Curves.end(),
@@ -247,6 +263,60 @@ private:
   bool isFlat(const CutSet& set) const
   {
     return set.outcome.valid && this->withinBound(set.outcome.strainP95);
+  }
+
+  /// The best set whose pieces are no wider than allowed: strips of the uncut surface, as of a
+  /// sail, where cuts in these meet the bound; otherwise the best set in strips.
+  CutSet narrowSet(const ImprintedSurface& surface, const CutSet& uncut)
+  {
+    const SearchOptions& wanted = this->Options.search;
+    const bool limited = wanted.maximumWidth > 0.0;
+    if (limited && uncut.outcome.valid && wanted.pieces == 0 &&
+      wanted.cuts != SuggestedCuts::Darts && uncut.outcome.strainP95 <= chartStrain * wanted.bound)
+    {
+      CutSet strips = this->withStrips(uncut);
+      strips = strips.cuts.empty() ? strips : this->improved(std::move(strips));
+      if (this->isFlat(strips))
+      {
+        this->Result.end = SearchEnd::BoundMet;
+        return strips;
+      }
+    }
+    CutSet best = this->bestSet(surface, uncut);
+    return limited ? this->withStrips(std::move(best)) : best;
+  }
+
+  /// Pieces that are too wide are parted into strips where the limits of cuts allow, and strips
+  /// that come out too wide once more.
+  CutSet withStrips(CutSet set)
+  {
+    const double most = this->Options.search.maximumWidth;
+    CutTrials::Trial flat = this->Whole.trial(linesOf(set.cuts), this->Budget, this->Run);
+    this->Result.width = flat.outcome.valid ? greatestWidth(flat, most) : 0.0;
+    for (int k = 0; k < mostStrippings && this->tooWide(); ++k)
+    {
+      const CutTrials::Trial before = flat;
+      const CutSet wide = set;
+      for (std::size_t s = 0; s < stripShares.size() && this->tooWide(); ++s)
+      {
+        CutSet next = wide;
+        addStripSeams(before, this->Curves.size(), stripShares[s] * most, this->Result.mirror,
+          std::sqrt(this->Area / pi), next.cuts);
+        if (static_cast<double>(next.cuts.size()) > mostChartCuts || !this->allowed(next))
+        {
+          return set;
+        }
+        CutTrials::Trial after = this->Whole.trial(linesOf(next.cuts), this->Budget, this->Run);
+        if (after.outcome.soundAfter(wide.outcome))
+        {
+          flat = std::move(after);
+          this->Result.width = greatestWidth(flat, most);
+          set = std::move(next);
+          set.outcome = flat.outcome;
+        }
+      }
+    }
+    return set;
   }
 
   /// The best set that is found, which is never worse than no cuts.
@@ -329,7 +399,7 @@ private:
       {
         return rejected(SearchEnd::GivenUp, needed); // noise is no nearer to flat with as many cuts
       }
-      set.outcome = this->Whole.run(linesOf(set.cuts), this->Budget, this->Run);
+      set = this->withFolds(std::move(set), bound);
       if (!set.outcome.valid || this->allowed(set))
       {
         break;
@@ -346,20 +416,86 @@ private:
       return rejected(spent ? SearchEnd::WorkUsedUp : SearchEnd::CutsUsedUp, set.cutsNeeded);
     }
     set.end = this->isFlat(set) ? SearchEnd::BoundMet : SearchEnd::NothingHelps;
-    if (set.end == SearchEnd::BoundMet || wanted.bound == 0.0 || wanted.pieces > 0)
+    return set.end == SearchEnd::BoundMet || wanted.bound == 0.0 || wanted.pieces > 0
+      ? set
+      : this->improved(std::move(set));
+  }
+
+  /// With more cuts, one after the other, until the bound is met.
+  CutSet improved(CutSet set)
+  {
+    if (this->isFlat(set))
     {
       return set;
     }
     TrialBudget budget(this->Budget.left() - this->MostMeasuring);
-    SearchOptions options = wanted;
+    SearchOptions options = this->Options.search;
     const auto count = static_cast<Index>(set.cuts.size());
     options.maximumCuts =
-      wanted.maximumCuts > 0 ? wanted.maximumCuts : count + std::max(mostAdded, count / 2);
+      options.maximumCuts > 0 ? options.maximumCuts : count + std::max(mostAdded, count / 2);
     set = searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
                        options, this->Result.mirror, this->Weights, SearchGoal::Strain },
       std::move(set), budget, this->Run);
     this->Budget.add(budget);
     return set;
+  }
+
+  /// The outcome with legs of darts as they are to lie. Where a piece misses the bound so, its
+  /// darts become seams that end inside, whose sides need not fold on each other.
+  CutSet withFolds(CutSet set, double bound)
+  {
+    CutSet open = set;
+    const auto isDart = [](const SuggestedCurve& cut) { return cut.curve.type == CurveType::Dart; };
+    for (SuggestedCurve& cut : open.cuts)
+    {
+      cut.curve.type = CurveType::Seam;
+    }
+    CutTrials::Trial flat = this->Whole.trial(linesOf(open.cuts), this->Budget, this->Run);
+    open.outcome = std::move(flat.outcome);
+    const double most = mostFolding * flat.work;
+    while (open.outcome.valid && std::any_of(set.cuts.begin(), set.cuts.end(), isDart))
+    {
+      TrialBudget budget(std::min(most, this->Budget.left()));
+      flat = this->Whole.trial(linesOf(set.cuts), budget, this->Run);
+      this->Budget.add(budget);
+      if (!flat.outcome.valid)
+      {
+        break;
+      }
+      set.outcome = flat.outcome;
+      if (!this->openFolds(flat, bound, set.cuts))
+      {
+        return set;
+      }
+    }
+    return open;
+  }
+
+  /// Makes seams of darts in pieces that miss the bound. False where there are none.
+  bool openFolds(
+    const CutTrials::Trial& flat, double bound, std::vector<SuggestedCurve>& cuts) const
+  {
+    bool opened = false;
+    const CutSurface& cut = *flat.flat.cut;
+    for (Index h = 0; h < cut.mesh.halfedgeCount(); ++h)
+    {
+      const Index piece = cut.pieceOfTriangle[h / 3];
+      const Index curve = cut.curveOfHalfedge[h] - static_cast<Index>(this->Curves.size());
+      if (curve >= 0 && cuts[curve].curve.type == CurveType::Dart &&
+        (flat.outcome.pieceStrains[piece] > bound || flat.outcome.pieceFaults[piece]))
+      {
+        cuts[curve].curve.type = CurveType::Seam;
+        opened = true;
+      }
+    }
+    for (SuggestedCurve& cut : cuts)
+    {
+      if (cut.mirrorOf != none && cut.curve.type != cuts[cut.mirrorOf].curve.type)
+      {
+        cut.curve.type = cuts[cut.mirrorOf].curve.type = CurveType::Seam;
+      }
+    }
+    return opened;
   }
 
   /// No cuts, and why.
@@ -374,8 +510,10 @@ private:
   bool allowed(const CutSet& set) const
   {
     const SearchOptions& wanted = this->Options.search;
+    const double length = std::accumulate(set.cuts.begin(), set.cuts.end(), 0.0,
+      [](double sum, const SuggestedCurve& cut) { return sum + cut.length; });
     return (wanted.maximumCuts == 0 || static_cast<Index>(set.cuts.size()) <= wanted.maximumCuts) &&
-      set.outcome.cutLength() <= wanted.cutLengthLimit();
+      length <= wanted.cutLengthLimit();
   }
 
   std::vector<SuggestedCurve> chartsOf(
@@ -582,7 +720,7 @@ private:
     }
     this->Result.strainAfter = with.known(with.strainP95);
     this->Result.rigidEnergyAfter = with.known(with.energy / this->Area);
-    this->Result.boundMet = with.valid && this->withinBound(with.strainP95);
+    this->Result.boundMet = with.valid && this->withinBound(with.strainP95) && !this->tooWide();
     this->Result.worstPlace = with.worstPlace;
   }
 

@@ -96,6 +96,11 @@ Status checkSuggestion(
     return refusal("the greatest length of cuts is " + shortNumber(options.maximumCutLength),
       "a length from 0, 0 for no limit");
   }
+  if (std::isnan(options.maximumWidth) || options.maximumWidth < 0.0)
+  {
+    return refusal("the greatest width of pieces is " + shortNumber(options.maximumWidth),
+      "a width from 0, 0 for any");
+  }
   if (options.maximumCuts < 0)
   {
     return refusal("the greatest number of cuts is below 0", "a number from 0, 0 for no limit");

@@ -42,6 +42,9 @@ struct SearchOptions
     return this->maximumCutLength > 0.0 ? this->maximumCutLength
                                         : std::numeric_limits<double>::infinity();
   }
+  /// Of each flat piece where it is narrowest, in the surface's unit, as of a roll of cloth; 0:
+  /// any.
+  double maximumWidth = 0.0;
   /// Which mirror plane is kept to, see readSymmetry().
   std::string symmetric = "on";
   /// Curves along which a cut may begin or end at another price: it is divided by the weight; 0
@@ -116,6 +119,7 @@ struct CurveSuggestions
   double rigidEnergyBefore = 0.0;
   double rigidEnergyAfter = 0.0;
   bool boundMet = false;
+  double width = 0.0; ///< of the widest piece, where a maximum was given
   Index trials = 0;
   double work = 0.0; ///< of the trials, in the unit of SearchOptions::maximumWork
   /// Of the search whose cuts are proposed; WorkUsedUp where that ended any.

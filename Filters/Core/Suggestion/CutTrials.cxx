@@ -200,6 +200,7 @@ FlatteningOptions roughly(FlatteningOptions options)
 {
   options.isometric.tolerance = std::max(options.isometric.tolerance, enoughToCompare);
   options.isometric.lengthTolerance = lengthTolerance;
+  options.dartLegs = DartLegs::Free; // others take twice the work
   return options;
 }
 
@@ -222,7 +223,6 @@ CutTrials::CutTrials(const TriangleMesh& mesh, std::vector<Polyline> curves,
   this->Imprint.split = true;
   this->Flattening.arrange = false;
   this->Flattening.tryReleases = false;
-  this->Flattening.dartLegs = DartLegs::Free; // others take twice the work
 }
 
 /// The surface with its curves and the cuts; refused where a cut cannot be made.
@@ -281,19 +281,18 @@ CutTrials::Trial CutTrials::tried(
   return trial;
 }
 
-TrialOutcome CutTrials::run(
+CutTrials::Trial CutTrials::trial(
   const std::vector<Polyline>& cuts, TrialBudget& budget, const Execution& execution) const
 {
   Trial trial = this->tried(cuts, budget.left(), execution);
   budget.pay(trial.work);
-  return std::move(trial.outcome);
+  return trial;
 }
 
 TrialOutcome CutTrials::startUncut(TrialBudget& budget, const Execution& execution)
 {
   this->Start.clear();
-  Trial trial = this->tried({}, budget.left(), execution);
-  budget.pay(trial.work);
+  Trial trial = this->trial({}, budget, execution);
   const FlatteningResult& flat = trial.flat;
   const bool whole = trial.outcome.valid && trial.outcome.flipped == 0 && flat.leftOut.empty() &&
     trial.surface.mesh.triangles() == this->Mesh.triangles();

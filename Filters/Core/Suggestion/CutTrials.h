@@ -95,7 +95,7 @@ struct TrialOutcome
 double lengthOf(const Points3& line);
 
 /// Options of flattenings that are only compared with each other: energies are known to five digits
-/// long before the last iterations.
+/// long before the last iterations, and the legs of darts are free.
 FlatteningOptions roughly(FlatteningOptions options);
 
 /// Flattens one surface with the curves that it has anyway and with cuts on trial.
@@ -108,9 +108,21 @@ public:
     const FlatteningOptions& flattening, SearchGoal goal = SearchGoal::Energy,
     RegionWeights weights = {}, double mostSteps = std::numeric_limits<double>::infinity());
 
-  /// Not valid where the budget ends it.
-  TrialOutcome run(
+  /// One flattening. The outcome is not valid where the budget ends it.
+  struct Trial
+  {
+    ImprintedSurface surface;
+    FlatteningResult flat;
+    TrialOutcome outcome;
+    double work = 0.0; ///< unknowns of all systems that were solved, and what else there is to do
+  };
+  Trial trial(
     const std::vector<Polyline>& cuts, TrialBudget& budget, const Execution& execution) const;
+  TrialOutcome run(
+    const std::vector<Polyline>& cuts, TrialBudget& budget, const Execution& execution) const
+  {
+    return this->trial(cuts, budget, execution).outcome;
+  }
   /// The surface without any cut. From then on trials start from where that has put it.
   TrialOutcome startUncut(TrialBudget& budget, const Execution& execution);
   /// By cut, the points where it crosses the edges of the surface; none where it cannot be made.
@@ -121,13 +133,6 @@ public:
   const std::vector<Polyline>& curves() const { return this->Curves; }
 
 private:
-  struct Trial
-  {
-    ImprintedSurface surface;
-    FlatteningResult flat;
-    TrialOutcome outcome;
-    double work = 0.0; ///< unknowns of all systems that were solved, and what else there is to do
-  };
   Trial tried(const std::vector<Polyline>& cuts, double most, const Execution& execution) const;
   FlatteningResult flattened(
     const ImprintedSurface& surface, bool fromStart, const Execution& execution) const;

@@ -126,7 +126,8 @@ Index SurfaceLocator::build(Index begin, Index end, const Points3& centers)
   return id;
 }
 
-ClosestPoint SurfaceLocator::closest(const Point3& point) const
+ClosestPoint SurfaceLocator::closest(
+  const Point3& point, const std::function<bool(Index)>& among) const
 {
   ClosestPoint best;
   if (this->Nodes.empty())
@@ -161,6 +162,10 @@ ClosestPoint SurfaceLocator::closest(const Point3& point) const
     for (Index i = node.begin; i < node.end; ++i)
     {
       const Index t = this->Order[i];
+      if (!among(t))
+      {
+        continue;
+      }
       const Triangle& c = this->Mesh.triangle(t);
       const Point3& a = this->Mesh.point(c[0]);
       const Point3& b = this->Mesh.point(c[1]);

@@ -3,6 +3,8 @@
 
 #include "Surface/TriangleMesh.h"
 
+#include <functional>
+
 namespace flattening
 {
 /// A point of the surface as a mean of a triangle's corners.
@@ -23,7 +25,12 @@ public:
   explicit SurfaceLocator(const TriangleMesh& mesh);
 
   /// The smallest triangle id among those that are equally close but for rounding.
-  ClosestPoint closest(const Point3& point) const;
+  ClosestPoint closest(const Point3& point) const
+  {
+    return this->closest(point, [](Index) { return true; });
+  }
+  /// Among some triangles.
+  ClosestPoint closest(const Point3& point, const std::function<bool(Index)>& among) const;
 
 private:
   struct Node

@@ -339,8 +339,9 @@ py::dict suggest(const Numbers& points, const Ids& corners, const py::object& of
       {
         flattened = flattenSource(settings, execution, running);
       }
-      const std::string shortfall =
-        flattened && !lines ? describeShortfall(found, all.search.bound, given) : std::string();
+      const std::string shortfall = flattened && !lines
+        ? describeShortfall(found, all.search.bound, all.search.maximumWidth, given)
+        : std::string();
       if (!shortfall.empty())
       {
         running.warn({ shortfall });
