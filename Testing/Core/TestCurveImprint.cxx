@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Imprint/CurveImprint.h"
+
+#include "Cut/SurfaceCut.h"
 #include "MeshTriangles.h"
 #include "Surface/SurfacePreparation.h"
 #include "TestMeshes.h"
@@ -501,6 +503,45 @@ TEST(CurveImprint, KeepsACurveOnOnePartWherePartsTouchWithoutBeingJoined)
   // From one sheet to the next it cannot run.
   EXPECT_EQ(imprintCurves(mesh, { polyline({ Point3(2, 2, 0), Point3(7, 2, 0) }) }, {}).status.code,
     StatusCode::CurveLeavesSurface);
+}
+
+TEST(CurveImprint, KeepsACurveOnItsSideOfASlit)
+{
+  // A sheet that is slit from its left edge to its middle, both sides in one place.
+  const TriangleMesh whole = grid(8);
+  Polyline slit = polyline({ Point3(0, 4, 0), Point3(4, 4, 0) });
+  slit.type = CurveType::Dart;
+  const ImprintedSurface imprinted = imprintCurves(whole, { slit }, {});
+  ASSERT_TRUE(imprinted.status.ok());
+  const TriangleMesh mesh = cutSurface(imprinted.mesh, imprinted.curves).mesh;
+  ASSERT_EQ(mesh.vertexCount(), whole.vertexCount() + 4);
+  for (double x : { 1.0, 2.0, 2.3 })
+  {
+    for (double end : { 0.0, 8.0 })
+    {
+      for (bool backwards : { false, true })
+      {
+        Points3 points;
+        for (int k = 0; k <= 40; ++k)
+        {
+          points.emplace_back(x, 4.0 + (end - 4.0) * k / 40.0, 0.0);
+        }
+        if (backwards)
+        {
+          std::reverse(points.begin(), points.end());
+        }
+        const ImprintedSurface surface = imprintCurves(mesh, { polyline(points) }, {});
+        ASSERT_TRUE(surface.status.ok()) << surface.status.message;
+        double length = 0.0;
+        const Indices& vertices = surface.curves[0].vertices;
+        for (std::size_t k = 1; k < vertices.size(); ++k)
+        {
+          length += (surface.mesh.point(vertices[k]) - surface.mesh.point(vertices[k - 1])).norm();
+        }
+        EXPECT_NEAR(length, 4.0, 1e-9);
+      }
+    }
+  }
 }
 
 TEST(CurveImprint, GoesToTheNearestVertexWhereNothingIsSplit)

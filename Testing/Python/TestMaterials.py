@@ -172,7 +172,7 @@ class Materials(unittest.TestCase):
         rows = {row[0].strip(" `"): [cell.strip() for cell in row[1:]] for row in rows if len(row) == 7}
 
         def numbers(text):
-            return [float(number) for number in re.findall(r"-?[\d.]+", text)]
+            return [float(number) for number in re.findall(r"-?[\d.]+(?:e\d+)?", text)]
 
         known = {material["name"]: material for material in sf.materials() if material["warp"] > 0}
         self.assertEqual(rows.keys(), known.keys())

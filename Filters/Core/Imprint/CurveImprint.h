@@ -15,8 +15,8 @@ namespace flattening
 /// Delaunay. Curves that cross share a vertex. A mesh whose edges all curves follow is returned as
 /// it is.
 ///
-/// A point near two sheets of the surface goes to the nearer one, but for a curve all of whose
-/// points are near one of several parts that nothing joins: it stays on that part.
+/// A point near two sheets of the surface goes to the nearer one; where they touch, as at the two
+/// sides of a slit, to that on which the curve goes on.
 ///
 /// Errors: NonFinitePoint (ids: points of the polyline); CurveTooShort (a curve with fewer than two
 /// different points; ids: curves); CurvePointOffSurface (ids: points of the polyline);

@@ -569,20 +569,30 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
     std::vector<SuggestedCurve> more = cuts;
     ChartOptions here = options;
     here.holes = straight; // the next time
-    ChartSearch search(pieces[p].mesh, std::nullopt, straight, here, budget, execution);
-    const std::vector<SuggestedCurve> found = search.run();
-    if (search.worst() >= drawn.fault(p))
+    // What is flat on few triangles, and not on many, is at least halved.
+    for (Index least : { 0, 2 })
+    {
+      here.pieces = least;
+      ChartSearch search(pieces[p].mesh, std::nullopt, straight, here, budget, execution);
+      const std::vector<SuggestedCurve> found = search.run();
+      if (search.worst() < drawn.fault(p))
+      {
+        more.insert(more.end(), found.begin(), found.end());
+        break;
+      }
+    }
+    if (more.size() == cuts.size())
     {
       continue;
     }
-    more.insert(more.end(), found.begin(), found.end());
     if (images[p] != none)
     {
       done[images[p]] = 1;
       addImages(more, static_cast<Index>(cuts.size()), *mirror);
     }
+    openDividingDarts(mesh, {}, {}, more);
     // Beside the others it may come too near to them.
-    if (!found.empty() && !CutTrials(mesh, {}, {}, options.flattening).paths(linesOf(more)).empty())
+    if (!CutTrials(mesh, {}, {}, options.flattening).paths(linesOf(more)).empty())
     {
       cuts = std::move(more);
       added = true;

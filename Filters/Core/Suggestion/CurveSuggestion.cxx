@@ -9,6 +9,7 @@
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/OpeningCuts.h"
 #include "Suggestion/SeamDrawing.h"
+#include "Suggestion/SeamSettling.h"
 #include "Suggestion/StripSeams.h"
 
 #include <algorithm>
@@ -300,8 +301,9 @@ private:
       for (std::size_t s = 0; s < stripShares.size() && this->tooWide(); ++s)
       {
         CutSet next = wide;
-        addStripSeams(before, this->Curves.size(), stripShares[s] * most, this->Result.mirror,
+        addStripSeams(before, stripShares[s] * most, this->Result.mirror,
           std::sqrt(this->Area / pi), next.cuts);
+        openDividingDarts(this->Mesh, this->Curves, this->Options.imprint, next.cuts);
         if (static_cast<double>(next.cuts.size()) > mostChartCuts || !this->allowed(next))
         {
           return set;
@@ -488,13 +490,7 @@ private:
         opened = true;
       }
     }
-    for (SuggestedCurve& cut : cuts)
-    {
-      if (cut.mirrorOf != none && cut.curve.type != cuts[cut.mirrorOf].curve.type)
-      {
-        cut.curve.type = cuts[cut.mirrorOf].curve.type = CurveType::Seam;
-      }
-    }
+    pairTypes(cuts);
     return opened;
   }
 

@@ -69,6 +69,17 @@ void addImages(std::vector<SuggestedCurve>& cuts, Index first, const SurfaceMirr
   }
 }
 
+void pairTypes(std::vector<SuggestedCurve>& cuts)
+{
+  for (SuggestedCurve& cut : cuts)
+  {
+    if (cut.mirrorOf != none && cut.curve.type != cuts[cut.mirrorOf].curve.type)
+    {
+      cut.curve.type = cuts[cut.mirrorOf].curve.type = CurveType::Seam;
+    }
+  }
+}
+
 bool isProposedName(const std::string& name)
 {
   const char* const kinds[] = { "dart ", "seam ", "centre line ", "grain line ", "girth ",

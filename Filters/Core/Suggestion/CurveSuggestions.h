@@ -132,6 +132,9 @@ struct CurveSuggestions
 /// Adds the images of the cuts from one on.
 void addImages(std::vector<SuggestedCurve>& cuts, Index first, const SurfaceMirror& mirror);
 
+/// A dart whose image is a seam becomes one.
+void pairTypes(std::vector<SuggestedCurve>& cuts);
+
 /// Whether a proposed cut or line may have this name, such as "dart 3".
 bool isProposedName(const std::string& name);
 

@@ -23,15 +23,16 @@ constexpr double relaxingShare = 0.5;
 /// Of the bound, up to where: the flattening to come may have a few triangles otherwise.
 constexpr double relaxedShare = 0.95;
 
-/// Each dart that has different pieces at its sides.
-std::vector<Indices> dividingDarts(const CutSurface& cut, const std::vector<SuggestedCurve>& cuts)
+/// Each dart that has different pieces at its sides. \param first curve of the cuts
+std::vector<Indices> dividingDarts(
+  const CutSurface& cut, const std::vector<SuggestedCurve>& cuts, Index first)
 {
   std::vector<std::set<Index>> beside(cuts.size());
   for (Index h = 0; h < cut.mesh.halfedgeCount(); ++h)
   {
-    if (cut.curveOfHalfedge[h] != none)
+    if (cut.curveOfHalfedge[h] >= first)
     {
-      beside[cut.curveOfHalfedge[h]].insert(cut.pieceOfTriangle[h / 3]);
+      beside[cut.curveOfHalfedge[h] - first].insert(cut.pieceOfTriangle[h / 3]);
     }
   }
   std::vector<Indices> sets;
@@ -123,7 +124,7 @@ private:
       return result;
     }
     CutSurface cut = cutSurface(imprinted.mesh, imprinted.curves);
-    result.bad = dividingDarts(cut, result.cuts);
+    result.bad = dividingDarts(cut, result.cuts, 0);
     result.laid = result.bad.empty();
     if (result.laid)
     {
@@ -286,6 +287,26 @@ private:
   ChartTrials Trials;
   SettledSeams Best;
 };
+}
+
+void openDividingDarts(const TriangleMesh& mesh, const std::vector<Polyline>& curves,
+  const ImprintOptions& imprint, std::vector<SuggestedCurve>& cuts)
+{
+  std::vector<Polyline> all = curves;
+  for (const Polyline& line : linesOf(cuts))
+  {
+    all.push_back(line);
+  }
+  const ImprintedSurface surface = imprintCurves(mesh, all, imprint);
+  if (surface.status.ok())
+  {
+    for (const Indices& dart : dividingDarts(
+           cutSurface(surface.mesh, surface.curves), cuts, static_cast<Index>(curves.size())))
+    {
+      cuts[dart.front()].curve.type = CurveType::Seam;
+    }
+  }
+  pairTypes(cuts);
 }
 
 SettledSeams settleSeams(const TriangleMesh& surface, const std::optional<MirrorSection>& mirror,

@@ -89,6 +89,10 @@ struct SettledSeams
   double worst = std::numeric_limits<double>::infinity(); ///< DrawnPieces::worst()
 };
 
+/// Darts with different pieces at their sides, as where seams were added, become seams.
+void openDividingDarts(const TriangleMesh& mesh, const std::vector<Polyline>& curves,
+  const ImprintOptions& imprint, std::vector<SuggestedCurve>& cuts);
+
 /// Draws seams on a surface as straight as charts that keep the bound and cuts that do not meet
 /// allow: straight at first, nearer to their chains where something is wrong, and straight again
 /// one by one where they may. What cannot be drawn in any way is left out.

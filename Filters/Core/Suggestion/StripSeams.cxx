@@ -47,23 +47,6 @@ Point3 onSurface(const TriangleMesh& piece, const SurfacePoint& place)
   }
   return point;
 }
-
-/// The curves on the piece's boundary at a place.
-Indices curvesAt(const Piece& piece, const SurfacePoint& place)
-{
-  Indices curves;
-  for (Index h = 0; h < piece.mesh.halfedgeCount(); ++h)
-  {
-    const bool here = place.type == SurfacePointType::Vertex
-      ? piece.mesh.from(h) == place.id || piece.mesh.to(h) == place.id
-      : h == place.id;
-    if (here && piece.mesh.twin(h) == none && piece.curveOfHalfedge[h] != none)
-    {
-      curves.push_back(piece.curveOfHalfedge[h]);
-    }
-  }
-  return curves;
-}
 }
 
 double greatestWidth(const CutTrials::Trial& flat, double allowed)
@@ -76,7 +59,7 @@ double greatestWidth(const CutTrials::Trial& flat, double allowed)
   return greatest <= (1.0 + rounding) * allowed ? std::min(greatest, allowed) : greatest;
 }
 
-void addStripSeams(const CutTrials::Trial& flat, std::size_t curves, double maximumWidth,
+void addStripSeams(const CutTrials::Trial& flat, double maximumWidth,
   const std::optional<SurfaceMirror>& mirror, double size, std::vector<SuggestedCurve>& cuts)
 {
   const std::vector<Piece> pieces = extractPieces(*flat.flat.cut);
@@ -115,17 +98,6 @@ void addStripSeams(const CutTrials::Trial& flat, std::size_t curves, double maxi
         for (const SurfacePoint& place : section.path.points)
         {
           seam.curve.points.push_back(onSurface(pieces[p].mesh, place));
-        }
-        for (const SurfacePoint* end :
-          { &section.path.points.front(), &section.path.points.back() })
-        {
-          for (Index curve : curvesAt(pieces[p], *end))
-          {
-            if (curve >= static_cast<Index>(curves))
-            {
-              cuts[curve - static_cast<Index>(curves)].curve.type = CurveType::Seam;
-            }
-          }
         }
         seam.length = lengthOf(seam.curve.points);
         cuts.push_back(std::move(seam));

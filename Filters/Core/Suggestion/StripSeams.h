@@ -14,9 +14,8 @@ namespace flattening
 double greatestWidth(const CutTrials::Trial& flat, double allowed);
 
 /// Adds seams, straight in the plane, that part pieces wider than cloth into strips of equal
-/// widths. Darts that they meet become seams. Pieces that are mirror images are parted alike.
-/// \param flat with the cuts after `curves` curves that there were before
-/// \param size of the surface, sqrt(area / pi)
-void addStripSeams(const CutTrials::Trial& flat, std::size_t curves, double maximumWidth,
+/// widths. Pieces that are mirror images are parted alike. \param size of the surface, sqrt(area /
+/// pi)
+void addStripSeams(const CutTrials::Trial& flat, double maximumWidth,
   const std::optional<SurfaceMirror>& mirror, double size, std::vector<SuggestedCurve>& cuts);
 }

@@ -126,17 +126,21 @@ Index SurfaceLocator::build(Index begin, Index end, const Points3& centers)
   return id;
 }
 
-ClosestPoint SurfaceLocator::closest(
-  const Point3& point, const std::function<bool(Index)>& among) const
+ClosestPoint SurfaceLocator::closest(const Point3& point) const
 {
-  ClosestPoint best;
+  const std::vector<ClosestPoint> all = this->allClosest(point, 0.0);
+  return all.empty() ? ClosestPoint() : all.front();
+}
+
+std::vector<ClosestPoint> SurfaceLocator::allClosest(const Point3& point, double farther) const
+{
+  std::vector<ClosestPoint> found;
   if (this->Nodes.empty())
   {
-    return best;
+    return found;
   }
   double least = std::numeric_limits<double>::infinity();
   double asClose = least;
-  std::vector<ClosestPoint> found;
   std::vector<std::pair<double, Index>> stack;
   stack.emplace_back(this->Nodes[0].box.squaredExteriorDistance(point), 0);
   while (!stack.empty())
@@ -162,10 +166,6 @@ ClosestPoint SurfaceLocator::closest(
     for (Index i = node.begin; i < node.end; ++i)
     {
       const Index t = this->Order[i];
-      if (!among(t))
-      {
-        continue;
-      }
       const Triangle& c = this->Mesh.triangle(t);
       const Point3& a = this->Mesh.point(c[0]);
       const Point3& b = this->Mesh.point(c[1]);
@@ -180,18 +180,15 @@ ClosestPoint SurfaceLocator::closest(
       if (distance < least)
       {
         least = distance;
-        asClose = (1.0 + equalDistances) * least;
+        asClose = (1.0 + equalDistances) * least + farther;
       }
     }
   }
-  for (const ClosestPoint& candidate : found)
-  {
-    if (candidate.distance <= asClose &&
-      (best.triangle == none || candidate.triangle < best.triangle))
-    {
-      best = candidate;
-    }
-  }
-  return best;
+  found.erase(std::remove_if(found.begin(), found.end(),
+                [asClose](const ClosestPoint& one) { return one.distance > asClose; }),
+    found.end());
+  std::sort(found.begin(), found.end(),
+    [](const ClosestPoint& a, const ClosestPoint& b) { return a.triangle < b.triangle; });
+  return found;
 }
 }

@@ -3,8 +3,6 @@
 
 #include "Surface/TriangleMesh.h"
 
-#include <functional>
-
 namespace flattening
 {
 /// A point of the surface as a mean of a triangle's corners.
@@ -25,12 +23,10 @@ public:
   explicit SurfaceLocator(const TriangleMesh& mesh);
 
   /// The smallest triangle id among those that are equally close but for rounding.
-  ClosestPoint closest(const Point3& point) const
-  {
-    return this->closest(point, [](Index) { return true; });
-  }
-  /// Among some triangles.
-  ClosestPoint closest(const Point3& point, const std::function<bool(Index)>& among) const;
+  ClosestPoint closest(const Point3& point) const;
+  /// The closest point of each triangle that is farther than the closest one by at most a distance;
+  /// ascending ids.
+  std::vector<ClosestPoint> allClosest(const Point3& point, double farther) const;
 
 private:
   struct Node
