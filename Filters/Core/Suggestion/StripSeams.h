@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Suggestion/CurveSuggestions.h"
 #include "Suggestion/CutTrials.h"
 #include "Suggestion/SurfaceMirror.h"
 
