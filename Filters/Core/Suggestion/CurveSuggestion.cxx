@@ -34,7 +34,8 @@ constexpr double shareOpened = 0.9;
 constexpr double shareOfMeasuring = 0.3;
 constexpr double stepsOfMeasuring = 40.0;
 constexpr Index mostMeasured = 12;
-/// Of cuts that are added one after the other where the number is not limited.
+/// Of cuts that are added one after the other where the number is not limited. Where charts take no
+/// more, darts may cost less.
 constexpr Index mostAdded = 8;
 /// A surface with more strain than this many times the bound takes charts rather than single cuts.
 constexpr double chartStrain = 4.0;
@@ -345,7 +346,9 @@ private:
     {
       found.push_back(this->chartSet(surface, uncut));
     }
-    if (found.empty() || (pieces == 0 && !this->isFlat(found.front())))
+    const bool few = uncut.outcome.valid && !found.empty() &&
+      static_cast<Index>(found.front().cuts.size()) <= mostAdded;
+    if (found.empty() || (pieces == 0 && (few || !this->isFlat(found.front()))))
     {
       this->addSets(found, this->neededCuts(surface));
     }
