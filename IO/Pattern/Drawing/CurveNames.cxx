@@ -68,6 +68,7 @@ constexpr double largestName = 3.0; // mm
 constexpr double largestMark = 5.0;
 constexpr double shortestMarked = 30.0; // of a join with marks at its ends, mm
 constexpr double farthestMarks = 400.0; // of a join with one mark between its ends, mm
+constexpr double mostPairs = 50.0;      // of marks between its ends, enough for 20 m
 constexpr double leastReadable = 1.5;
 constexpr double gap = 0.5;   // between name and line, in heights of the name
 constexpr int outside = 1000; // as bad as so many crossed lines
@@ -198,7 +199,7 @@ public:
       return;
     }
     // In the middle, and of a long one in some places beside it.
-    const int count = 1 + 2 * static_cast<int>(length / farthestMarks);
+    const int count = 1 + 2 * static_cast<int>(std::min(length / farthestMarks, mostPairs));
     for (int k = 0; k < count; ++k)
     {
       this->placeAt(text, join.line, (k + 0.5) / count * length, 0.25 * length / count, true);

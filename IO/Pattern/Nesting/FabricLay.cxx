@@ -16,6 +16,9 @@ namespace flattening::pattern
 {
 namespace
 {
+/// In mm, 10 km: longer ones are an error of unit, and places are found on a grid of whole numbers.
+constexpr double longestPiece = 1e7;
+
 constexpr std::size_t mostPlacings = 4000; // of shapes, in all orders that are tried
 constexpr std::size_t mostOrders = 300;
 constexpr std::size_t mostCopies = 1000;
@@ -158,12 +161,12 @@ public:
       }
       this->addCopies(p, false, piece.quantity - piece.turnedOver);
       this->addCopies(p, true, piece.turnedOver);
-      if (this->Kinds.back().extent.x() > this->Options.width)
+      if (!this->fits(this->Kinds.back()))
       {
         return { StatusCode::PatternTooLarge,
           "piece " + piece.name + " is " + formatNumber(this->Kinds.back().extent.x(), 1) +
-            " mm wide across its grain, and the cloth " + formatNumber(this->Options.width, 1) +
-            " mm",
+            " mm wide across its grain and " + formatNumber(this->Kinds.back().extent.y(), 1) +
+            " mm long, and the cloth " + formatNumber(this->Options.width, 1) + " mm wide",
           {}, { { Remedy::Give, "a wider cloth, its width in millimeters, or another grain" } } };
       }
     }
@@ -175,6 +178,11 @@ public:
   const Kind& kindOf(std::size_t copy) const { return this->Kinds[this->KindOf[copy]]; }
 
 private:
+  bool fits(const Kind& kind) const
+  {
+    return kind.extent.x() <= this->Options.width && kind.extent.y() <= longestPiece;
+  }
+
   void addCopies(std::size_t p, bool turnedOver, int count)
   {
     if (count < 1)
@@ -201,6 +209,11 @@ private:
         box.add(q);
       }
       kind.extent = box.high;
+      if (!this->fits(kind))
+      {
+        this->Kinds.push_back(kind);
+        return; // before it is beyond the grid of places
+      }
       for (Point2& q : polygon) // on the sheet y points down
       {
         q.y() = kind.extent.y() - q.y();
