@@ -212,7 +212,7 @@ struct System
   SparseMatrix lower;
 };
 
-/// \param negative every so many-th diagonal block is negative: the matrix is then quasi-definite, for
+/// \param negative of this number of diagonal blocks one is negative: the matrix is then quasi-definite, for
 /// which every order of elimination works. 0: positive definite
 System makeSystem(const Graph& graph, Index negative, std::mt19937& generator)
 {

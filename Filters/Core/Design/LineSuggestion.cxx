@@ -40,7 +40,7 @@ namespace
 std::vector<SuggestedCurve> designLines(const CutSurface& cut,
   const std::vector<FeatureCurve>& curves, bool symmetric, const Execution& execution = {});
 
-/// So many sections are looked at for girths; those at both ends are none.
+/// How many sections are looked at for girths; those at both ends are none.
 constexpr int levels = 64;
 constexpr int endLevels = 4;
 /// A girth is longer or shorter than those around it by at least this share of the longest.

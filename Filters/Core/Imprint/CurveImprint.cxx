@@ -366,13 +366,13 @@ void CurvePlacement::keepToOneSheet(std::size_t c, std::vector<ClosestPoint>& cl
   auto at = static_cast<Index>(std::min_element(cost[0].begin(), cost[0].end()) - cost[0].begin());
   for (std::size_t i = 0; i < sheets.size(); at = next[i++][at])
   {
-    const std::vector<ClosestPoint>& sheet = sheets[i][at];
-    const bool has = std::any_of(sheet.begin(), sheet.end(), [&](const ClosestPoint& one) {
-      const Triangle& corners = this->Mesh.triangle(one.triangle);
-      return std::find(corners.begin(), corners.end(), vertices[i]) != corners.end();
-    });
     if (sheets[i].size() > 1)
     {
+      const std::vector<ClosestPoint>& sheet = sheets[i][at];
+      const bool has = std::any_of(sheet.begin(), sheet.end(), [&](const ClosestPoint& one) {
+        const Triangle& corners = this->Mesh.triangle(one.triangle);
+        return std::find(corners.begin(), corners.end(), vertices[i]) != corners.end();
+      });
       vertices[i] = has ? vertices[i] : none;
       closest[i] = sheet.front();
     }
