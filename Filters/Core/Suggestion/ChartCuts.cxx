@@ -268,7 +268,8 @@ public:
   /// keep the bound on few triangles keep it on as many
   ChartSearch(const TriangleMesh& mesh, const std::optional<SymmetryPlane>& plane, bool straight,
     const ChartOptions& options, TrialBudget& budget, const Execution& execution)
-    : Surface(mesh)
+    : Given(mesh)
+    , Surface(mesh)
     , Straight(straight)
     , Options(options)
     , Bound(options.bound)
@@ -339,7 +340,7 @@ public:
       charts.shorten(sewing, this->Run);
       this->Budget.add(sewing);
     }
-    this->Settled = settleSeams(this->Surface, this->Mirror,
+    this->Settled = settleSeams(this->Given, this->Surface, this->Mirror,
       this->seams(whole.mesh, parted.mesh.vertexCount(), charts.arcs(this->Mirror.has_value())),
       this->Bound, this->Options.flattening, this->Budget, this->Run);
     return joined(this->Settled.cuts);
@@ -503,6 +504,7 @@ private:
     return seams;
   }
 
+  const TriangleMesh& Given;
   TriangleMesh Surface; ///< with the section of the plane
   std::optional<MirrorSection> Mirror;
   bool Straight;

@@ -14,8 +14,6 @@ namespace flattening
 {
 namespace
 {
-/// On the surface itself: more than the default, so that what is far enough apart here is so there.
-constexpr double surfaceSnap = 1e-2;
 /// Seams are drawn anew this often at most.
 constexpr int mostDrawings = 24;
 /// Of the work that is left then, what drawing them straighter may take.
@@ -49,18 +47,17 @@ std::vector<Indices> dividingDarts(
 class SeamSettling
 {
 public:
-  SeamSettling(const TriangleMesh& surface, const std::optional<MirrorSection>& mirror,
-    double bound, const FlatteningOptions& flattening, TrialBudget& budget,
+  SeamSettling(const TriangleMesh& surface, const TriangleMesh& drawn,
+    const std::optional<MirrorSection>& mirror, double bound, const FlatteningOptions& flattening, TrialBudget& budget,
     const Execution& execution)
     : Surface(surface)
     , Mirror(mirror)
     , Bound(bound)
     , Budget(budget)
     , Run(execution)
-    , Drawing(surface)
+    , Drawing(drawn)
     , Trials(flattening, mostDrawnSteps)
   {
-    this->Imprint.snap = surfaceSnap;
   }
 
   SettledSeams run(std::vector<ChartSeam> seams)
@@ -117,7 +114,7 @@ private:
     this->Budget.pay(SeamDrawing::steps * static_cast<double>(this->Surface.triangleCount()));
     result.cuts = cutsOf(seams, result.seamOf);
     const std::vector<Polyline> lines = linesOf(result.cuts);
-    const ImprintedSurface imprinted = imprintCurves(this->Surface, lines, this->Imprint);
+    const ImprintedSurface imprinted = imprintCurves(this->Surface, lines, {});
     result.bad = failingLines(imprinted, lines.size());
     if (!result.bad.empty())
     {
@@ -283,7 +280,6 @@ private:
   TrialBudget& Budget;
   const Execution& Run;
   SeamDrawing Drawing;
-  ImprintOptions Imprint;
   ChartTrials Trials;
   SettledSeams Best;
 };
@@ -309,10 +305,11 @@ void openDividingDarts(const TriangleMesh& mesh, const std::vector<Polyline>& cu
   pairTypes(cuts);
 }
 
-SettledSeams settleSeams(const TriangleMesh& surface, const std::optional<MirrorSection>& mirror,
-  std::vector<ChartSeam> seams, double bound, const FlatteningOptions& flattening,
-  TrialBudget& budget, const Execution& execution)
+SettledSeams settleSeams(const TriangleMesh& surface, const TriangleMesh& drawn,
+  const std::optional<MirrorSection>& mirror, std::vector<ChartSeam> seams, double bound,
+  const FlatteningOptions& flattening, TrialBudget& budget, const Execution& execution)
 {
-  return SeamSettling(surface, mirror, bound, flattening, budget, execution).run(std::move(seams));
+  return SeamSettling(surface, drawn, mirror, bound, flattening, budget, execution)
+    .run(std::move(seams));
 }
 }

@@ -96,8 +96,8 @@ void openDividingDarts(const TriangleMesh& mesh, const std::vector<Polyline>& cu
 /// Draws seams on a surface as straight as charts that keep the bound and cuts that do not meet
 /// allow: straight at first, nearer to their chains where something is wrong, and straight again
 /// one by one where they may. What cannot be drawn in any way is left out.
-/// \param surface with the section of the mirror plane, if there is one
-SettledSeams settleSeams(const TriangleMesh& surface, const std::optional<MirrorSection>& mirror,
-  std::vector<ChartSeam> seams, double bound, const FlatteningOptions& flattening,
-  TrialBudget& budget, const Execution& execution);
+/// \param drawn the surface with the section of the mirror plane, if there is one
+SettledSeams settleSeams(const TriangleMesh& surface, const TriangleMesh& drawn,
+  const std::optional<MirrorSection>& mirror, std::vector<ChartSeam> seams, double bound,
+  const FlatteningOptions& flattening, TrialBudget& budget, const Execution& execution);
 }
