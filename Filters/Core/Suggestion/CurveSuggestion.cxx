@@ -7,6 +7,7 @@
 #include "Suggestion/ChartCuts.h"
 #include "Suggestion/CutSetSearch.h"
 #include "Suggestion/CutThinning.h"
+#include "Suggestion/GoreSeams.h"
 #include "Suggestion/OpeningCuts.h"
 #include "Suggestion/SeamDrawing.h"
 #include "Suggestion/SeamSettling.h"
@@ -325,22 +326,52 @@ private:
   /// The best set that is found, which is never worse than no cuts.
   CutSet bestSet(const ImprintedSurface& surface, const CutSet& uncut)
   {
-    const Index pieces = this->Options.search.pieces;
-    if (this->isFlat(uncut) && pieces <= static_cast<Index>(uncut.outcome.pieceStrains.size()))
+    const SearchOptions& wanted = this->Options.search;
+    if (this->isFlat(uncut) &&
+      wanted.pieces <= static_cast<Index>(uncut.outcome.pieceStrains.size()))
     {
       this->Result.end = SearchEnd::BoundMet;
       return uncut;
     }
+    const bool strained = wanted.pieces > 0 || !uncut.outcome.valid ||
+      uncut.outcome.strainP95 > chartStrain * wanted.bound;
+    bool creased = false;
+    for (Index h = 0; h < surface.mesh.halfedgeCount(); ++h)
+    {
+      creased = creased || isCrease(surface.mesh, h);
+    }
+    const std::optional<SurfaceMirror>& mirror = this->Result.mirror;
+    const bool round = strained && this->Curves.empty() && wanted.bound > 0.0 &&
+      wanted.cuts != SuggestedCuts::Darts && mirror && mirror->plane();
+    Gores gores = round
+      ? findGores(this->Mesh, *mirror->plane(), this->Whole, wanted, this->Budget, this->Run)
+      : Gores();
+    const bool flat = this->isFlat(gores.set);
+    const bool usable = gores.set.outcome.valid && this->allowed(gores.set) &&
+      (flat || wanted.pieces > 0 || wanted.maximumCuts > 0);
+    // A smooth surface of revolution has no better seams.
+    const bool alone = gores.equal && !creased && usable && (flat || wanted.pieces > 0);
+    this->Result.end = SearchEnd::NothingHelps;
+    CutSet set = alone ? gores.set : this->searchedSet(surface, uncut, strained, creased);
+    if (usable && !this->better(set, gores.set))
+    {
+      this->Result.end = flat ? SearchEnd::BoundMet : this->Result.end;
+      this->Result.mirror = SurfaceMirror(gores.plane);
+      return std::move(gores.set);
+    }
+    return set;
+  }
+
+  /// The best of charts and of cuts one by one.
+  CutSet searchedSet(
+    const ImprintedSurface& surface, const CutSet& uncut, bool strained, bool creased)
+  {
     const SearchOptions& wanted = this->Options.search;
+    const Index pieces = wanted.pieces;
     const bool charts = !this->hasKeys() &&
       (pieces > 0 || !uncut.outcome.valid ||
         (wanted.bound > 0.0 && wanted.cuts != SuggestedCuts::Darts));
-    bool chartsFirst =
-      pieces > 0 || !uncut.outcome.valid || uncut.outcome.strainP95 > chartStrain * wanted.bound;
-    for (Index h = 0; h < surface.mesh.halfedgeCount() && charts; ++h)
-    {
-      chartsFirst = chartsFirst || isCrease(surface.mesh, h);
-    }
+    const bool chartsFirst = strained || creased;
     std::vector<CutSet> found;
     if (charts && chartsFirst)
     {

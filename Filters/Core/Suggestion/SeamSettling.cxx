@@ -48,8 +48,8 @@ class SeamSettling
 {
 public:
   SeamSettling(const TriangleMesh& surface, const TriangleMesh& drawn,
-    const std::optional<MirrorSection>& mirror, double bound, const FlatteningOptions& flattening, TrialBudget& budget,
-    const Execution& execution)
+    const std::optional<MirrorSection>& mirror, double bound, const FlatteningOptions& flattening,
+    TrialBudget& budget, const Execution& execution)
     : Surface(surface)
     , Mirror(mirror)
     , Bound(bound)

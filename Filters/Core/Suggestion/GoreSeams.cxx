@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/GoreSeams.h"
+
+#include "Paths/PlaneSection.h"
+#include "Suggestion/CutThinning.h"
+#include "Suggestion/SurfaceMirror.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+/// Planes at multiples of this angle mirror no prism or pyramid, in units of pi: the golden
+/// section.
+constexpr double irregular = 0.6180339887498949;
+constexpr int planesTried = 5;
+/// Of sqrt(area / pi), what 95 % of the mirrored surface may be off, as in findSymmetryPlane().
+constexpr double tolerance = 0.03;
+/// An axis lies in a plane if the sine of the angle between them is below this.
+constexpr double inPlane = 1e-3;
+/// No more gores are tried of a surface of revolution: as many hold a ball to 0.2 %. Where they are
+/// unequal, other seams do better by then.
+constexpr double mostEqualGores = 48.0;
+constexpr double mostGores = 12.0;
+/// Half planes at this many angles tell whether there are gores.
+constexpr int halvesTried = 12;
+/// Ends of sections this near to each other, in sqrt(area / pi), are one point on the axis.
+constexpr double samePole = 1e-9;
+
+Point3 onAxis(const Point3& a, double sideOfA, const Point3& b, double sideOfB)
+{
+  return a + sideOfA / (sideOfA - sideOfB) * (b - a);
+}
+
+/// The stretches of a section on the positive side of a plane, which begin and end in it. Nothing
+/// where one is closed, and does not end.
+bool addHalves(
+  const PlaneSection& section, const SymmetryPlane& across, std::vector<Points3>& halves)
+{
+  Points3 points;
+  for (const SurfacePoint& point : section.path.points)
+  {
+    points.push_back(point.position);
+  }
+  if (section.closed)
+  {
+    points.pop_back();
+    const auto outside = std::find_if(
+      points.begin(), points.end(), [&](const Point3& p) { return across.side(p) <= 0.0; });
+    if (outside == points.end())
+    {
+      return false;
+    }
+    std::rotate(points.begin(), outside, points.end());
+    points.push_back(points.front());
+  }
+  Points3 half;
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    const double side = across.side(points[k]);
+    const double before = k > 0 ? across.side(points[k - 1]) : side;
+    if ((side > 0.0) != (before > 0.0))
+    {
+      half.push_back(onAxis(points[k - 1], before, points[k], side));
+    }
+    if (side > 0.0)
+    {
+      half.push_back(points[k]);
+    }
+    if ((side <= 0.0 || k + 1 == points.size()) && half.size() > 1)
+    {
+      halves.push_back(std::move(half));
+      half.clear();
+    }
+  }
+  return true;
+}
+
+class GoreSeams
+{
+public:
+  GoreSeams(
+    const TriangleMesh& mesh, SymmetryPlane plane, const Point3& axis, const Point3& center);
+
+  /// The axes about which there are gores: that of a surface of revolution alone.
+  static std::vector<GoreSeams> find(const TriangleMesh& mesh, const SymmetryPlane& plane);
+  /// The seams between this number of gores. Empty where one of them does not go from end to end.
+  std::vector<SuggestedCurve> seams(Index gores) const;
+  /// Gores that are disks: two of a closed surface.
+  Index fewest() const { return this->Fewest; }
+  /// Whether it is a surface of revolution.
+  bool equal() const { return this->Angles.empty(); }
+  const SymmetryPlane& plane() const { return this->Plane; }
+
+private:
+  void measureGirth();
+  double angleOf(double share) const;
+  std::vector<Points3> halfSections(double angle) const;
+
+  const TriangleMesh* Mesh;
+  SymmetryPlane Plane;
+  Point3 Axis;
+  Point3 Center;
+  Point3 Ahead; ///< in the plane, across the axis
+  Index Fewest;
+  /// Round the middle from Ahead on, and the shares of its length there.
+  std::vector<double> Angles;
+  std::vector<double> Shares;
+};
+
+GoreSeams::GoreSeams(
+  const TriangleMesh& mesh, SymmetryPlane plane, const Point3& axis, const Point3& center)
+  : Mesh(&mesh)
+  , Plane(std::move(plane))
+  , Axis(axis)
+  , Center(center)
+  , Ahead(this->Plane.normal.cross(axis))
+  , Fewest(mesh.boundaryLoops().empty() ? 2 : 1)
+{
+}
+
+std::vector<GoreSeams> GoreSeams::find(const TriangleMesh& mesh, const SymmetryPlane& plane)
+{
+  const SurfaceMoments moments = momentsOf(mesh);
+  const auto through = [&](const Point3& normal) {
+    SymmetryPlane tried;
+    tried.normal = normal;
+    tried.offset = normal.dot(moments.center);
+    return measuredPlane(mesh, tried);
+  };
+  std::vector<Point3> axes{ Point3::UnitZ(), Point3::UnitY(), Point3::UnitX() };
+  for (Eigen::Index k = 0; k < 3; ++k)
+  {
+    axes.emplace_back(moments.axes.col(k));
+  }
+  std::vector<GoreSeams> all;
+  for (const Point3& axis : axes)
+  {
+    const bool within = std::abs(axis.dot(plane.normal)) < inPlane;
+    const bool known = std::any_of(all.begin(), all.end(),
+      [&](const GoreSeams& other) { return axis.cross(other.Axis).norm() < inPlane; });
+    const Point3 first = within ? plane.normal : axis.unitOrthogonal();
+    bool equal = true;
+    for (int k = within ? 1 : 0; k < planesTried && equal && !known; ++k)
+    {
+      const double angle = k * irregular * pi;
+      equal =
+        through(std::cos(angle) * first + std::sin(angle) * axis.cross(first)).spread < tolerance;
+    }
+    if (known || !(equal || within))
+    {
+      continue;
+    }
+    GoreSeams gores(mesh, within ? plane : through(first), axis, moments.center);
+    bool whole = true;
+    for (int k = 0; k < halvesTried && whole; ++k)
+    {
+      whole = gores.halfSections(2.0 * pi * k / halvesTried).size() == 1;
+    }
+    if (whole && equal)
+    {
+      return { gores };
+    }
+    if (whole)
+    {
+      gores.measureGirth();
+      all.push_back(std::move(gores));
+    }
+  }
+  return all;
+}
+
+/// The line in which the plane across the axis cuts the surface, once round it from Ahead on.
+/// Nothing where there is none; gores have equal angles then.
+void GoreSeams::measureGirth()
+{
+  for (const PlaneSection& section : planeSections(*this->Mesh, this->Center, this->Axis))
+  {
+    std::vector<double> turns;
+    std::vector<double> lengths;
+    const std::vector<SurfacePoint>& points = section.path.points;
+    for (std::size_t k = 0; k < points.size(); ++k)
+    {
+      const Point3 arm = points[k].position - this->Center;
+      turns.push_back(std::atan2(this->Plane.normal.dot(arm), this->Ahead.dot(arm)));
+      lengths.push_back(
+        k == 0 ? 0.0 : lengths.back() + (points[k].position - points[k - 1].position).norm());
+      turns[k] += k == 0 ? 0.0 : 2.0 * pi * std::round((turns[k - 1] - turns[k]) / (2.0 * pi));
+    }
+    const double round = turns.back() - turns.front();
+    if (!section.closed || std::abs(std::abs(round) - 2.0 * pi) > inPlane)
+    {
+      continue;
+    }
+    if (round < 0.0)
+    {
+      std::reverse(turns.begin(), turns.end());
+      std::reverse(lengths.begin(), lengths.end());
+    }
+    // Twice round, so that all angles from 0 on are there.
+    const double whole = lengths.back() - lengths.front();
+    for (int times : { 0, 1 })
+    {
+      for (std::size_t k = times; k < turns.size(); ++k)
+      {
+        this->Angles.push_back(turns[k] + 2.0 * pi * times);
+        this->Shares.push_back((lengths[k] - lengths.front()) / whole + times);
+      }
+    }
+    return;
+  }
+}
+
+/// The angle up to which the girth has a share of its length.
+double GoreSeams::angleOf(double share) const
+{
+  const auto between = [](
+                         const std::vector<double>& from, const std::vector<double>& to, double x) {
+    const auto next = std::upper_bound(from.begin() + 1, from.end() - 1, x) - from.begin();
+    const double part = (x - from[next - 1]) / (from[next] - from[next - 1]);
+    return to[next - 1] + part * (to[next] - to[next - 1]);
+  };
+  if (this->Angles.empty())
+  {
+    return 2.0 * pi * share;
+  }
+  const double begin = this->Angles.front() > 0.0 ? 2.0 * pi : 0.0;
+  return between(this->Shares, this->Angles, between(this->Angles, this->Shares, begin) + share);
+}
+
+/// Where the half plane at an angle from the mirror plane cuts the surface. Empty for a ring.
+std::vector<Points3> GoreSeams::halfSections(double angle) const
+{
+  const Point3 normal = std::cos(angle) * this->Plane.normal - std::sin(angle) * this->Ahead;
+  SymmetryPlane across;
+  across.normal = normal.cross(this->Axis);
+  across.offset = across.normal.dot(this->Center);
+  std::vector<Points3> halves;
+  for (const PlaneSection& section : planeSections(*this->Mesh, this->Center, normal))
+  {
+    if (section.path.points.size() > 1 && !addHalves(section, across, halves))
+    {
+      return {};
+    }
+  }
+  return halves;
+}
+
+std::vector<SuggestedCurve> GoreSeams::seams(Index gores) const
+{
+  std::vector<SuggestedCurve> cuts;
+  Points3 poles;
+  const double near = samePole * std::sqrt(this->Mesh->area() / pi);
+  const auto add = [&](Points3 points, Index mirrorOf) {
+    for (Point3* end : { &points.front(), &points.back() })
+    {
+      const auto pole = std::find_if(
+        poles.begin(), poles.end(), [&](const Point3& p) { return (p - *end).norm() < near; });
+      if (pole == poles.end())
+      {
+        poles.push_back(*end);
+      }
+      else
+      {
+        *end = *pole;
+      }
+    }
+    SuggestedCurve cut;
+    cut.curve.type = CurveType::Seam;
+    cut.length = lengthOf(points);
+    cut.curve.points = std::move(points);
+    cut.mirrorOf = mirrorOf;
+    cuts.push_back(std::move(cut));
+  };
+  for (Index k = 0; 2 * k <= gores; ++k)
+  {
+    const double angle = this->angleOf(static_cast<double>(k) / static_cast<double>(gores));
+    const std::vector<Points3> halves = this->halfSections(angle);
+    if (halves.size() != 1)
+    {
+      return {};
+    }
+    add(halves.front(), none);
+    if (k == 0 || 2 * k == gores)
+    {
+      continue;
+    }
+    Points3 image;
+    if (this->Plane.error <= SurfaceMirror::exact)
+    {
+      for (const Point3& point : halves.front())
+      {
+        image.push_back(this->Plane.mirrored(point));
+      }
+    }
+    else
+    {
+      const std::vector<Points3> others = this->halfSections(-angle);
+      if (others.size() != 1)
+      {
+        return {};
+      }
+      image = others.front();
+    }
+    add(std::move(image), static_cast<Index>(cuts.size()) - 1);
+  }
+  return cuts;
+}
+
+CutSet fewestGores(const GoreSeams& gores, const CutTrials& trials, const SearchOptions& wanted,
+  TrialBudget& budget, const Execution& execution)
+{
+  const auto tried = [&](Index count) {
+    CutSet set;
+    set.cuts = gores.seams(count);
+    set.end = SearchEnd::BoundMet;
+    if (!set.cuts.empty())
+    {
+      set.outcome = trials.run(linesOf(set.cuts), budget, execution);
+    }
+    return set;
+  };
+  const auto misses = [&](const CutSet& set) {
+    return set.outcome.valid && !(set.outcome.strainP95 <= wanted.bound);
+  };
+  double most = gores.equal() ? mostEqualGores : mostGores;
+  most = wanted.maximumCuts > 0 ? std::min<double>(most, wanted.maximumCuts) : most;
+  Index count = std::max(gores.fewest(), wanted.pieces);
+  Index missed = count - 1; // so many miss the bound
+  CutSet set = tried(count);
+  while (misses(set) && wanted.pieces == 0)
+  {
+    // The strain of a narrow gore goes with the square of its width.
+    const double needed = count * std::sqrt(set.outcome.strainP95 / wanted.bound);
+    missed = count;
+    count = std::max(count + 1, static_cast<Index>(std::min(needed, most)));
+    if (count > most)
+    {
+      return wanted.maximumCuts > 0 ? set : CutSet();
+    }
+    set = tried(count);
+  }
+  while (set.outcome.valid && !misses(set) && count - 1 > missed)
+  {
+    CutSet fewer = tried(--count);
+    if (!fewer.outcome.valid || misses(fewer))
+    {
+      break;
+    }
+    set = std::move(fewer);
+  }
+  return set;
+}
+}
+
+Gores findGores(const TriangleMesh& mesh, const SymmetryPlane& plane, const CutTrials& trials,
+  const SearchOptions& wanted, TrialBudget& budget, const Execution& execution)
+{
+  Gores best;
+  // Of the bound by length; of a number by strain.
+  const auto merit = [&wanted](const CutSet& set) {
+    const double strain = set.outcome.strainP95;
+    return wanted.pieces > 0 || strain > wanted.bound ? std::pair(1, strain)
+                                                      : std::pair(0, set.outcome.cutLength());
+  };
+  for (const GoreSeams& gores : GoreSeams::find(mesh, plane))
+  {
+    if (wanted.symmetric != "on" && gores.plane().normal != plane.normal)
+    {
+      continue; // another plane than the one that was stated
+    }
+    CutSet set = fewestGores(gores, trials, wanted, budget, execution);
+    if (set.outcome.valid && (best.set.cuts.empty() || merit(set) < merit(best.set)))
+    {
+      best = { std::move(set), gores.plane(), gores.equal() };
+    }
+  }
+  return best;
+}
+}
