@@ -177,7 +177,7 @@ void vtkFlatteningAlgorithm::SetOptions(const flattening::OptionValues& values)
 {
   flattening::bridge::OptionVisitor visit(
     [this, &values](const std::string& property, flattening::OptionValue& value) {
-      const flattening::Option* const given = findOption(values.owner(), property);
+      const flattening::Option* const given = values.find(property);
       if (given && given->owner == findOption(ownerOf(this), property)->owner)
       {
         value = values[property];

@@ -7,9 +7,12 @@
 #include "FieldArrays.h"
 #include "Formats/FileAside.h"
 #include "Formats/PatternFile.h"
+#include "Formats/PatternOptionTable.h"
 #include "GradingData.h"
 #include "Input/StatusWords.h"
 #include "ListChanges.h"
+#include "OptionVisitor.h"
+#include "Outlines/DrawingSource.h"
 #include "PatternInput.h"
 
 #include "vtkAlgorithm.h"
@@ -35,6 +38,7 @@ vtkStandardNewMacro(vtkPatternWriter);
 namespace
 {
 namespace pattern = flattening::pattern;
+using flattening::OptionValue;
 using flattening::Status;
 using flattening::StatusCode;
 
@@ -78,6 +82,13 @@ vtkAlgorithm* flatteningBehind(vtkAlgorithmOutput* connection)
   return nullptr;
 }
 
+const pattern::PatternOption& optionNamed(const std::string& property)
+{
+  const auto& table = pattern::patternOptionTable();
+  return *std::find_if(table.begin(), table.end(),
+    [&property](const pattern::PatternOption& option) { return option.property == property; });
+}
+
 unsigned long errorCodeOf(StatusCode code)
 {
   return code == StatusCode::FileNotWritten ? vtkErrorCode::CannotOpenFileError
@@ -99,18 +110,10 @@ vtkPatternWriter::vtkPatternWriter()
   , StatusRemedySubjects(vtkSmartPointer<vtkStringArray>::New())
 {
   this->SetNumberOfInputPorts(4);
-  const pattern::FileOptions defaults;
-  this->PatternName = defaults.pattern.name;
-  this->Quantity = defaults.pattern.quantity;
-  this->Allowance = defaults.pattern.allowance;
-  this->MitreLimit = defaults.pattern.mitreLimit;
-  this->NotchSpacing = defaults.pattern.notchSpacing;
-  this->NotchLength = defaults.pattern.notchLength;
-  this->FairTolerance = defaults.pattern.fairTolerance;
-  this->Paper = static_cast<int>(defaults.pages.paper);
-  this->PageOverlap = defaults.pages.overlap;
-  this->MaximumPages = defaults.pages.maximumPages;
-  this->FabricGap = defaults.fabric.gap;
+  flattening::bridge::OptionVisitor defaults([](const std::string& property, OptionValue& value) {
+    value = optionNamed(property).byDefault;
+  });
+  this->VisitOptions(defaults);
 }
 
 //------------------------------------------------------------------------------
@@ -127,9 +130,57 @@ const char* vtkPatternWriter::GetFileFormatAsString() const
 }
 
 //------------------------------------------------------------------------------
-const char* vtkPatternWriter::GetPaperAsString() const
+const char* vtkPatternWriter::GetOptionWord(const char* property, int value) const
 {
-  return flattening::pattern::paperName(static_cast<flattening::pattern::PaperSize>(this->Paper));
+  return optionNamed(property).words[static_cast<std::size_t>(value)].name.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::VisitOptions(flattening::bridge::OptionVisitor& visit)
+{
+  visit("Allowance", this->Allowance);
+  visit("NotchSpacing", this->NotchSpacing);
+  visit("CutDartsOut", this->CutDartsOut);
+  visit("DartTip", this->DartTip);
+  visit("CutOnFold", this->CutOnFold);
+  visit("CutPairs", this->CutPairs);
+  visit("FairTolerance", this->FairTolerance);
+  visit("Quantity", this->Quantity);
+  visit("PatternName", this->PatternName);
+  visit("PatternSize", this->PatternSize);
+  visit("UpAxis", this->UpAxis);
+  visit("JoinMarks", this->JoinMarks);
+  visit("NotchCorners", this->NotchCorners);
+  visit("NotchCurveEnds", this->NotchCurveEnds);
+  visit("NotchLength", this->NotchLength);
+  visit("MitreLimit", this->MitreLimit);
+  visit("Symmetrize", this->Symmetrize);
+  visit("FabricWidth", this->FabricWidth);
+  visit("FabricNap", this->FabricNap);
+  visit("FabricGap", this->FabricGap);
+  visit("Paper", this->Paper);
+  visit("WalkTable", this->WalkTable);
+  visit("PageOverlap", this->PageOverlap);
+  visit("MaximumPages", this->MaximumPages);
+  visit("LaserColors", this->LaserColors);
+  visit("CutterStyle", this->CutterStyle);
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::SetOptions(const flattening::OptionValues& values)
+{
+  flattening::bridge::OptionVisitor visit(
+    [&values](const std::string& property, OptionValue& value) { value = values[property]; });
+  this->VisitOptions(visit);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::GetOptions(flattening::OptionValues& values)
+{
+  flattening::bridge::OptionVisitor visit(
+    [&values](const std::string& property, OptionValue& value) { values.set(property, value); });
+  this->VisitOptions(visit);
 }
 
 //------------------------------------------------------------------------------
@@ -301,7 +352,7 @@ bool vtkPatternWriter::CheckCurveNames(vtkPolyData* curves, bool proposals)
   const auto named = this->GetCurvesWithOptions();
   for (vtkIdType k = 0; k < named->GetNumberOfValues(); ++k)
   {
-    addProposed(named->GetValue(k));
+    addProposed(pattern::curveSide(named->GetValue(k)).first);
   }
   const Status status = pattern::checkPatternOptions(source, this->MakeOptions(AUTOMATIC).pattern);
   this->Keep(status);
@@ -595,53 +646,29 @@ vtkSmartPointer<vtkStringArray> vtkPatternWriter::GetCurvesWithOptions() const
 }
 
 //------------------------------------------------------------------------------
-flattening::pattern::FileOptions vtkPatternWriter::MakeOptions(int format) const
+flattening::pattern::FileOptions vtkPatternWriter::MakeOptions(int format)
 {
   static_assert(static_cast<int>(flattening::Unit::Unspecified) == UNSPECIFIED, "");
   static_assert(static_cast<int>(flattening::Unit::Inch) == INCH, "");
   static_assert(static_cast<int>(pattern::FileFormat::Automatic) == AUTOMATIC, "");
   static_assert(static_cast<int>(pattern::FileFormat::GarmentCode) == GARMENT_CODE, "");
   static_assert(static_cast<int>(pattern::FileFormat::RuleTable) == RULE_TABLE, "");
-  static_assert(static_cast<int>(pattern::PaperSize::A0) == A0, "");
-  static_assert(static_cast<int>(pattern::PaperSize::Sheet) == SHEET, "");
   pattern::FileOptions options;
   options.format = static_cast<pattern::FileFormat>(format);
   options.pattern.unit = static_cast<flattening::Unit>(this->Unit);
-  options.pattern.name = this->PatternName;
-  options.pattern.size = this->PatternSize;
-  options.pattern.quantity = this->Quantity;
   options.pattern.pieceQuantities = this->PieceQuantities;
   options.pattern.pieceNames = this->PieceNames;
-  options.pattern.allowance = this->Allowance;
   options.pattern.allowanceOfCurve = this->CurveAllowances;
-  options.pattern.mitreLimit = this->MitreLimit;
-  options.pattern.notchSpacing = this->NotchSpacing;
   options.pattern.notchesOfCurve = this->CurveNotches;
   options.pattern.doubleNotches = this->DoubleNotches;
-  options.pattern.notchCorners = this->NotchCorners;
-  options.pattern.notchCurveEnds = this->NotchCurveEnds;
-  options.pattern.notchLength = this->NotchLength;
-  options.pattern.joinMarks = this->JoinMarks;
-  options.pattern.up = static_cast<pattern::UpAxis>(this->UpAxis);
-  options.pattern.cutOnFold = this->CutOnFold;
   options.pattern.foldsAlong = this->Folds;
-  options.pattern.dartTip = this->DartTip;
   options.pattern.dartTipOfCurve = this->CurveDartTips;
-  options.pattern.pairs = this->CutPairs;
-  options.pattern.fairTolerance = this->FairTolerance;
   options.pattern.fairToleranceOfCurve = this->CurveFairTolerances;
-  options.pattern.symmetrize = this->Symmetrize;
-  options.pattern.darts =
-    this->CutDartsOut ? pattern::DartStyle::CutOut : pattern::DartStyle::Folded;
-  options.pages.paper = static_cast<pattern::PaperSize>(this->Paper);
-  options.pages.overlap = this->PageOverlap;
-  options.pages.maximumPages = this->MaximumPages;
-  options.walkTable = this->WalkTable;
-  options.fabric.width = this->FabricWidth;
-  options.fabric.nap = this->FabricNap;
-  options.fabric.gap = this->FabricGap;
-  options.laserColours = this->LaserColors;
-  options.cutterStyle = this->CutterStyle;
+  flattening::bridge::OptionVisitor copy(
+    [&options](const std::string& property, OptionValue& value) {
+      optionNamed(property).setIn(options, value);
+    });
+  this->VisitOptions(copy);
   return options;
 }
 
@@ -651,18 +678,14 @@ void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "FileFormat: " << this->GetFileFormatAsString() << "\n";
-  os << indent << "LaserColors: " << (this->LaserColors ? "On" : "Off") << "\n";
-  os << indent << "CutterStyle: " << (this->CutterStyle ? "On" : "Off") << "\n";
-  os << indent << "Paper: " << this->GetPaperAsString() << "\n";
-  os << indent << "PageOverlap: " << this->PageOverlap << "\n";
-  os << indent << "MaximumPages: " << this->MaximumPages << "\n";
-  os << indent << "WalkTable: " << (this->WalkTable ? "On" : "Off") << "\n";
+  flattening::bridge::OptionVisitor print(
+    [&os, indent](const std::string& property, OptionValue& value) {
+      os << indent << property << ": " << printed(optionNamed(property), value) << "\n";
+    });
+  this->VisitOptions(print);
   os << indent << "Status: " << this->StatusName << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
   os << indent << "Unit: " << this->GetUnitAsString() << "\n";
-  os << indent << "PatternName: " << this->PatternName << "\n";
-  os << indent << "PatternSize: " << this->PatternSize << "\n";
-  os << indent << "Quantity: " << this->Quantity << "\n";
   for (std::size_t p = 0; p < this->PieceQuantities.size(); ++p)
   {
     os << indent << "PieceQuantity " << p << ": " << this->PieceQuantities[p] << "\n";
@@ -671,17 +694,10 @@ void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << "PieceName " << p << ": " << this->PieceNames[p] << "\n";
   }
-  os << indent << "Allowance: " << this->Allowance << "\n";
   for (const auto& entry : this->CurveAllowances)
   {
     os << indent << "CurveAllowance " << entry.first << ": " << entry.second << "\n";
   }
-  os << indent << "MitreLimit: " << this->MitreLimit << "\n";
-  os << indent << "NotchSpacing: " << this->NotchSpacing << "\n";
-  os << indent << "NotchLength: " << this->NotchLength << "\n";
-  os << indent << "JoinMarks: " << (this->JoinMarks ? "On" : "Off") << "\n";
-  os << indent << "UpAxis: " << this->UpAxis << "\n";
-  os << indent << "CutDartsOut: " << (this->CutDartsOut ? "On" : "Off") << "\n";
   for (const auto& [curve, distances] : this->CurveNotches)
   {
     os << indent << "CurveNotches " << curve << ":";
@@ -695,28 +711,18 @@ void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << "DoubleNotches: " << curve << "\n";
   }
-  os << indent << "NotchCorners: " << (this->NotchCorners ? "On" : "Off") << "\n";
-  os << indent << "NotchCurveEnds: " << (this->NotchCurveEnds ? "On" : "Off") << "\n";
-  os << indent << "CutOnFold: " << (this->CutOnFold ? "On" : "Off") << "\n";
   for (const std::string& curve : this->Folds)
   {
     os << indent << "Fold: " << curve << "\n";
   }
-  os << indent << "DartTip: " << this->DartTip << "\n";
   for (const auto& entry : this->CurveDartTips)
   {
     os << indent << "CurveDartTip " << entry.first << ": " << entry.second << "\n";
   }
-  os << indent << "CutPairs: " << (this->CutPairs ? "On" : "Off") << "\n";
-  os << indent << "FairTolerance: " << this->FairTolerance << "\n";
-  os << indent << "Symmetrize: " << (this->Symmetrize ? "On" : "Off") << "\n";
   for (const auto& entry : this->CurveFairTolerances)
   {
     os << indent << "CurveFairTolerance " << entry.first << ": " << entry.second << "\n";
   }
-  os << indent << "FabricWidth: " << this->FabricWidth << "\n";
-  os << indent << "FabricNap: " << (this->FabricNap ? "On" : "Off") << "\n";
-  os << indent << "FabricGap: " << this->FabricGap << "\n";
   os << indent << "FabricLength: " << this->FabricLength << "\n";
   os << indent << "FabricEfficiency: " << this->FabricEfficiency << "\n";
   os << indent << "FollowPipeline: " << (this->FollowPipeline ? "On" : "Off") << "\n";

@@ -109,6 +109,11 @@
 namespace flattening
 {
 struct Status;
+class OptionValues;
+namespace bridge
+{
+class OptionVisitor;
+}
 namespace pattern
 {
 class FairCache;
@@ -175,11 +180,12 @@ public:
 
   ///@{
   /**
-   * Draw an SVG in a colour of its own for each role, with thin whole lines, as programs of laser
-   * cutters want it that choose power and order by colour (red, green and blue in hexadecimal): cut
-   * lines ff0000, the fold of a half piece 808080, holes ff8000, sew lines 0000ff, legs of darts
-   * 0080ff, their fold lines 8000ff, key curves ff00ff, other curves 808000, notches 00ff00, marks
-   * on darts 008000, drill holes 00ffff, the grain 000000. Default: off.
+   * Draw an SVG with a color for each role and thin whole lines, of few arcs that are within
+   * 0.03 mm of the drawing, for programs of laser cutters that choose power and order by
+   * color (red, green and blue in hexadecimal): cut lines ff0000, the fold of a half piece
+   * 808080, holes ff8000, sew lines 0000ff, legs of darts 0080ff, their fold lines 8000ff,
+   * key curves ff00ff, other curves 808000, notches 00ff00, marks on darts 008000, drill
+   * holes 00ffff, the grain 000000. Default: off.
    */
   vtkSetMacro(LaserColors, bool);
   vtkGetMacro(LaserColors, bool);
@@ -222,7 +228,7 @@ public:
   void SetPaperToA3() { this->SetPaper(A3); }
   void SetPaperToA0() { this->SetPaper(A0); }
   void SetPaperToSheet() { this->SetPaper(SHEET); }
-  const char* GetPaperAsString() const;
+  const char* GetPaperAsString() const { return this->GetOptionWord("Paper", this->Paper); }
   ///@}
 
   ///@{
@@ -236,9 +242,9 @@ public:
   ///@{
   /**
    * A pattern that needs more pages is refused, since its unit is likely wrong. Default: 200.
-   * Range: from 1.
+   * Range: 1 to 100000.
    */
-  vtkSetClampMacro(MaximumPages, int, 1, VTK_INT_MAX);
+  vtkSetClampMacro(MaximumPages, int, 1, 100000);
   vtkGetMacro(MaximumPages, int);
   ///@}
 
@@ -315,7 +321,7 @@ public:
 
   ///@{
   /**
-   * Size that the pattern is for, any UTF-8 text. Default: empty, no size is written.
+   * Size that the pattern is for, any UTF-8 text. Without one none is written. Default: empty.
    */
   vtkSetMacro(PatternSize, std::string);
   vtkGetMacro(PatternSize, std::string);
@@ -323,9 +329,9 @@ public:
 
   ///@{
   /**
-   * How many of each piece are cut. Default: 1. Range: from 1.
+   * How many of each piece are cut. Default: 1. Range: 1 to 1000000.
    */
-  vtkSetClampMacro(Quantity, int, 1, VTK_INT_MAX);
+  vtkSetClampMacro(Quantity, int, 1, 1000000);
   vtkGetMacro(Quantity, int);
   ///@}
 
@@ -352,17 +358,18 @@ public:
   ///@{
   /**
    * Seam allowance, in millimetres, where no curve has its own; -1: 10, and 0 of a material whose
-   * edges do not fray. Default: -1. Range: from 0, or -1.
+   * edges do not fray. Default: -1. Range: 0 to 1e6, or -1.
    */
-  vtkSetClampMacro(Allowance, double, -1.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(Allowance, double, -1.0, 1e6);
   vtkGetMacro(Allowance, double);
   ///@}
 
   ///@{
   /**
    * Seam allowance, in millimetres, along one curve: a seam, a dart that is cut out, a feature
-   * curve that runs along the boundary, or "boundary" for what is left of the surface's own. A name
-   * that is not there is an error when writing. Get gives Allowance where a curve has none of its
+   * curve that runs along the boundary, or "boundary" for what is left of the surface's own. With
+   * "NAME:2" that of piece 2, counted from 1, alone, as for an overlap. A name or side that is not
+   * there is an error when writing. Get gives Allowance where a curve has none of its
    * own.
    */
   void SetCurveAllowance(const std::string& curve, double allowance);
@@ -374,23 +381,22 @@ public:
   ///@{
   /**
    * A corner of the cut line is no farther from its sew line's corner than this many allowances.
-   * Default: 2. Range: from 1.
+   * Default: 2. Range: 1 to 100.
    */
-  vtkSetClampMacro(MitreLimit, double, 1.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(MitreLimit, double, 1.0, 100.0);
   vtkGetMacro(MitreLimit, double);
   ///@}
 
   ///@{
   /**
-   * Notches lie at multiples of this length on the surface from the start of each stretch of a seam
-   * or dart, on both sides, but not within a quarter of it before the end; in the middle of a
-   * stretch where there is none of these. Where the notches of a seam would be the same from either
-   * end, the first one moves towards the start, by a quarter of this or a tenth of the stretch. In
-   * millimetres; 0: only the mouths of darts are notched.
-   * -1: about a sixth of the largest piece. Default: -1. Range: from 0, or -1; so small that a
-   * stretch would get 10000 notches is refused.
+   * Distance of notches along each stretch of a seam or dart, on the surface and on both
+   * sides, in millimetres; the last is a quarter of it before the end at least, and a shorter
+   * stretch has one in its middle. Where the notches would be the same from either end, the
+   * first one moves towards the start. 0: at the mouths of darts alone; -1: about a sixth of
+   * the largest piece. A stretch with 10000 notches is an error. Default: -1. Range: 0 to
+   * 1e6, or -1.
    */
-  vtkSetClampMacro(NotchSpacing, double, -1.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(NotchSpacing, double, -1.0, 1e6);
   vtkGetMacro(NotchSpacing, double);
   ///@}
 
@@ -421,8 +427,8 @@ public:
 
   ///@{
   /**
-   * Notch the cut line at the corners of the sew line, where both sew lines, drawn on, meet it; a
-   * corner that points into the cloth gets one notch. Default: off.
+   * Notch the cut line at the corners of the sew line, where both sew lines, drawn on, meet
+   * it; a corner that points into the cloth gets one notch. Default: off.
    */
   vtkSetMacro(NotchCorners, bool);
   vtkGetMacro(NotchCorners, bool);
@@ -431,9 +437,8 @@ public:
 
   ///@{
   /**
-   * Notch the border where curves meet it: at the ends of feature curves, of edges with names, and
-   * opposite to the ends of seams and curves of the piece that is sewn to it, but at corners.
-   * Default: off.
+   * Notch the border where feature curves and edges with names end on it, and opposite on
+   * what is sewn to it, but at corners. Default: off.
    */
   vtkSetMacro(NotchCurveEnds, bool);
   vtkGetMacro(NotchCurveEnds, bool);
@@ -442,9 +447,10 @@ public:
 
   ///@{
   /**
-   * Length of a notch, in millimetres; it never reaches the sew line. Default: 5. Range: from 0.
+   * Length of a notch, in millimetres; it never reaches the sew line. Default: 5. Range: 0 to
+   * 1e6.
    */
-  vtkSetClampMacro(NotchLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(NotchLength, double, 0.0, 1e6);
   vtkGetMacro(NotchLength, double);
   ///@}
 
@@ -462,21 +468,26 @@ public:
 
   ///@{
   /**
-   * Turn each piece so that the up of the surface is up in it, with its grain along that, unless it
-   * has a straight key curve, lies on its cloth (Grain) or rather level in space, or sizes are
-   * connected. UP_AUTOMATIC: of y and z the axis along which the surface is larger; UP_NONE: no
-   * piece is turned. Default: UP_AUTOMATIC.
+   * Turn each piece so that the up of the surface is up in it, with its grain along that,
+   * unless it has a straight key curve, lies on its cloth (Grain) or rather level in space,
+   * or sizes are connected. UP_AUTOMATIC: of y and z the axis along which the surface is
+   * larger; UP_NONE: no piece is turned. Default: UP_AUTOMATIC.
    */
   vtkSetClampMacro(UpAxis, int, UP_AUTOMATIC, UP_NONE);
   vtkGetMacro(UpAxis, int);
+  void SetUpAxisToAutomatic() { this->SetUpAxis(UP_AUTOMATIC); }
+  void SetUpAxisToX() { this->SetUpAxis(UP_X); }
+  void SetUpAxisToY() { this->SetUpAxis(UP_Y); }
+  void SetUpAxisToZ() { this->SetUpAxis(UP_Z); }
+  void SetUpAxisToNone() { this->SetUpAxis(UP_NONE); }
+  const char* GetUpAxisAsString() const { return this->GetOptionWord("UpAxis", this->UpAxis); }
   ///@}
 
   ///@{
   /**
-   * Mark both sides of each stretch that is sewn to another with the same letters, A, B, ..., AA,
-   * in the middle and, where there is room, near both ends. A PDF on A4, letter or A3 lists them
-   * with their pieces and lengths after the pattern, and a walk has them in its column `join`.
-   * Folded darts have none. Default: on.
+   * Mark both sides of each stretch that is sewn to another with the same letters, A, B, ...,
+   * AA, in the middle and, where there is room, near both ends; a PDF on A4, letter or A3
+   * lists them. Folded darts have none. Default: on.
    */
   vtkSetMacro(JoinMarks, bool);
   vtkGetMacro(JoinMarks, bool);
@@ -485,9 +496,9 @@ public:
 
   ///@{
   /**
-   * Cut darts out, with seam allowance along their legs, instead of folding them. Darts that cannot
-   * be folded (with branches, or with legs that are not each other's partners) are always cut out.
-   * Default: off.
+   * Cut darts out, with seam allowance along their legs, instead of folding them. Darts that
+   * cannot be folded (with branches, or with legs that are not each other's partners) are
+   * always cut out. Default: off.
    */
   vtkSetMacro(CutDartsOut, bool);
   vtkGetMacro(CutDartsOut, bool);
@@ -496,10 +507,9 @@ public:
 
   ///@{
   /**
-   * Of pieces that are symmetric, all their wires included and within 0.5 mm, draw one half, to be
-   * cut on the fold of the cloth: the other half of the piece is its exact mirror image. A note
-   * says so of each piece, and by how much the halves differed; DXF has the fold line in layer 6.
-   * Pieces that are not symmetric are drawn whole. Default: off.
+   * Of pieces that are symmetric, all their wires included and within 0.5 mm, draw one half,
+   * to be cut on the fold of the cloth. A note says so, and by how much the halves differed.
+   * Other pieces are drawn whole. Default: off.
    */
   vtkSetMacro(CutOnFold, bool);
   vtkGetMacro(CutOnFold, bool);
@@ -521,14 +531,13 @@ public:
 
   ///@{
   /**
-   * How far the tips of folded darts are drawn back, in millimetres, so that the sewn dart ends
-   * before the fullest place. The legs go with the tip by an affine map that leaves the mouth where
-   * it is: straight legs stay straight and mirrored ones (DartLegs of vtkWireWarpingFilter) stay
-   * mirror images of equal lengths; these and not those of the surface are what `data-length` and a
-   * walk of the seams say. More than half of a dart's depth is an
-   * error when writing. Default: 0. Range: from 0.
+   * How far the tips of folded darts are drawn back, in millimetres, so that the sewn dart
+   * ends before the fullest place. The legs go with the tip by an affine map that leaves the
+   * mouth where it is; their lengths are those that `data-length` and a walk of the seams
+   * say. More than half of a dart's depth is an error when writing. Default: 0. Range: 0 to
+   * 1e6.
    */
-  vtkSetClampMacro(DartTip, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(DartTip, double, 0.0, 1e6);
   vtkGetMacro(DartTip, double);
   ///@}
 
@@ -542,8 +551,8 @@ public:
 
   ///@{
   /**
-   * Of two pieces that are mirror images of each other, all their wires included and within 0.5 mm,
-   * draw the first alone, to be cut in pairs of which one is turned over ("cut 1 pair"). Off, both
+   * Of two pieces that are mirror images of each other within 0.5 mm, all their wires
+   * included, draw the first alone, to be cut in pairs of which one is turned over. Off, both
    * are drawn and named each other's mirror image. Default: off.
    */
   vtkSetMacro(CutPairs, bool);
@@ -553,21 +562,16 @@ public:
 
   ///@{
   /**
-   * Draw borders and feature curves smoothly: between corners (turns of more than 30 degrees that
-   * are no part of a round, and those that no curve as long as its edges can round within the
-   * tolerance) as cubic splines of least bending, with tangents that go on and as few curves as are
-   * found, straight where they are nearly so, no point of the flat piece farther from them than
-   * this many millimetres across. Each stretch from notch to notch keeps its length to 1e-10 of it,
-   * both sides of a seam alike; corners and stretches that cannot keep to the tolerance stay as the
-   * mesh has them, and a note says so. A piece of which 95
-   * % of the area would be strained by over 0.3 % more (port 2 says how much it is) keeps nearer to
-   * its flat points, by halves of the tolerance, or stays as it is. SVG and PDF hold
-   * Bezier curves, DXF and HPGL their points; DXF marks the ends of the curves alone as curve
-   * points. Panels of vtkGarmentCodeReader, whose borders are chords of smooth edges, keep them but
-   * along the curves that have a CurveFairTolerance. 0: all lines are those of the mesh. Default:
-   * 0.2. Range: from 0.
+   * Draw borders and feature curves between corners (turns of more than 30 degrees that are
+   * no part of a round) as cubic splines of least bending, straight where they are nearly so,
+   * no point of the flat piece farther from them than this many millimetres. Each stretch
+   * from notch to notch keeps its length to 1e-10 of it, both sides of a seam alike; what
+   * cannot keep to the tolerance stays as the mesh has it, with a note. A piece of which 95 %
+   * of the area would be strained by over 0.3 % more keeps nearer to its flat points, or
+   * stays. Panels of vtkGarmentCodeReader keep their edges but along curves with a
+   * CurveFairTolerance. 0: as the mesh has them. Default: 0.2. Range: 0 to 100.
    */
-  vtkSetClampMacro(FairTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetClampMacro(FairTolerance, double, 0.0, 100.0);
   vtkGetMacro(FairTolerance, double);
   ///@}
 
@@ -585,14 +589,11 @@ public:
 
   ///@{
   /**
-   * Draw the outline of each piece that is symmetric within 0.5 mm as its own mirror image: both of
-   * its sides follow the same curves, still within the FairTolerance of the mesh's points and of
-   * the surface's lengths. Sides whose lengths differ by up to 0.1 mm get their mean, as does what
-   * is sewn to them.
-   * Notes (MIRRORED) say how far sides were and are from each other, and why a
-   * piece is not drawn so (NOT_MIRRORED): it is not symmetric, its sides differ by more, its points
-   * are farther from such curves, or 95 % of its area would be strained by over 0.3 % more. It is
-   * an error when writing where no line is smooth. Default: off.
+   * Draw the outline of each piece that is symmetric within 0.5 mm as its own mirror image:
+   * both sides follow the same curves, within the FairTolerance. Sides whose lengths differ
+   * by up to 0.1 mm get their mean, as does what is sewn to them. Notes (MIRRORED,
+   * NOT_MIRRORED) say how far sides are from each other, and why a piece is not drawn so. It
+   * is an error when writing where no line is smooth. Default: off.
    */
   vtkSetMacro(Symmetrize, bool);
   vtkGetMacro(Symmetrize, bool);
@@ -615,13 +616,12 @@ public:
 
   ///@{
   /**
-   * Of SVG, PDF and HPGL: lay the pieces on cloth of this width across the grain, in millimetres,
-   * in place of putting them in rows. All copies of all pieces are laid, whole also where
-   * CutOnFold, one of each pair (CutPairs) turned over, each with its grain along the cloth and at
-   * least FabricGap from the next. A note says how long the cloth must be and which share of it is
-   * used; the search for a short lay is one of bounded work, with the same result on every machine.
-   * A piece that is wider than the cloth is an error when writing (PatternTooLarge). Needs Clipper.
-   * 0: in rows. Default: 0. Range: from 0 to 1e5.
+   * Of SVG, PDF and HPGL: lay all copies of all pieces on cloth of this width across the
+   * grain, in millimetres, whole also where CutOnFold, one of each pair (CutPairs) turned
+   * over, with the grain along the cloth and at least FabricGap from the next. A note says
+   * how long the cloth must be and which share of it is used; the search is one of bounded
+   * work, with the same result on every machine. A piece that is wider is an error when
+   * writing (PatternTooLarge). Needs Clipper. 0: in rows. Default: 0. Range: 0 to 1e5.
    */
   vtkSetClampMacro(FabricWidth, double, 0.0, 1e5);
   vtkGetMacro(FabricWidth, double);
@@ -695,6 +695,15 @@ public:
   int GetNoteKind(int note) const;
   ///@}
 
+  ///@{
+  /**
+   * All properties that are options, but those of single curves and pieces, for programs that are
+   * built with this project.
+   */
+  void SetOptions(const flattening::OptionValues& values);
+  void GetOptions(flattening::OptionValues& values);
+  ///@}
+
 protected:
   vtkPatternWriter();
   ~vtkPatternWriter() override;
@@ -706,7 +715,10 @@ private:
   vtkPatternWriter(const vtkPatternWriter&) = delete;
   void operator=(const vtkPatternWriter&) = delete;
 
-  flattening::pattern::FileOptions MakeOptions(int format) const;
+  /// Visits the members that are options of the table.
+  void VisitOptions(flattening::bridge::OptionVisitor& visit);
+  const char* GetOptionWord(const char* property, int value) const;
+  flattening::pattern::FileOptions MakeOptions(int format);
   /// The data set of a port; null where there is none.
   vtkPolyData* DataOf(int port);
   /// Unit, or the one that the flat pieces state.
@@ -721,7 +733,7 @@ private:
 
   char* FileName = nullptr;
   int FileFormat = AUTOMATIC;
-  // These are first as pattern::FileOptions has them.
+  // Options of the table have its defaults.
   bool LaserColors = false;
   bool CutterStyle = false;
   int Paper = 0;

@@ -14,6 +14,8 @@
 #include <vtkFeatureCurveAlgorithm.h>
 #include <vtkFeatureCurveImprinter.h>
 #include <vtkNew.h>
+#include <vtkPatternWriter.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 
 #include <CLI/CLI.hpp>
@@ -32,17 +34,63 @@ namespace wirewarp
 {
 namespace
 {
-void configure(const PatternRequest& request, const std::string& surface, const std::string& unit)
+using flattening::OptionValues;
+
+/// Hands entries NAME=MM on.
+void setOfCurves(const OptionValues& values, const char* property,
+  const std::function<void(const std::string&, double)>& set)
 {
-  request.writer->SetUnitByName(unit);
-  request.writer->SetPatternName(
-    request.name.empty() ? std::filesystem::path(surface).stem().string() : request.name);
-  request.writer->SetPatternSize(request.size);
+  for (const std::string& entry : values.list(property))
+  {
+    const auto [curve, length] = namedNumber(entry, *values.find(property));
+    set(curve, length);
+  }
+}
+
+vtkSmartPointer<vtkPatternWriter> makeWriter(
+  const PatternRequest& request, const std::string& surface, const std::string& unit)
+{
+  const auto writer = vtkSmartPointer<vtkPatternWriter>::New();
+  const OptionValues& values = request.values;
+  writer->SetOptions(values);
+  writer->SetUnitByName(unit);
+  if (!values.isGiven("PatternName"))
+  {
+    writer->SetPatternName(std::filesystem::path(surface).stem().string());
+  }
+  writer->SetPatternSize(request.size);
+  const auto ofCurve = [&writer](void (vtkPatternWriter::*set)(const std::string&, double)) {
+    return
+      [&writer, set](const std::string& curve, double length) { (writer->*set)(curve, length); };
+  };
+  setOfCurves(values, "CurveAllowances", ofCurve(&vtkPatternWriter::SetCurveAllowance));
+  setOfCurves(values, "CurveDartTips", ofCurve(&vtkPatternWriter::SetCurveDartTip));
+  setOfCurves(values, "CurveFairTolerances", ofCurve(&vtkPatternWriter::SetCurveFairTolerance));
+  setOfCurves(values, "CurveNotches", ofCurve(&vtkPatternWriter::AddCurveNotch));
+  for (const std::string& curve : values.list("DoubleNotches"))
+  {
+    writer->AddDoubleNotches(curve);
+  }
+  for (const std::string& curve : values.list("Folds"))
+  {
+    writer->AddFold(curve);
+  }
+  for (std::size_t p = 0; p < request.pieces.size(); ++p)
+  {
+    const auto& [name, copies] = request.pieces[p];
+    if (!name.empty())
+    {
+      writer->SetPieceName(static_cast<int>(p), name);
+    }
+    writer->SetPieceQuantity(static_cast<int>(p), copies);
+  }
+  return writer;
 }
 
 bool isNews(int kind, const PatternRequest& request, bool quiet)
 {
-  const bool asked = request.smoothAsked;
+  const bool asked =
+    request.values.isGiven("FairTolerance") || request.values.isGiven("CurveFairTolerances");
   switch (kind)
   {
     case vtkPatternWriter::SMOOTHED:
@@ -86,8 +134,7 @@ void checkCurveNames(const PatternRequest& request, const std::string& surface,
   vtkFeatureCurveAlgorithm* filter, Flattening& result)
 {
   const VtkMessages messages;
-  vtkPatternWriter* const writer = request.writer;
-  configure(request, surface, result.unit);
+  const auto writer = makeWriter(request, surface, result.unit);
   if (!request.any() || writer->GetCurvesWithOptions()->GetNumberOfValues() == 0)
   {
     return;
@@ -119,8 +166,8 @@ std::vector<std::string> addPatterns(const Options& options, Flattening& result,
   std::set<std::string> warnings;              // of all formats alike
   std::map<std::string, int> notes;            // with their kinds
   std::map<std::string, std::string> failures; // files by what is wrong with them
-  vtkPatternWriter* const writer = request.writer;
-  configure(request, options.surface, result.unit);
+  const auto writer = makeWriter(request, options.surface, result.unit);
+  const double fabricWidth = writer->GetFabricWidth();
   writer->SetInputData(0, result.flat);
   writer->SetInputData(1, result.wires);
   writer->SetInputData(2, result.cut);
@@ -131,7 +178,7 @@ std::vector<std::string> addPatterns(const Options& options, Flattening& result,
   for (const PatternFile& file : request.files)
   {
     const VtkMessages messages;
-    writer->SetFabricWidth(file.onCloth ? request.fabricWidth : 0.0);
+    writer->SetFabricWidth(file.onCloth ? fabricWidth : 0.0);
     const std::string problem = write(writer, file, files);
     if (!problem.empty())
     {
@@ -150,7 +197,7 @@ std::vector<std::string> addPatterns(const Options& options, Flattening& result,
     names.push_back(file.path);
     if (file.onCloth)
     {
-      result.layWidth = request.fabricWidth;
+      result.layWidth = fabricWidth;
       result.layLength = writer->GetFabricLength();
       result.layEfficiency = writer->GetFabricEfficiency();
     }
@@ -179,67 +226,13 @@ std::vector<std::string> addPatterns(const Options& options, Flattening& result,
 
 namespace
 {
-constexpr double largestLength = 1e6;
-
-using SetLength = std::function<void(double)>;
-using SetLengthOfCurve = std::function<void(const std::string&, double)>;
-
-std::string shown(double value)
-{
-  return CLI::detail::to_string(value);
-}
-
-/// Lengths of all curves, or NAME=MM of one.
-void addLengths(CLI::App& app, const std::string& name, const SetLength& set,
-  const SetLengthOfCurve& setOfCurve, const std::string& text, const std::string& byDefault)
-{
-  app
-    .add_option_function<std::vector<std::string>>(
-      name,
-      [name, set, setOfCurve](const std::vector<std::string>& entries) {
-        for (const std::string& entry : entries)
-        {
-          std::string curve;
-          double given = 0.0;
-          const bool named = splitNameAndNumber(entry, curve, given);
-          if ((!named && !parseNumber(entry, given)) || !(given >= 0.0 && given <= largestLength))
-          {
-            throw CLI::ValidationError(name,
-              inQuotes(entry) + " is neither a length in mm from 0 to 1e6 nor NAME=MM of a curve");
-          }
-          named ? setOfCurve(curve, given) : set(given);
-        }
-      },
-      text)
-    ->type_name("MM|NAME=MM")
-    ->default_str(byDefault)
-    ->allow_extra_args(false);
-}
-
-/// Names of curves, one at a time.
-void addNames(CLI::App& app, const std::string& name,
-  const std::function<void(const std::string&)>& add, const std::string& form,
-  const std::string& text)
-{
-  app
-    .add_option_function<std::vector<std::string>>(
-      name,
-      [add](const std::vector<std::string>& entries) {
-        std::for_each(entries.begin(), entries.end(), add);
-      },
-      text)
-    ->type_name(form)
-    ->allow_extra_args(false);
-}
-
 /// NAME, NAME:QUANTITY or :QUANTITY of the pieces in their order.
-void addPieces(CLI::App& app, vtkPatternWriter* writer)
+void addPieces(CLI::App& app, PatternRequest& request)
 {
   app
     .add_option_function<std::vector<std::string>>(
       "--piece",
-      [writer](const std::vector<std::string>& entries) {
-        int piece = 0;
+      [&request](const std::vector<std::string>& entries) {
         for (const std::string& entry : entries)
         {
           const std::size_t colon = entry.rfind(':');
@@ -251,16 +244,8 @@ void addPieces(CLI::App& app, vtkPatternWriter* writer)
             throw CLI::ValidationError(
               "--piece", inQuotes(entry) + " is not NAME:QUANTITY with 1 to 1000000 copies");
           }
-          const std::string name = counted ? entry.substr(0, colon) : entry;
-          if (!name.empty())
-          {
-            writer->SetPieceName(piece, name);
-          }
-          if (counted)
-          {
-            writer->SetPieceQuantity(piece, static_cast<int>(quantity));
-          }
-          ++piece;
+          request.pieces.emplace_back(
+            counted ? entry.substr(0, colon) : entry, static_cast<int>(quantity));
         }
       },
       "Name of a piece and how many are cut, from piece 1 on; repeat it for the next")
@@ -271,178 +256,65 @@ void addPieces(CLI::App& app, vtkPatternWriter* writer)
 
 void addDrawing(CLI::App& app, PatternRequest& request)
 {
-  vtkPatternWriter* const writer = request.writer;
-  const auto set = [writer](void (vtkPatternWriter::*method)(double)) -> SetLength {
-    return [writer, method](double value) { (writer->*method)(value); };
-  };
-  const auto setOfCurve = [writer](void (vtkPatternWriter::*method)(const std::string&, double)) {
-    return
-      [writer, method](const std::string& curve, double value) { (writer->*method)(curve, value); };
-  };
-  const auto addFlag = [&app, writer](const std::string& name,
-                         void (vtkPatternWriter::*method)(bool), const std::string& text) {
-    app.add_flag_callback(
-      name, [writer, method] { (writer->*method)(true); }, text);
-  };
-  addLengths(app, "--allowance", set(&vtkPatternWriter::SetAllowance),
-    setOfCurve(&vtkPatternWriter::SetCurveAllowance),
-    "Seam allowance; NAME=MM: along one curve, or along 'boundary'; repeat it for the next",
-    "10, sheets 0");
-  app
-    .add_option_function<double>("--notch-spacing", set(&vtkPatternWriter::SetNotchSpacing),
-      "Distance of notches along seams and darts (default: about a sixth of the largest piece). "
-      "From their start, on the surface; the middle where they are shorter. 0: none but at the "
-      "mouths of darts")
-    ->check(number(0.0, largestLength, "[0, 1e6]"))
-    ->type_name("MM");
+  OptionValues& values = request.values;
+  for (const char* const group : { "Drawing", "Details", "PDF" })
+  {
+    addOptions(app,
+      { group,
+        { "CutOnFold", "Folds", "PatternName", "PatternSize", "PieceNames", "PieceQuantities" } },
+      values);
+  }
   app
     .add_option_function<std::vector<std::string>>(
-      "--notch",
-      [writer](const std::vector<std::string>& entries) {
-        for (const std::string& entry : entries)
-        {
-          std::string name;
-          double distance = 0.0;
-          splitNameAndNumber(entry, name, distance);
-          writer->AddCurveNotch(name, distance);
-        }
+      "--fold",
+      [&values](const std::vector<std::string>& names) {
+        std::vector<std::string> curves = names;
+        const auto end = std::remove(curves.begin(), curves.end(), "symmetric");
+        values.set("CutOnFold", end == curves.end() ? 0.0 : 1.0);
+        curves.erase(end, curves.end());
+        values.set("Folds", curves);
       },
-      "A notch at this distance from the start of a curve. It replaces those by --notch-spacing "
-      "on a seam, a dart or an edge; repeat it for the next")
-    ->allow_extra_args(false)
-    ->check(nameAndMillimetres())
-    ->type_name("NAME=MM");
-  addNames(
-    app, "--double-notch", [writer](const std::string& name) { writer->AddDoubleNotches(name); },
-    "NAME",
-    "A curve whose notches are double, as at the back. Two marks 6.35 mm apart; repeat it for "
-    "the next");
-  addFlag("--notch-corners", &vtkPatternWriter::SetNotchCorners,
-    "Notch the cut line at corners, where the sew lines, drawn on, meet it");
-  addFlag("--notch-curve-ends", &vtkPatternWriter::SetNotchCurveEnds,
-    "Notch the border where feature curves and edges end on it, and opposite on what is sewn to "
-    "it");
-  const std::vector<std::string> axes{ "auto", "x", "y", "z", "none" };
+      "Cut on the fold of the cloth along this curve, or every symmetric piece. A half of a piece "
+      "that is symmetric about the curve, or a piece that is a half and has it on its border; "
+      "repeat it for the next")
+    ->type_name("NAME|symmetric")
+    ->allow_extra_args(false);
+  addPieces(app, request);
   app
     .add_option_function<std::string>(
-      "--up",
-      [axes, writer](const std::string& axis) {
-        const auto found = std::find(axes.begin(), axes.end(), axis);
-        writer->SetUpAxis(static_cast<int>(found - axes.begin()));
+      "--name",
+      [&values](const std::string& name) {
+        values.set("PatternName", name);
+        values.markGiven("PatternName");
       },
-      "The axis of SURFACE that points up in each piece, with the grain along it. Not of pieces "
-      "with a grain of their own; auto: of y and z that along which it is larger; none: no piece "
-      "is turned")
-    ->transform(CLI::IsMember(axes, CLI::ignore_case).description(""))
-    ->type_name("auto|x|y|z|none")
-    ->default_str(axes[static_cast<std::size_t>(writer->GetUpAxis())]);
-  app.add_flag_callback(
-    "--no-join-marks", [writer] { writer->SetJoinMarks(false); },
-    "No letters along the two sides of what is sewn together");
-  addLengths(app, "--smooth", set(&vtkPatternWriter::SetFairTolerance),
-    setOfCurve(&vtkPatternWriter::SetCurveFairTolerance),
-    "Draw borders as smooth splines at most this far from the mesh. They keep their lengths and "
-    "are straight where nearly so; 0: raw, as the mesh has them; NAME=MM: along one curve, or "
-    "along 'boundary'",
-    shown(writer->GetFairTolerance()));
-  app.get_option("--smooth")->each([&request](const std::string&) { request.smoothAsked = true; });
-  addNames(
-    app, "--fold",
-    [writer](const std::string& name) {
-      name == "symmetric" ? writer->SetCutOnFold(true) : writer->AddFold(name);
-    },
-    "NAME|symmetric",
-    "Cut on the fold of the cloth along this curve, or every symmetric piece. A half of a piece "
-    "that is symmetric about the curve, or a piece that is a half and has it on its border; "
-    "repeat it for the next");
-  addFlag("--pairs", &vtkPatternWriter::SetCutPairs,
-    "Of two pieces that are mirror images draw the first. It is cut in pairs of which one is "
-    "turned over");
-  addLengths(app, "--dart-tip", set(&vtkPatternWriter::SetDartTip),
-    setOfCurve(&vtkPatternWriter::SetCurveDartTip),
-    "How far tips of folded darts are drawn back. Their legs with them, which are shorter then; "
-    "NAME=MM: of one dart",
-    shown(writer->GetDartTip()));
-  addFlag("--cut-darts-out", &vtkPatternWriter::SetCutDartsOut,
-    "Cut darts out along their seam allowance instead of folding them");
-  addPieces(app, writer);
-  app
-    .add_option_function<int>(
-      "--quantity", [writer](int quantity) { writer->SetQuantity(quantity); },
-      "How many of each piece are cut")
-    ->check(CLI::Range(1, 1000000).description(""))
-    ->type_name("N")
-    ->default_str(shown(writer->GetQuantity()));
-  app.add_option("--name", request.name, "Name of the pattern (default: that of the surface)")
+      "Name of the pattern (default: that of the surface)")
     ->type_name("NAME");
   app.add_option("--size", request.size, "Size that the pattern is for")->type_name("NAME");
-  const std::vector<std::string> papers{ "A4", "letter", "A3", "A0", "sheet" };
-  app
-    .add_option_function<std::string>(
-      "--paper",
-      [papers, writer](const std::string& paper) {
-        const auto found = std::find(papers.begin(), papers.end(), paper);
-        writer->SetPaper(static_cast<int>(found - papers.begin()));
-      },
-      "Paper of the PDF: A4, letter, A3, A0, sheet (one page)")
-    ->transform(CLI::IsMember(papers, CLI::ignore_case).description(""))
-    ->type_name("PAPER")
-    ->default_str(papers[static_cast<std::size_t>(writer->GetPaper())]);
   app
     .add_option_function<std::string>(
       "--style",
-      [writer](const std::string& style) {
-        writer->SetLaserColors(style == "laser");
-        writer->SetCutterStyle(style != "sewing");
+      [&values](const std::string& style) {
+        values.set("LaserColors", style == "laser" ? 1.0 : 0.0);
+        values.set("CutterStyle", style != "sewing" ? 1.0 : 0.0);
       },
       "What the files are for: sewing, laser or cutter. Laser and cutter: a DXF with the layers "
-      "CUT, "
-      "MARK and TEXT, each line once, with arcs; laser: thin lines in SVG as well, a color for "
-      "each "
-      "role")
+      "CUT, MARK and TEXT, each line once, with arcs; laser: thin lines in SVG as well, a color "
+      "for "
+      "each role")
     ->transform(CLI::IsMember({ "sewing", "laser", "cutter" }, CLI::ignore_case).description(""))
     ->type_name("STYLE");
-  addFlag("--seam-table", &vtkPatternWriter::SetWalkTable,
-    "Append the lengths of both sides of seams to the PDF");
-  app
-    .add_option_function<double>("--mitre-limit", set(&vtkPatternWriter::SetMitreLimit),
-      "Longest miter of a corner, in allowances")
-    ->check(number(1.0, 100.0, "[1, 100]"))
-    ->default_str(shown(writer->GetMitreLimit()));
-  addFlag("--symmetrize", &vtkPatternWriter::SetSymmetrize,
-    "Draw the outline of each piece that is symmetric to 0.5 mm as exactly its own mirror image; "
-    "sides whose lengths differ by up to 0.1 mm get "
-    "their mean");
-  app
-    .add_option_function<double>(
-      "--page-overlap", set(&vtkPatternWriter::SetPageOverlap), "How far pages overlap, in mm")
-    ->check(number(0.0, 50.0, "[0, 50]"))
-    ->default_str(shown(writer->GetPageOverlap()));
-  app
-    .add_option_function<int>(
-      "--max-pages", [writer](int pages) { writer->SetMaximumPages(pages); },
-      "Most pages of a PDF; with more the unit is likely wrong")
-    ->check(CLI::Range(1, 100000))
-    ->default_str(shown(writer->GetMaximumPages()));
 }
 
 void addNesting(CLI::App& app, PatternRequest& request)
 {
-  vtkPatternWriter* const writer = request.writer;
+  addOptions(app, { "Cloth", { "FabricWidth" } }, request.values);
   app
-    .add_option("--roll-width", request.fabricWidth, "Width of the cloth, with the grain along it")
+    .add_option_function<double>(
+      "--roll-width",
+      [&values = request.values](double width) { values.set("FabricWidth", width); },
+      "Width of the cloth, with the grain along it")
     ->check(number(std::numeric_limits<double>::min(), 1e5, "(0, 1e5]"))
     ->type_name("MM")
     ->required();
-  app.add_flag_callback(
-    "--nap", [writer] { writer->SetFabricNap(true); },
-    "The cloth has an up and a down: no piece is turned round");
-  app
-    .add_option_function<double>(
-      "--gap", [writer](double gap) { writer->SetFabricGap(gap); },
-      "Least distance of pieces on the cloth")
-    ->check(number(0.0, 1000.0, "[0, 1000]"))
-    ->type_name("MM")
-    ->default_str(shown(writer->GetFabricGap()));
 }
 }

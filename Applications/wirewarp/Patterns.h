@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vtkPatternWriter.h>
-#include <vtkSmartPointer.h>
+#include "Formats/PatternOptionTable.h"
+#include "Options/OptionTable.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkFeatureCurveAlgorithm;
@@ -32,11 +33,9 @@ struct PatternFile
 struct PatternRequest
 {
   std::vector<PatternFile> files;
-  vtkSmartPointer<vtkPatternWriter> writer = vtkSmartPointer<vtkPatternWriter>::New();
-  std::string name; ///< empty: that of the surface's file
+  flattening::OptionValues values{ flattening::pattern::patternOptions() };
+  std::vector<std::pair<std::string, int>> pieces; ///< names or none, and copies or 0
   std::string size;
-  bool smoothAsked = false; ///< and not by default
-  double fabricWidth = 0.0; ///< mm; 0: no lay
 
   bool any() const { return !this->files.empty(); }
 };

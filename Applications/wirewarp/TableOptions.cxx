@@ -44,6 +44,10 @@ public:
   CLI::Option* add(const flattening::Option& option)
   {
     const std::string name = spelled(option, flattening::OptionSpelling::Command);
+    if (const flattening::Option* const list = this->listOf(option))
+    {
+      return this->addOfCurves(name, option, *list);
+    }
     switch (option.type)
     {
       case OptionType::Flag:
@@ -77,6 +81,58 @@ private:
     };
   }
 
+  /// What a number is for single curves, by the same flag.
+  const flattening::Option* listOf(const flattening::Option& option) const
+  {
+    for (const flattening::Option* const other : this->Values.options())
+    {
+      if (option.type == OptionType::Number && other->type == OptionType::List &&
+        other->spelling == option.spelling)
+      {
+        return other;
+      }
+    }
+    return nullptr;
+  }
+
+  CLI::Option* addOfCurves(
+    const std::string& name, const flattening::Option& option, const flattening::Option& list)
+  {
+    return this->App
+      .add_option_function<std::vector<std::string>>(
+        name,
+        [name, &option, keep = this->keeper(option), &list, keepList = this->keeper(list)](
+          const std::vector<std::string>& entries) {
+          std::vector<std::string> ofCurves;
+          for (const std::string& entry : entries)
+          {
+            std::string curve;
+            double value = 0.0;
+            const bool named = splitNameAndNumber(entry, curve, value);
+            if ((!named && !parseNumber(entry, value)) || !isValid(option, value))
+            {
+              throw CLI::ValidationError(name,
+                inQuotes(entry) + " is neither a length in mm in " + rangeOf(option) +
+                  " nor NAME=MM of a curve");
+            }
+            named ? ofCurves.push_back(entry) : keep(value);
+          }
+          if (!ofCurves.empty())
+          {
+            keepList(ofCurves);
+          }
+        },
+        option.help + ' ' + list.form + ": " + list.help + " May be given several times.")
+      ->type_name(option.form + '|' + list.form)
+      ->default_str(this->byDefault(option))
+      ->allow_extra_args(false);
+  }
+
+  std::string byDefault(const flattening::Option& option) const
+  {
+    return option.automatic.empty() ? this->Values.text(option.property) : option.automatic;
+  }
+
   static CLI::Validator within(const flattening::Option& option)
   {
     return CLI::Validator(
@@ -107,7 +163,7 @@ private:
     }
     const char* const kind = option.type == OptionType::Integer ? "INT" : "FLOAT";
     return added->type_name(option.form.empty() ? kind : option.form)
-      ->default_str(this->Values.text(option.property));
+      ->default_str(this->byDefault(option));
   }
 
   CLI::Option* addWord(const std::string& name, const flattening::Option& option)
@@ -127,7 +183,7 @@ private:
         },
         option.help)
       ->transform(CLI::IsMember(words, CLI::ignore_case).description(""))
-      ->type_name(kind)
+      ->type_name(option.form.empty() ? kind : option.form)
       ->default_str(this->Values.text(option.property));
   }
 
@@ -194,9 +250,11 @@ std::vector<CLI::Option*> addOptions(
   CLI::App& app, const TableSubset& subset, flattening::OptionValues& values)
 {
   std::vector<CLI::Option*> added;
-  for (const flattening::Option* const option : optionsOf(values.owner()))
+  for (const flattening::Option* const option : values.options())
   {
-    if (option->group == subset.group && subset.leftOut.count(option->property) == 0)
+    const bool taken =
+      option->type == OptionType::List && app.get_option_no_throw("--" + option->spelling);
+    if (option->group == subset.group && subset.leftOut.count(option->property) == 0 && !taken)
     {
       added.push_back(TableOptions(app, values).add(*option));
     }
@@ -209,12 +267,15 @@ std::pair<std::string, double> namedNumber(
 {
   std::pair<std::string, double> named;
   const bool fraction = option.form == "NAME=FRACTION";
+  const std::string range = rangeOf(option);
   if (!splitNameAndNumber(entry, named.first, named.second) || !std::isfinite(named.second) ||
-    named.second < 0.0 || (fraction && named.second >= 1.0))
+    named.second < 0.0 || (fraction && named.second >= 1.0) || !isValid(option, named.second))
   {
     throw CLI::ValidationError(spelled(option, flattening::OptionSpelling::Command),
       inQuotes(entry) + " is not " + option.form +
-        (fraction ? " with a fraction in [0, 1)" : " with a number from 0"));
+        (fraction           ? " with a fraction in [0, 1)"
+            : range.empty() ? " with a number from 0"
+                            : " with a number in " + range));
   }
   return named;
 }
@@ -303,19 +364,6 @@ bool splitNameAndNumber(const std::string& text, std::string& name, double& valu
   }
   name = text.substr(0, sign);
   return parseNumber(text.substr(sign + 1), value);
-}
-
-CLI::Validator nameAndMillimetres()
-{
-  return CLI::Validator(
-    [](std::string& text) {
-      std::string name;
-      double length = 0.0;
-      const bool valid = splitNameAndNumber(text, name, length) && length >= 0.0 && length <= 1e6;
-      return valid ? std::string()
-                   : inQuotes(text) + " is not the name of a curve, '=', and a number in [0, 1e6]";
-    },
-    "NAME=MM");
 }
 
 void addMethods(CLI::App& app, Options& options)

@@ -56,9 +56,6 @@ CLI::Validator wholeNumber(long long least, long long most, const std::string& r
 /// Splits NAME=NUMBER at the last sign, since names may hold one. \return whether it is so
 bool splitNameAndNumber(const std::string& text, std::string& name, double& value);
 
-/// Checks that an option is the name of a curve, '=', and a number of millimetres in [0, 1e6].
-CLI::Validator nameAndMillimetres();
-
 /// Adds the options of how surfaces are flattened.
 void addMethods(CLI::App& app, Options& options);
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionVisitor.h"
 
-#include <cstddef>
-#include <variant>
-
 namespace flattening
 {
 namespace bridge
@@ -20,21 +17,7 @@ OptionVisitor defaultsOf(OptionOwner owner)
 OptionVisitor printerOf(OptionOwner owner, std::ostream& os, vtkIndent indent)
 {
   return OptionVisitor([owner, &os, indent](const std::string& property, OptionValue& value) {
-    const Option& option = *findOption(owner, property);
-    os << indent << property << ": ";
-    if (option.type == OptionType::Flag)
-    {
-      os << (std::get<double>(value) != 0.0 ? "On" : "Off");
-    }
-    else if (option.type == OptionType::Word)
-    {
-      os << option.words[static_cast<std::size_t>(std::get<double>(value))].name;
-    }
-    else
-    {
-      os << textOf(option, value);
-    }
-    os << "\n";
+    os << indent << property << ": " << printed(*findOption(owner, property), value) << "\n";
   });
 }
 

@@ -247,7 +247,7 @@ TEST_F(PatternEditor, PatternsShowWhatTheirOptionsAskFor)
       dialog->findChild<QDoubleSpinBox*>("FairTolerance")->setValue(0.0);
       dialog->findChild<QCheckBox*>("NotchCorners")->setChecked(true);
       dialog->findChild<QLineEdit*>("PatternSize")->setText("XL");
-      dialog->findChild<QSpinBox*>("Quantity")->setValue(3);
+      dialog->findChild<QDoubleSpinBox*>("Quantity")->setValue(3);
       dialog->findChild<QComboBox*>("Paper")->setCurrentText("A0");
       yes ? dialog->accept() : dialog->reject();
     });

@@ -192,7 +192,7 @@ FileOptions randomOptions(std::mt19937& random, const PatternSource& source)
   pattern.notchSpacing = any({ 0.0, 100.0, 100.0, 7.0 });
   pattern.notchCorners = oneIn(3);
   pattern.notchCurveEnds = oneIn(3);
-  pattern.darts = oneIn(2) ? DartStyle::CutOut : DartStyle::Folded;
+  pattern.cutDartsOut = oneIn(2);
   pattern.dartTip = oneIn(6) ? 3.0 : 0.0;
   pattern.cutOnFold = oneIn(3);
   pattern.pairs = oneIn(3);

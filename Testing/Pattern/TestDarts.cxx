@@ -140,7 +140,7 @@ TEST(Darts, ATipThatWouldBeBeyondHalfOfItsDartIsRefusedByName)
 TEST(Darts, ADartThatIsCutOutHasAllowanceAlongItsLegs)
 {
   PatternOptions options = inMillimetres(10.0);
-  options.darts = DartStyle::CutOut;
+  options.cutDartsOut = true;
   const PatternPiece piece = drawn(dartedSquare(), options);
   EXPECT_TRUE(linesOf(piece, LineKind::DartLeg).empty());
   EXPECT_TRUE(linesOf(piece, LineKind::DartFold).empty());

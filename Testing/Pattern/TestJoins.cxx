@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 
 namespace
 {
@@ -209,4 +210,54 @@ TEST(Joins, ADrawingForCuttersHasEachLineOnceAndNoPoints)
   EXPECT_EQ(count("INSERT\r\n"), 0U);
   EXPECT_NE(content.find("$INSUNITS\r\n 70\r\n4\r\n"), std::string::npos);
   EXPECT_NE(content.find("TEXT\r\n  5"), std::string::npos);
+}
+
+TEST(Joins, OneSideOfASeamHasAnAllowanceOfItsOwn)
+{
+  PatternOptions options = inMillimetres(0.0);
+  options.allowanceOfCurve = { { "yoke", 4.0 }, { "yoke:2", 25.0 }, { "boundary:3", 10.0 } };
+  const Pattern pattern = patternOf(stripAndSquares(), options);
+  const auto areaOfCloth = [&pattern](std::size_t piece) {
+    return areaOf(lineOf(pattern.pieces.at(piece), LineKind::CutLine).points);
+  };
+  EXPECT_NEAR(areaOfCloth(0), 200.0 * 104.0, 1e-3); // both joins of the other side
+  EXPECT_NEAR(areaOfCloth(1), 100.0 * 125.0, 1e-3);
+  EXPECT_NEAR(areaOfCloth(2), 100.0 * 114.0 + 110.0 * 10.0 + 4.0 * 10.0, 60.0);
+  options.allowanceOfCurve = { { "yoke:4", 4.0 } };
+  expectRefusal(stripAndSquares(), options, { "yoke:4", "not there" });
+}
+
+TEST(Joins, ALaserFollowsARoundByFewArcs)
+{
+  // A disc of 200 edges, whose cut line is one of 10 mm more.
+  PatternSource source;
+  source.positions = { Point2(100.0, 100.0) };
+  for (int k = 0; k < 200; ++k)
+  {
+    const double a = 2.0 * pi * k / 200.0;
+    source.positions.emplace_back(100.0 + 90.0 * std::cos(a), 100.0 + 90.0 * std::sin(a));
+    source.triangles.push_back({ 0, 1 + k, 1 + (k + 1) % 200 });
+  }
+  source.pieceOfTriangle.assign(200, 0);
+  FileOptions options;
+  options.laserColours = true;
+  options.pattern = inMillimetres();
+  Pattern pattern;
+  std::string content;
+  ASSERT_TRUE(makePatternFile(source, options, pattern, content).ok());
+  const std::size_t cut = content.find("class=\"cut-line\"");
+  ASSERT_NE(cut, std::string::npos);
+  const std::size_t from = content.find(" d=\"", cut) + 4;
+  const std::string path = content.substr(from, content.find('"', from) - from);
+  // About the center the way is counter-clockwise, which SVG, whose y points down, calls 0.
+  std::size_t arcs = 0;
+  for (std::size_t at = path.find('A'); at != std::string::npos; at = path.find('A', at + 1))
+  {
+    ++arcs;
+    EXPECT_NEAR(std::stod(path.substr(at + 1)), 100.0, 0.1);
+    EXPECT_NE(path.find(" 0 0 0 ", at), std::string::npos);
+  }
+  EXPECT_GE(arcs, 2U);
+  EXPECT_LE(arcs, 5U);
+  EXPECT_EQ(path.find('L'), std::string::npos);
 }

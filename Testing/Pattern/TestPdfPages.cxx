@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/PageTexts.h"
 #include "Formats/PdfPages.h"
+#include "Outlines/PatternText.h"
 
 #include "DrawnPieces.h"
 
@@ -190,4 +192,55 @@ TEST(PdfPages, SmallPiecesShareAPage)
   const PagePlan plan = planOf(
     patternOf({ { 70.0, 60.0 }, { 70.0, 60.0 }, { 60.0, 50.0 }, { 60.0, 50.0 } }), PaperSize::A4);
   EXPECT_EQ(plan.pages.size(), 1U);
+}
+
+TEST(PdfPages, TextsAreWholeOnAPageAndStayInTheirPiece)
+{
+  // Larger than any page, with pages left out in its middle.
+  Pattern pattern = patternOf({ { 1500.0, 1500.0 }, { 500.0, 300.0 } });
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(0.02, 0.98);
+  for (PatternPiece& piece : pattern.pieces)
+  {
+    for (int k = 0; k < 60; ++k)
+    {
+      PatternText& text = piece.texts.emplace_back();
+      text.role = k < 3 ? (k == 0 ? TextRole::Title : TextRole::Label) : TextRole::Join;
+      text.text = k < 3 ? "a title of some length" : "AB";
+      text.position = k < 3
+        ? Point2(piece.extent / 2.0 - Point2(0.0, 10.0 * k))
+        : Point2(share(random) * piece.extent.x(), share(random) * piece.extent.y());
+      text.angle = k < 3 ? 0.0 : share(random) * 3.0 - 1.5;
+    }
+  }
+  const PagePlan plan = planOf(pattern, PaperSize::A4);
+  const Pattern before = pattern;
+  keepTextsOnPages(plan, pattern);
+  int moved = 0;
+  for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
+  {
+    const std::vector<PatternText>& texts = pattern.pieces[p].texts;
+    for (std::size_t k = 0; k < texts.size(); ++k)
+    {
+      moved += texts[k].position == before.pieces[p].texts[k].position ? 0 : 1;
+      EXPECT_GT(texts[k].position.minCoeff(), 0.0);
+      EXPECT_GT((pattern.pieces[p].extent - texts[k].position).minCoeff(), 0.0);
+      const double half = textWidth(texts[k].text, texts[k].height) / 2.0;
+      const Point2 along = half * Point2(std::cos(texts[k].angle), std::sin(texts[k].angle));
+      const Point2 from = plan.layout.place(pattern, p, texts[k].position - along);
+      const Point2 to = plan.layout.place(pattern, p, texts[k].position + along);
+      EXPECT_TRUE(std::any_of(plan.pages.begin(), plan.pages.end(),
+        [&](const Tile& tile) {
+          const Point2 low(tile.column * plan.step.x(), tile.row * plan.step.y());
+          return (from.cwiseMin(to) - low).minCoeff() > 0.0 &&
+            (low + plan.printable - from.cwiseMax(to)).minCoeff() > 0.0;
+        }))
+        << texts[k].text << k;
+    }
+    // The block of the title stays one.
+    const std::vector<PatternText>& old = before.pieces[p].texts;
+    const Point2 turned = texts[0].position - texts[2].position;
+    EXPECT_NEAR((turned - (old[0].position - old[2].position)).norm(), 0.0, 1e-9);
+  }
+  EXPECT_GT(moved, 10);
 }

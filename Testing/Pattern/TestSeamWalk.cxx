@@ -97,7 +97,7 @@ TEST(SeamWalk, LegsWithTheirTipDrawnBackAreWalkedAsTheyAreDrawn)
     const double opening = 2.0 * degrees * std::atan2(20.0, 90.0);
     EXPECT_NEAR(walk.front().angleSum[0], 180.0 + opening, 1e-9);
     EXPECT_NEAR(walk.back().angleSum[1], 360.0 - opening, 1e-9);
-    options.darts = DartStyle::CutOut; // nothing is drawn back
+    options.cutDartsOut = true; // nothing is drawn back
     ASSERT_TRUE(walkSeams(dartedSquare(), options, walk).ok());
     EXPECT_NEAR(walk.back().angleSum[1], 360.0 - 2.0 * degrees * std::atan2(2.0, 12.0), 1e-9);
   }

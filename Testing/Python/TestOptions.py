@@ -15,8 +15,13 @@ from surfaces import SOURCE
 
 # Set methods that are no option: inputs, and how a filter runs.
 OTHERS = {"Caching", "OutputPointsPrecision", "BesideSurface", "Distributed", "Options", "LengthUnitOf",
-          "MaterialFile"}
-ADDERS = {"CurveTolerances": "AddCurveTolerance", "CurveEases": "AddCurveEase", "Preferences": "AddPreference",
+          "MaterialFile", "FileName", "FollowPipeline", "FileFormat", "Unit", "UnitByName", "PieceName", "PieceQuantity",
+          "CurveAllowance", "CurveDartTip", "CurveFairTolerance"}
+ADDERS = {"CurveAllowances": "SetCurveAllowance", "CurveDartTips": "SetCurveDartTip",
+          "CurveFairTolerances": "SetCurveFairTolerance", "CurveNotches": "AddCurveNotch",
+          "DoubleNotches": "AddDoubleNotches", "Folds": "AddFold", "PieceNames": "SetPieceName",
+          "PieceQuantities": "SetPieceQuantity",
+          "CurveTolerances": "AddCurveTolerance", "CurveEases": "AddCurveEase", "Preferences": "AddPreference",
           "KeptCurves": "AddKeptCurve"}
 # A class that can be made, with all that is derived from.
 MADE = {"vtkFeatureCurveAlgorithm": "vtkWireWarpingFilter", "vtkFlatPieceAlgorithm": "vtkWireWarpingFilter"}
@@ -28,6 +33,12 @@ def filter_of(option):
 
 def get(filter_, option):
     return getattr(filter_, "Get" + option.property)()
+
+
+def default_of(option):
+    """As the property has it: -1 is a number that follows from the input."""
+    automatic = -1.0 if option.type == "number" else ""
+    return automatic if option.default is None else number(option, option.default)
 
 
 def number(option, value):
@@ -53,8 +64,8 @@ def same(text, value, filter_):
     if isinstance(value, bool):
         return text == ("on" if value else "off")
     if isinstance(value, str):
-        return text == (value or "empty")
-    if re.fullmatch(r"[A-Z_]+", text):
+        return text.strip('"') == (value or "empty")
+    if re.fullmatch(r"[A-Z][A-Z_0-9]*", text):
         return getattr(filter_, text) == value
     return float(text) == value
 
@@ -67,8 +78,7 @@ class Options(unittest.TestCase):
                 if option.type == "list":
                     self.assertTrue(callable(getattr(filter_, ADDERS[option.property])))
                 else:
-                    default = "" if option.default is None else number(option, option.default)
-                    self.assertEqual(get(filter_, option), default)
+                    self.assertEqual(get(filter_, option), default_of(option))
 
     def test_the_filters_have_its_ranges(self):
         for option in TABLE:
@@ -76,9 +86,11 @@ class Options(unittest.TestCase):
                 continue
             with self.subTest(option.cls, property=option.property):
                 filter_ = filter_of(option)
-                for value, clamped in ((option.minimum - 1, option.minimum), (option.maximum * 2, option.maximum)):
+                kind = int if option.type == "integer" else float
+                least = min(option.minimum, default_of(option))
+                for value, clamped in ((least - 1, least), (option.maximum * 2, option.maximum)):
                     if abs(value) < (2**31 if option.type == "integer" else 1e300):
-                        getattr(filter_, "Set" + option.property)(type(option.default)(value))
+                        getattr(filter_, "Set" + option.property)(kind(value))
                         self.assertEqual(get(filter_, option), clamped)
 
     def test_the_filters_have_its_words(self):
@@ -97,7 +109,7 @@ class Options(unittest.TestCase):
         listed = {(option.cls, option.property) for option in TABLE}
         for name in {option.cls for option in TABLE} | {"vtkKeyCurvePrices"}:
             for method in vars(getattr(sf, name)):
-                found = re.fullmatch(r"Set(\w+?)(?:To[A-Z]\w+|Connection|Data)?", method)
+                found = re.fullmatch(r"Set(\w+?)(?:To[A-Z]\w*|Connection|Data)?", method)
                 if found and not method.endswith(("Connection", "Data")) and found.group(1) not in OTHERS:
                     self.assertIn((name, found.group(1)), listed)
 
@@ -138,7 +150,8 @@ class Options(unittest.TestCase):
 
     def test_the_headers_document_the_defaults(self):
         count = 0
-        for path in sorted(glob.glob(os.path.join(SOURCE, "Filters", "vtk*.h"))):
+        for path in sorted(glob.glob(os.path.join(SOURCE, "Filters", "vtk*.h"))
+                           + [os.path.join(SOURCE, "IO", "vtkPatternWriter.h")]):
             name = os.path.splitext(os.path.basename(path))[0]
             class_ = getattr(sf, MADE.get(name, name), None)
             if class_ is None or name == "vtkFlatteningAlgorithm":

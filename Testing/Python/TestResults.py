@@ -410,7 +410,7 @@ class Patterns(unittest.TestCase):
             (ValueError, [".svg, .pdf, .dxf"], "a.png", {}),
             (ValueError, ["unit", "'ft'", "mm, cm, m, inch"], "a.svg", {"unit": "ft"}),
             (ValueError, ["paper", "'A9'"], "a.pdf", {"paper": "A9"}),
-            (ValueError, ["allowance", "-1", "0 to 1e+06"], "a.svg", {"allowance": -1}),
+            (ValueError, ["allowance", "-1", "[0, 1000000]"], "a.svg", {"allowance": -1}),
             (ValueError, ["quantity", "1"], "a.svg", {"quantity": 0}),
             (ValueError, ["no_such"], "a.svg", {"curve_allowances": {"no_such": 1.0}}),
             (ValueError, ["max_pages", "out of range"], "a.pdf", {"max_pages": 0}),

@@ -3,6 +3,7 @@
 // @KIND:CLASS@ by what the table of options says. write-options [--check] PAGE: the same between the lines
 // <!-- options:CLASS --> and <!-- end --> of a page; with --check it only says whether they differ.
 #include "Cloth/ClothMaterial.h"
+#include "Formats/PatternOptionTable.h"
 #include "Options/OptionTable.h"
 
 #include <algorithm>
@@ -23,13 +24,29 @@ using namespace flattening;
 
 namespace
 {
+/// Those of patterns last.
+const std::vector<const Option*>& allOptions()
+{
+  static const std::vector<const Option*> all = [] {
+    std::vector<const Option*> options;
+    for (const Option& option : optionTable())
+    {
+      options.push_back(&option);
+    }
+    const std::vector<const Option*> patterns = pattern::patternOptions();
+    options.insert(options.end(), patterns.begin(), patterns.end());
+    return options;
+  }();
+  return all;
+}
+
 OptionOwner ownerNamed(const std::string& name)
 {
-  for (const Option& option : optionTable())
+  for (const Option* const option : allOptions())
   {
-    if (className(option.owner) == name)
+    if (className(option->owner) == name)
     {
-      return option.owner;
+      return option->owner;
     }
   }
   throw std::runtime_error("no class " + name + " has options");
@@ -38,11 +55,11 @@ OptionOwner ownerNamed(const std::string& name)
 std::vector<const Option*> ownOptions(OptionOwner owner)
 {
   std::vector<const Option*> own;
-  for (const Option& option : optionTable())
+  for (const Option* const option : allOptions())
   {
-    if (option.owner == owner)
+    if (option->owner == owner)
     {
-      own.push_back(&option);
+      own.push_back(option);
     }
   }
   return own;
@@ -55,22 +72,12 @@ std::string number(double value, bool real)
   return real && text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
-/// "CloseCuts" as "Close Cuts".
-std::string label(const std::string& property)
-{
-  std::string text;
-  for (const char letter : property)
-  {
-    text += !text.empty() && std::isupper(static_cast<unsigned char>(letter)) ? " " : "";
-    text += letter;
-  }
-  return text;
-}
-
 /// "AsRigidAsPossible" as "As rigid as possible"; names of people keep their capital.
 std::string phrase(const std::string& name)
 {
-  std::string text = label(name);
+  Option named;
+  named.property = name;
+  std::string text = labelOf(named);
   for (std::size_t k = 1; k < text.size(); ++k)
   {
     text[k] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[k])));
@@ -95,7 +102,7 @@ std::string pythonType(const Option& option)
     case OptionType::Integer:
       return "int";
     case OptionType::Number:
-      return "float";
+      return option.automatic.empty() ? "float" : "Optional[float]";
     case OptionType::Word:
       return option.property;
     case OptionType::Ids:
@@ -104,9 +111,11 @@ std::string pythonType(const Option& option)
       return "Sequence[float]";
     case OptionType::List:
       return option.form == "NAME" ? "Sequence[str]"
+        : option.form == "N"       ? "Sequence[int]"
         : option.form == "NAME[:PIECE]=PERCENT%"
         ? "Optional[Mapping[Union[str, Tuple[str, int]], float]]"
-        : "Optional[Mapping[str, float]]";
+        : option.property == "CurveNotches" ? "Optional[Mapping[str, Sequence[float]]]"
+                                            : "Optional[Mapping[str, float]]";
     default:
       return option.repeats          ? "Union[None, float, str, Sequence[str]]"
         : option.form == "NAME|FILE" ? "Union[None, str, \"os.PathLike[str]\"]"
@@ -123,7 +132,9 @@ std::string pythonDefault(const Option& option)
       return std::get<double>(option.byDefault) != 0.0 ? "True" : "False";
     case OptionType::Integer:
     case OptionType::Number:
-      return number(std::get<double>(option.byDefault), option.type == OptionType::Number);
+      return !option.automatic.empty()
+        ? "None"
+        : number(std::get<double>(option.byDefault), option.type == OptionType::Number);
     case OptionType::Ids:
     case OptionType::Numbers:
     {
@@ -135,7 +146,7 @@ std::string pythonDefault(const Option& option)
       return text + ")";
     }
     case OptionType::List:
-      return option.form == "NAME" ? "()" : "None";
+      return option.form == "NAME" || option.form == "N" ? "()" : "None";
     default:
       if (option.form == "ARRAY")
       {
@@ -148,8 +159,9 @@ std::string pythonDefault(const Option& option)
 /// The words of all enumerations as types.
 void writeLiterals(OptionOwner, std::ostream& out)
 {
-  for (const Option& option : optionTable())
+  for (const Option* const row : allOptions())
   {
+    const Option& option = *row;
     if (option.type == OptionType::Word)
     {
       out << option.property << " = Literal[";
@@ -183,6 +195,41 @@ void writeKeywords(const std::vector<const Option*>& options, std::ostream& out)
          "    progress: Optional[Callable[[float], Any]] = None,\n";
 }
 
+/// Keywords of a method with their types.
+void writeParameters(OptionOwner owner, std::ostream& out)
+{
+  for (const Option* const option : ownOptions(owner))
+  {
+    out << "        " << argument(*option) << ": " << pythonType(*option) << " = "
+        << pythonDefault(*option) << ",\n";
+  }
+}
+
+/// What its help says of them.
+void writeArguments(OptionOwner owner, std::ostream& out)
+{
+  for (const Option* const option : ownOptions(owner))
+  {
+    const std::string range = rangeOf(*option);
+    std::string words;
+    for (const OptionWord& word : option->words)
+    {
+      words += (words.empty() ? " One of " : ", ") + ('"' + word.word + '"');
+    }
+    const std::string text = argument(*option) + ": " + option->help +
+      (range.empty() ? "" : " Range: " + range + '.') + (words.empty() ? "" : words + '.');
+    constexpr std::size_t width = 96;
+    std::string lead = std::string(12, ' ');
+    for (std::size_t start = 0; start < text.size();)
+    {
+      std::size_t end = text.size() - start <= width ? text.size() : text.rfind(' ', start + width);
+      out << lead << text.substr(start, end - start) << '\n';
+      start = end + 1;
+      lead = std::string(16, ' ');
+    }
+  }
+}
+
 /// Rows of a tuple of _Option.
 void writeRows(OptionOwner, std::ostream& out)
 {
@@ -190,8 +237,9 @@ void writeRows(OptionOwner, std::ostream& out)
     { OptionType::Integer, "integer" }, { OptionType::Number, "number" },
     { OptionType::Word, "word" }, { OptionType::Text, "text" }, { OptionType::List, "list" },
     { OptionType::Ids, "ids" }, { OptionType::Numbers, "numbers" } };
-  for (const Option& option : optionTable())
+  for (const Option* const row : allOptions())
   {
+    const Option& option = *row;
     out << "    Option(\"" << className(option.owner) << "\", \"" << option.property << "\", \""
         << argument(option) << "\", \"" << names.at(option.type) << "\", " << pythonDefault(option)
         << ",\n           (";
@@ -294,9 +342,9 @@ void writeProperty(const Option& option, std::ostream& out)
   const auto* const numbers = std::get_if<std::vector<double>>(&option.byDefault);
   Option plain;
   out << "      <" << tag << " name=\"" << option.property << '"';
-  if (label(option.property) != option.property)
+  if (labelOf(option) != option.property)
   {
-    out << " label=\"" << label(option.property) << '"';
+    out << " label=\"" << labelOf(option) << '"';
   }
   out << " command=\"Set" << option.property << "\" number_of_elements=\""
       << (numbers ? numbers->size() : 1) << "\"\n          default_values=\""
@@ -341,6 +389,28 @@ constexpr const char* materialFile =
       </StringVectorProperty>
 )";
 
+std::vector<const Option*> withoutLists(std::vector<const Option*> options)
+{
+  options.erase(std::remove_if(options.begin(), options.end(),
+                  [](const Option* option) { return option->type == OptionType::List; }),
+    options.end());
+  return options;
+}
+
+/// Those of patterns under one heading, since not all are of every format.
+std::function<void(OptionOwner, std::ostream&)> propertiesUnder(const std::string& group)
+{
+  return [group](OptionOwner owner, std::ostream& out) {
+    for (const Option* const option : withoutLists(ownOptions(owner)))
+    {
+      if (option->group == group)
+      {
+        writeProperty(*option, out);
+      }
+    }
+  };
+}
+
 bool hasMaterialFile(OptionOwner owner, const Option& option)
 {
   return owner == OptionOwner::Pieces && option.property == "Material";
@@ -349,10 +419,7 @@ bool hasMaterialFile(OptionOwner owner, const Option& option)
 /// Properties and their groups. Lists are written by hand, since their methods are.
 void writeProperties(OptionOwner owner, std::ostream& out)
 {
-  std::vector<const Option*> options = ownOptions(owner);
-  options.erase(std::remove_if(options.begin(), options.end(),
-                  [](const Option* option) { return option->type == OptionType::List; }),
-    options.end());
+  const std::vector<const Option*> options = withoutLists(ownOptions(owner));
   for (const Option* const option : options)
   {
     writeProperty(*option, out);
@@ -401,9 +468,10 @@ void writeTable(OptionOwner owner, std::ostream& out)
     }
     const std::string value = textOf(*option, option->byDefault);
     out << "| `" << spelled(*option, OptionSpelling::Command) << "` `" << option->property << "` | "
-        << (option->type != OptionType::Flag ? value
-               : value == "0"                ? "off"
-                                             : "on")
+        << (!option->automatic.empty()            ? option->automatic
+               : option->type != OptionType::Flag ? value
+               : value == "0"                     ? "off"
+                                                  : "on")
         << " | " << (words.empty() ? rangeOf(*option) : words) << " | " << with << " | "
         << option->help << " |\n";
   }
@@ -439,6 +507,10 @@ std::string filled(const std::string& text)
   using Writer = std::function<void(OptionOwner, std::ostream&)>;
   const std::map<std::string, Writer> writers{ { "literals", writeLiterals },
     { "members", writeMembers }, { "rows", writeRows }, { "properties", writeProperties },
+    { "parameters", writeParameters }, { "arguments", writeArguments },
+    { "drawing", propertiesUnder("Drawing") }, { "details", propertiesUnder("Details") },
+    { "cloth", propertiesUnder("Cloth") }, { "pdf", propertiesUnder("PDF") },
+    { "svg", propertiesUnder("SVG") }, { "dxf", propertiesUnder("DXF") },
     { "keywords",
       [](OptionOwner owner, std::ostream& out) { writeKeywords(optionsOf(owner), out); } } };
   std::istringstream in(text);

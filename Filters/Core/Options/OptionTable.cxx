@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options/OptionTable.h"
 
+#include "Options/OptionRows.h"
 #include "Options/OptionStructures.h"
 
 #include <algorithm>
@@ -19,145 +20,7 @@ namespace
 {
 constexpr double unlimited = std::numeric_limits<double>::max();
 
-template <class Member>
-constexpr OptionType typeOf()
-{
-  return std::is_same_v<Member, bool>     ? OptionType::Flag
-    : std::is_enum_v<Member>              ? OptionType::Word
-    : std::is_integral_v<Member>          ? OptionType::Integer
-    : std::is_floating_point_v<Member>    ? OptionType::Number
-    : std::is_same_v<Member, std::string> ? OptionType::Text
-    : std::is_same_v<Member, Point3>      ? OptionType::Numbers
-                                          : OptionType::Ids;
-}
-
-/// Fills in a row of the table.
-class Row
-{
-public:
-  explicit Row(Option& option)
-    : Kept(&option)
-  {
-  }
-
-  /// \param argument where Python has another name
-  Row& spelled(const char* spelling, const char* argument = "")
-  {
-    return this->with(&Option::spelling, spelling).with(&Option::argument, argument);
-  }
-  Row& help(const char* text) { return this->with(&Option::help, text); }
-  /// What the command's flag does that turns this off, and its name where that is not no-SPELLING.
-  Row& off(const char* text, const char* spelling = "")
-  {
-    return this->with(&Option::helpOff, text).with(&Option::spellingOff, spelling);
-  }
-  Row& form(const char* text) { return this->with(&Option::form, text); }
-  Row& words(std::vector<OptionWord> all) { return this->with(&Option::words, std::move(all)); }
-  /// What it means depends on the input of the filter.
-  Row& byFilter() { return this->with(&Option::set, nullptr); }
-  Row& repeats() { return this->with(&Option::repeats, true); }
-  /// Where the option's default is not the structure's.
-  Row& byDefault(const char* word)
-  {
-    const std::vector<OptionWord>& words = this->Kept->words;
-    const auto found = std::find_if(
-      words.begin(), words.end(), [word](const OptionWord& one) { return one.word == word; });
-    return this->with(&Option::byDefault, static_cast<double>(found - words.begin()));
-  }
-  Row& expert() { return this->with(&Option::expert, true); }
-
-  Row& range(double least, double most)
-  {
-    this->Kept->minimum = least;
-    this->Kept->maximum = most;
-    return this->slider(least, most);
-  }
-  /// Without the ends.
-  Row& within(double least, double most)
-  {
-    this->Kept->open = true;
-    return this->range(least, most);
-  }
-  Row& slider(double least, double most)
-  {
-    this->Kept->sliderMinimum = least;
-    this->Kept->sliderMaximum = most;
-    return *this;
-  }
-  Row& where(const OptionCondition& condition)
-  {
-    this->Kept->conditions.push_back(condition);
-    return *this;
-  }
-
-private:
-  template <class Member, class Value>
-  Row& with(Member Option::*member, Value&& value)
-  {
-    this->Kept->*member = std::forward<Value>(value);
-    return *this;
-  }
-
-  Option* Kept;
-};
-
-class Table
-{
-public:
-  /// The rows that follow are of this filter and stand under this heading.
-  void group(OptionOwner owner, const char* heading)
-  {
-    this->Owner = owner;
-    this->Heading = heading;
-  }
-
-  /// An option that is a member of the structures.
-  template <class Access>
-  Row add(const char* property, Access access)
-  {
-    using Member = std::remove_pointer_t<decltype(access(std::declval<OptionStructures&>()))>;
-    Option& option = this->append(property, typeOf<Member>());
-    OptionStructures defaults;
-    option.byDefault = optionValueOf<OptionValue>(*access(defaults));
-    option.set = [access](OptionStructures& structures, const OptionValue& value) {
-      assignOption(*access(structures), value);
-    };
-    return Row(option);
-  }
-
-  /// An option that the filter reads itself, empty by default.
-  Row text(const char* property, OptionType type = OptionType::Text)
-  {
-    Option& option = this->append(property, type);
-    if (type == OptionType::List)
-    {
-      option.byDefault = std::vector<std::string>();
-    }
-    else
-    {
-      option.byDefault = std::string();
-    }
-    return Row(option);
-  }
-
-  std::vector<Option> Rows;
-
-private:
-  Option& append(const char* property, OptionType type)
-  {
-    Option& option = this->Rows.emplace_back();
-    option.owner = this->Owner;
-    option.property = property;
-    option.spelling = spellingOf(property);
-    option.type = type;
-    option.group = this->Heading;
-    return option;
-  }
-
-  OptionOwner Owner = OptionOwner::Curves;
-  std::string Heading;
-};
-
+using Table = OptionRows<Option, OptionStructures, &Option::set>;
 using All = OptionStructures;
 
 void addCurves(Table& table)
@@ -337,10 +200,10 @@ void addSolver(Table& table)
   const OptionCondition exact{ "BoundaryMode", { "exact" } };
   const OptionCondition rigid{ "Interior", { "arap" } };
   const OptionCondition relaxes{ "Interior", { "relaxation" } };
-  const auto tolerance = [](Row row) {
+  const auto tolerance = [](OptionRow row) {
     return row.range(0.0, unlimited).slider(0.0, 1e-3).expert();
   };
-  const auto count = [](Row row, double least = 1.0) {
+  const auto count = [](OptionRow row, double least = 1.0) {
     return row.range(least, std::numeric_limits<int>::max()).slider(least, 1000.0).expert();
   };
   table.group(OptionOwner::Warping, "Solver");
@@ -573,6 +436,13 @@ void addOthers(Table& table)
           "apart.");
 }
 
+const Option* named(const std::vector<const Option*>& options, const std::string& property)
+{
+  const auto found = std::find_if(options.begin(), options.end(),
+    [&property](const Option* option) { return option->property == property; });
+  return found == options.end() ? nullptr : *found;
+}
+
 /// Number of an option with this value: the only one but for ids and components.
 std::vector<double> numbersOf(const OptionValue& value)
 {
@@ -678,9 +548,9 @@ const std::vector<Option>& optionTable()
 //------------------------------------------------------------------------------
 const char* className(OptionOwner owner)
 {
-  static constexpr std::array<const char*, 7> names{ "vtkFeatureCurveAlgorithm",
+  static constexpr std::array<const char*, 8> names{ "vtkFeatureCurveAlgorithm",
     "vtkFlatPieceAlgorithm", "vtkWireWarpingFilter", "vtkFeatureCurveSuggestion",
-    "vtkMakeFlattenable", "vtkLeastSquaresConformalFilter", "vtkSewnShape" };
+    "vtkMakeFlattenable", "vtkLeastSquaresConformalFilter", "vtkSewnShape", "vtkPatternWriter" };
   return names[static_cast<std::size_t>(owner)];
 }
 
@@ -714,10 +584,7 @@ std::vector<const Option*> optionsOf(OptionOwner owner)
 //------------------------------------------------------------------------------
 const Option* findOption(OptionOwner owner, const std::string& property)
 {
-  const std::vector<const Option*> options = optionsOf(owner);
-  const auto found = std::find_if(options.begin(), options.end(),
-    [&property](const Option* option) { return option->property == property; });
-  return found == options.end() ? nullptr : *found;
+  return named(optionsOf(owner), property);
 }
 
 //------------------------------------------------------------------------------
@@ -739,6 +606,18 @@ std::string spellingOf(const std::string& property)
     }
   }
   return words;
+}
+
+//------------------------------------------------------------------------------
+std::string labelOf(const Option& option)
+{
+  std::string text = option.label;
+  for (const char letter : option.label.empty() ? option.property : std::string())
+  {
+    text += !text.empty() && std::isupper(static_cast<unsigned char>(letter)) ? " " : "";
+    text += letter;
+  }
+  return text;
 }
 
 //------------------------------------------------------------------------------
@@ -798,6 +677,18 @@ std::string textOf(const Option& option, const OptionValue& value)
 }
 
 //------------------------------------------------------------------------------
+std::string printed(const Option& option, const OptionValue& value)
+{
+  if (option.type == OptionType::Flag)
+  {
+    return std::get<double>(value) != 0.0 ? "On" : "Off";
+  }
+  return option.type == OptionType::Word
+    ? option.words[static_cast<std::size_t>(std::get<double>(value))].name
+    : textOf(option, value);
+}
+
+//------------------------------------------------------------------------------
 std::string spelled(const Option& option, OptionSpelling spelling)
 {
   if (spelling == OptionSpelling::Property)
@@ -819,12 +710,24 @@ std::string spelled(const Option& option, OptionSpelling spelling)
 
 //------------------------------------------------------------------------------
 OptionValues::OptionValues(OptionOwner owner)
-  : Owner(owner)
+  : OptionValues(optionsOf(owner))
 {
-  for (const Option* const option : optionsOf(owner))
+}
+
+//------------------------------------------------------------------------------
+OptionValues::OptionValues(std::vector<const Option*> options)
+  : Options(std::move(options))
+{
+  for (const Option* const option : this->Options)
   {
     this->Values.emplace(option->property, option->byDefault);
   }
+}
+
+//------------------------------------------------------------------------------
+const Option* OptionValues::find(const std::string& property) const
+{
+  return named(this->Options, property);
 }
 
 //------------------------------------------------------------------------------
@@ -842,7 +745,7 @@ void OptionValues::set(const std::string& property, OptionValue value)
 //------------------------------------------------------------------------------
 bool OptionValues::setWord(const std::string& property, const std::string& word)
 {
-  const std::vector<OptionWord>& words = findOption(this->Owner, property)->words;
+  const std::vector<OptionWord>& words = this->find(property)->words;
   const auto found = std::find_if(
     words.begin(), words.end(), [&word](const OptionWord& one) { return one.word == word; });
   if (found == words.end())
@@ -854,21 +757,9 @@ bool OptionValues::setWord(const std::string& property, const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-int OptionValues::integer(const std::string& property) const
-{
-  return static_cast<int>(this->number(property));
-}
-
-//------------------------------------------------------------------------------
-double OptionValues::number(const std::string& property) const
-{
-  return std::get<double>((*this)[property]);
-}
-
-//------------------------------------------------------------------------------
 std::string OptionValues::text(const std::string& property) const
 {
-  return textOf(*findOption(this->Owner, property), (*this)[property]);
+  return textOf(*this->find(property), (*this)[property]);
 }
 
 //------------------------------------------------------------------------------
@@ -880,7 +771,7 @@ const std::vector<std::string>& OptionValues::list(const std::string& property) 
 //------------------------------------------------------------------------------
 std::string describeIdleOption(const OptionValues& values, OptionSpelling spelling)
 {
-  for (const Option* const option : optionsOf(values.owner()))
+  for (const Option* const option : values.options())
   {
     if (!values.isGiven(option->property))
     {
@@ -888,7 +779,7 @@ std::string describeIdleOption(const OptionValues& values, OptionSpelling spelli
     }
     for (const OptionCondition& condition : option->conditions)
     {
-      const Option& other = *findOption(values.owner(), condition.property);
+      const Option& other = *values.find(condition.property);
       if (holds(condition, other, values))
       {
         continue;

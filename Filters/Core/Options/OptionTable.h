@@ -24,6 +24,7 @@ enum class OptionOwner
   Reshaping,  ///< beside those of Warping
   Conformal,  ///< beside those of Pieces
   Sewing,
+  Pattern, ///< of drawn patterns, whose table is not in Core
 };
 
 enum class OptionType
@@ -71,11 +72,14 @@ struct Option
   std::string form;           ///< of a text or list, as "NAME=FRACTION"
   bool repeats = false;       ///< a text may be several, separated by semicolons
   std::string group;          ///< heading of a help or a panel
+  std::string label;          ///< of a panel; empty: the property in words
   bool expert = false;
   std::vector<OptionCondition> conditions; ///< all must hold that the option has an effect
   std::string help;                        ///< a sentence or two, without range and default
   std::string spellingOff; ///< of the command's flag that turns this off; empty: no-SPELLING
   std::string helpOff; ///< what a flag does that turns this off; for flags that are on by default
+  /// What is taken of a number that is not given, where that follows from the input; it is -1 then.
+  std::string automatic;
   OptionValue byDefault;
   std::function<void(OptionStructures&, const OptionValue&)> set; ///< empty: the filter reads it
 };
@@ -96,6 +100,9 @@ const Option* findOption(OptionOwner owner, const std::string& property);
 /// "CloseCuts" as "close-cuts", "MaximumCuts" as "max-cuts".
 std::string spellingOf(const std::string& property);
 
+/// What a panel calls it: its label, or "Close Cuts" of CloseCuts.
+std::string labelOf(const Option& option);
+
 /// As "[0, 100]", "(0, 2)", "[0, inf)" or "from 1"; empty for options without numbers.
 std::string rangeOf(const Option& option);
 
@@ -104,6 +111,9 @@ bool isValid(const Option& option, const OptionValue& value);
 
 /// Text, or the word, or numbers with blanks between them, as short as they are read back exactly.
 std::string textOf(const Option& option, const OptionValue& value);
+
+/// The same as filters print it: "On", or the name of a word.
+std::string printed(const Option& option, const OptionValue& value);
 
 /// How a message calls options.
 enum class OptionSpelling
@@ -121,8 +131,11 @@ class OptionValues
 {
 public:
   explicit OptionValues(OptionOwner owner);
+  explicit OptionValues(std::vector<const Option*> options);
 
-  OptionOwner owner() const { return this->Owner; }
+  const std::vector<const Option*>& options() const { return this->Options; }
+  /// \return the option of this name, or null.
+  const Option* find(const std::string& property) const;
   const OptionValue& operator[](const std::string& property) const;
   /// \pre the value is of the option's type
   void set(const std::string& property, OptionValue value);
@@ -131,8 +144,11 @@ public:
   bool setWord(const std::string& property, const std::string& word);
 
   bool flag(const std::string& property) const { return this->number(property) != 0.0; }
-  int integer(const std::string& property) const;
-  double number(const std::string& property) const;
+  int integer(const std::string& property) const
+  {
+    return static_cast<int>(this->number(property));
+  }
+  double number(const std::string& property) const { return std::get<double>((*this)[property]); }
   /// Of a text or list, or the word of an enumeration.
   std::string text(const std::string& property) const;
   const std::vector<std::string>& list(const std::string& property) const;
@@ -141,7 +157,7 @@ public:
   bool isGiven(const std::string& property) const { return this->Given.count(property) > 0; }
 
 private:
-  OptionOwner Owner;
+  std::vector<const Option*> Options;
   std::map<std::string, OptionValue> Values;
   std::set<std::string> Given;
 };

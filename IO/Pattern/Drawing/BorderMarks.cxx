@@ -29,7 +29,7 @@ public:
     for (std::size_t p = 0; p < all.loops.size(); ++p)
     {
       this->Borders += all.loops[p].size();
-      if (all.options.darts == DartStyle::CutOut)
+      if (all.options.cutDartsOut)
       {
         continue;
       }

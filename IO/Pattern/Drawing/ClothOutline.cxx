@@ -71,7 +71,7 @@ ClothOutline::ClothOutline(const DrawingSource& all, const std::vector<Indices>&
   : All(all)
   , Loops(loops)
 {
-  if (all.options.darts == DartStyle::Folded)
+  if (!all.options.cutDartsOut)
   {
     this->Darts = findDarts(all.source, loops, all.wires, all.partners);
   }
@@ -114,16 +114,6 @@ std::vector<AllowancePolygon> ClothOutline::polygons() const
   return polygons;
 }
 
-double ClothOutline::allowanceOf(Index from, Index to) const
-{
-  const PatternOptions& options = this->All.options;
-  if (this->All.isFoldEdge(from, to))
-  {
-    return 0.0;
-  }
-  return this->All.valueAlong(from, to, options.allowanceOfCurve, options.allowance);
-}
-
 AllowancePolygon ClothOutline::polygonOf(std::size_t l) const
 {
   const Indices& loop = this->Loops[l];
@@ -149,14 +139,14 @@ AllowancePolygon ClothOutline::polygonOf(std::size_t l) const
       addDrawnEdge(this->All, point(k), point(k + 1), along);
       for (const Point2& p : along)
       {
-        add(p, this->allowanceOf(point(k), point(k + 1)));
+        add(p, this->All.allowanceAlong(point(k), point(k + 1)));
       }
       ++k;
       continue;
     }
     const std::size_t end = k + dart->edges;
-    const double before = this->allowanceOf(point(k + count - 1), point(k));
-    const double after = this->allowanceOf(point(end), point(end + 1));
+    const double before = this->All.allowanceAlong(point(k + count - 1), point(k));
+    const double after = this->All.allowanceAlong(point(end), point(end + 1));
     Point2 corner;
     add(this->All.at(point(k)), before);
     if (this->roof(static_cast<std::size_t>(dart - this->Darts.begin()), corner))

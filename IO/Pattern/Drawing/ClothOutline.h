@@ -55,8 +55,6 @@ public:
   bool isFolded(Index from, Index to) const;
   /// One polygon a loop but for the loops that are a folded dart, millimetres.
   std::vector<AllowancePolygon> polygons() const;
-  /// Of an edge of a loop, millimetres.
-  double allowanceOf(Index from, Index to) const;
 
 private:
   AllowancePolygon polygonOf(std::size_t l) const;

@@ -42,8 +42,9 @@ struct CurveOptionCheck
   const PatternSource& source;
 
   /// \param what names the curve
+  /// \param sides "NAME:2" is what is of the curve in the second piece
   template <typename Names>
-  Status names(const Names& wanted, const std::string& what) const
+  Status names(const Names& wanted, const std::string& what, bool sides = false) const
   {
     std::set<std::string> known{ "boundary" };
     std::string list = "boundary";
@@ -54,17 +55,31 @@ struct CurveOptionCheck
         list.append(", ").append(wire.name);
       }
     }
-    const auto unknown = std::find_if(wanted.begin(), wanted.end(),
-      [&known](const std::string& name) { return known.count(name) == 0; });
+    const auto unknown =
+      std::find_if(wanted.begin(), wanted.end(), [&known, sides, this](const std::string& name) {
+        return known.count(name) == 0 && !(sides && this->hasSide(name));
+      });
     return unknown == wanted.end() ? Status()
                                    : invalidOption(what + " names the curve " + *unknown +
                                        ", which is not there; there are " + list);
   }
 
+  /// Pieces are known once a surface is flat.
+  bool hasSide(const std::string& name) const
+  {
+    const auto [curve, piece] = curveSide(name);
+    const auto isSide = [&curve = curve, &piece = piece](const SourceWire& wire) {
+      return wire.name == curve && (wire.piece == none || wire.piece == piece);
+    };
+    const std::vector<SourceWire>& wires = this->source.wires;
+    return piece != none &&
+      (curve == "boundary" || std::any_of(wires.begin(), wires.end(), isSide));
+  }
+
   /// \param before, after the name in the message about values that are no lengths
   template <typename Value>
   Status lengths(const std::map<std::string, Value>& ofCurve, const std::string& before,
-    const std::string& after, const std::string& what) const
+    const std::string& after, const std::string& what, bool sides = false) const
   {
     std::vector<std::string> wanted;
     for (const auto& one : ofCurve)
@@ -74,7 +89,7 @@ struct CurveOptionCheck
     const auto wrong = std::find_if(
       ofCurve.begin(), ofCurve.end(), [](const auto& one) { return !isLength(one.second); });
     return wrong == ofCurve.end()
-      ? this->names(wanted, what)
+      ? this->names(wanted, what, sides)
       : invalidOption(before + wrong->first + after + " of millimetres from 0");
   }
 };
@@ -122,8 +137,8 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
       "how far tips of darts are drawn back must be a number of millimetres from 0");
   }
   const CurveOptionCheck check{ source };
-  Status status = check.lengths(
-    options.allowanceOfCurve, "the seam allowance of ", " must be a number", "a seam allowance");
+  Status status = check.lengths(options.allowanceOfCurve, "the seam allowance of ",
+    " must be a number", "a seam allowance", true);
   if (status.ok())
   {
     status = check.lengths(options.fairToleranceOfCurve, "the tolerance of the smooth ",

@@ -227,7 +227,7 @@ private:
       Points2 along;
       addDrawnEdge(this->All, wire.points[k], wire.points[k + 1], along);
       along.push_back(this->All.at(wire.points[k + 1]));
-      if (this->Cloth.allowanceOf(wire.points[k], wire.points[k + 1]) > 0.0 ||
+      if (this->All.allowanceAlong(wire.points[k], wire.points[k + 1]) > 0.0 ||
         std::any_of(along.begin(), along.end(),
           [this](const Point2& p) { return distance(p, this->CutLine) > 2.0 * sampleDistance; }))
       {

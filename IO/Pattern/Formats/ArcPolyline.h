@@ -7,6 +7,9 @@
 
 namespace flattening::pattern
 {
+/// Of arcs from what is drawn otherwise, millimetres: less than cutting machines miss.
+constexpr double arcTolerance = 0.03;
+
 /// A vertex of a polyline with arcs, as DXF has them.
 struct ArcVertex
 {

@@ -568,9 +568,6 @@ std::string makeDxf(const Pattern& pattern)
 
 namespace
 {
-/// Of the arcs of a cut line from what is drawn otherwise, millimetres: less than machines miss.
-constexpr double arcTolerance = 0.03;
-
 /// Pieces in model space for laser, knife and router: what is cut, what is marked, and texts.
 class CutterDrawing
 {

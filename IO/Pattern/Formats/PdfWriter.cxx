@@ -2,6 +2,7 @@
 #include "Formats/PdfWriter.h"
 
 #include "Drawing/PatternStrokes.h"
+#include "Formats/PageTexts.h"
 #include "Formats/PdfLayers.h"
 #include "Formats/PdfPages.h"
 #include "Formats/VisualOrder.h"
@@ -525,15 +526,17 @@ std::string nameOf(StrokeRole role)
 }
 }
 
-Status makePdf(const Pattern& pattern, const PageOptions& options, std::string& pdf)
+Status makePdf(const Pattern& drawing, const PageOptions& options, std::string& pdf)
 {
   pdf.clear();
   PagePlan plan;
-  Status status = planPages(pattern, options, plan);
+  Status status = planPages(drawing, options, plan);
   if (!status.ok())
   {
     return status;
   }
+  Pattern pattern = drawing;
+  keepTextsOnPages(plan, pattern);
   const std::set<StrokeRole> roles = rolesOf(pattern);
   if (!hasPdfLayers())
   {

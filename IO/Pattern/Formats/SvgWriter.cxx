@@ -2,6 +2,7 @@
 #include "Formats/SvgWriter.h"
 
 #include "Drawing/PatternStrokes.h"
+#include "Formats/ArcPolyline.h"
 #include "Formats/SheetLayout.h"
 #include "Outlines/PatternText.h"
 
@@ -215,6 +216,11 @@ private:
       this->Text += attribute("data-arc-length", number(stroke.measure));
     }
     this->Text += " d=\"";
+    if (this->LaserColours && stroke.points.size() > 2)
+    {
+      this->addArcs(p, stroke);
+      return;
+    }
     if (!stroke.smooth.empty())
     {
       this->addSmooth(p, stroke);
@@ -224,6 +230,34 @@ private:
     {
       const Point2 q = this->at(p, stroke.points[k]);
       this->Text += (k == 0 ? "M" : " L") + number(q.x()) + "," + number(q.y());
+    }
+    this->Text += stroke.closed ? " Z\"/>\n" : "\"/>\n";
+  }
+
+  /// Few long arcs, at which a laser does not slow down as at points.
+  void addArcs(std::size_t p, const Stroke& stroke)
+  {
+    const std::vector<ArcVertex> vertices = arcPolyline(stroke.points, stroke.closed, arcTolerance);
+    const auto add = [&](const ArcVertex& from, const Point2& to) {
+      const double chord = (to - from.at).norm();
+      const double bulge = std::abs(from.bulge);
+      const std::string radius = number(chord * (1.0 + bulge * bulge) / (4.0 * bulge));
+      const Point2 q = this->at(p, to);
+      // Counter-clockwise in the pattern, whose y points up.
+      this->Text +=
+        (bulge == 0.0 ? " L"
+                      : " A" + radius + "," + radius + (from.bulge > 0.0 ? " 0 0 0 " : " 0 0 1 ")) +
+        number(q.x()) + "," + number(q.y());
+    };
+    const Point2 start = this->at(p, vertices.front().at);
+    this->Text += "M" + number(start.x()) + "," + number(start.y());
+    for (std::size_t k = 0; k + 1 < vertices.size(); ++k)
+    {
+      add(vertices[k], vertices[k + 1].at);
+    }
+    if (stroke.closed)
+    {
+      add(vertices.back(), vertices.front().at);
     }
     this->Text += stroke.closed ? " Z\"/>\n" : "\"/>\n";
   }

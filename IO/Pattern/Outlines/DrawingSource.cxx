@@ -4,10 +4,21 @@
 #include "Outlines/ClosedCuts.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace flattening::pattern
 {
+std::pair<std::string, Index> curveSide(const std::string& text)
+{
+  const std::size_t colon = text.rfind(':');
+  const std::string number = colon == std::string::npos ? std::string() : text.substr(colon + 1);
+  const bool isSide = !number.empty() && number.size() < 8 && number.front() != '0' &&
+    number.find_first_not_of("0123456789") == std::string::npos;
+  return isSide ? std::pair(text.substr(0, colon), static_cast<Index>(std::stol(number) - 1))
+                : std::pair(text, none);
+}
+
 DrawingSource::DrawingSource(const PatternSource& given, PatternOptions asked)
   : source(withoutClosedCuts(given))
   , options(std::move(asked))
@@ -37,6 +48,27 @@ double DrawingSource::valueAlong(
 {
   const auto found = ofCurve.find(this->nameAlong(from, to));
   return found == ofCurve.end() ? common : found->second;
+}
+
+double DrawingSource::allowanceAlong(Index from, Index to) const
+{
+  if (this->isFoldEdge(from, to))
+  {
+    return 0.0;
+  }
+  const std::map<std::string, double>& ofCurve = this->options.allowanceOfCurve;
+  auto border = this->border.find(edgeKey(from, to));
+  border = border == this->border.end() ? this->border.find(edgeKey(to, from)) : border;
+  if (border != this->border.end())
+  {
+    const auto ofSide =
+      ofCurve.find(this->nameAlong(from, to) + ':' + std::to_string(border->second + 1));
+    if (ofSide != ofCurve.end())
+    {
+      return ofSide->second;
+    }
+  }
+  return this->valueAlong(from, to, ofCurve, this->options.allowance);
 }
 
 bool DrawingSource::isFoldEdge(Index from, Index to) const
@@ -81,7 +113,7 @@ Status findBorders(DrawingSource& all)
   all.partners = sewnPartners(all.source);
   all.wires = wiresOfEdges(all.source);
   std::vector<std::vector<Dart>> folded;
-  for (std::size_t p = 0; all.options.darts == DartStyle::Folded && p < pieces; ++p)
+  for (std::size_t p = 0; !all.options.cutDartsOut && p < pieces; ++p)
   {
     folded.push_back(findDarts(all.source, all.loops[p], all.wires, all.partners));
   }

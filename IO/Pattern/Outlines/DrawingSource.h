@@ -13,6 +13,9 @@ namespace flattening::pattern
 {
 class FairBorders;
 
+/// "NAME:2" as a curve and a piece from 0; "NAME" and none where it does not end so.
+std::pair<std::string, Index> curveSide(const std::string& text);
+
 /// What the drawing of each piece needs to know of the whole flattening.
 struct DrawingSource
 {
@@ -45,6 +48,8 @@ struct DrawingSource
   /// The value of a curve, the boundary's where an edge is of none, or the common one.
   double valueAlong(
     Index from, Index to, const std::map<std::string, double>& ofCurve, double common) const;
+  /// The seam allowance of an edge of a border, millimetres.
+  double allowanceAlong(Index from, Index to) const;
   /// Whether an edge is of a curve that lies on the fold of the cloth.
   bool isFoldEdge(Index from, Index to) const;
   double scale() const { return millimetresPer(this->options.unit); }

@@ -86,13 +86,6 @@ struct PatternSource
   bool isSheet = false; ///< the edges of that cloth do not fray
 };
 
-enum class DartStyle
-{
-  Folded, ///< the cloth of the dart stays: legs, fold line, notches at the mouth, a roof on the cut
-          ///< line
-  CutOut, ///< the cloth of the dart is cut away: its legs are seams with allowance
-};
-
 /// The axis of the surface that points up.
 enum class UpAxis
 {
@@ -126,7 +119,9 @@ struct PatternOptions
   double notchLength = 5.0;
   UpAxis up = UpAxis::Automatic; ///< of pieces without a grain of their own
   bool joinMarks = true; ///< A, B, ... at both ends and in the middle of what is sewn together
-  DartStyle darts = DartStyle::Folded;
+  /// The cloth of darts is cut away, and their legs are seams with allowance; off: it stays, with
+  /// legs, fold line, notches at the mouth and a roof on the cut line.
+  bool cutDartsOut = false;
   /// Of smooth borders and curves from the flat pieces, but panels, which are smooth; 0: as these
   /// are.
   double fairTolerance = 0.2;

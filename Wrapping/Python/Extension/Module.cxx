@@ -439,7 +439,7 @@ std::string describeIdle(
   const std::string& owner, const py::dict& options, const std::vector<std::string>& given)
 {
   OptionValues values(ownerNamed(owner));
-  for (const Option* const option : optionsOf(values.owner()))
+  for (const Option* const option : values.options())
   {
     if (option->type != OptionType::List && options.contains(option->property.c_str()))
     {

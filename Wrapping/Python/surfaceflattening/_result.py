@@ -13,16 +13,14 @@ from numpy.typing import NDArray
 
 from ._curves import CURVE_TYPES
 from ._equality import ComparedByValue, same
-from ._errors import missing_vtk
 from ._options import word_of
 from ._report import Table, make_report, values_in
-from ._types import Coloring, Paper, Part, Report, Unit, UpAxis, WireType
-from ._version import BUILT_WITH_VTK
+from ._types import Coloring, Part, Report, WireType
+from ._write_pattern import Drawn
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from ._grading import Grading
     from ._vtk import Parts
 
 
@@ -57,7 +55,7 @@ class Wire(ComparedByValue):
 
 
 @dataclass(frozen=True, eq=False)
-class Flattening(ComparedByValue):
+class Flattening(ComparedByValue, Drawn):
     """Flat pieces; n points and m triangles are those of the surface after cuts and imprints.
 
     Two of them are equal where all values but the report's "seconds" are. A notebook shows the picture
@@ -145,118 +143,6 @@ class Flattening(ComparedByValue):
         """
         from ._vtk import copy_of, parts_of
         return copy_of(getattr(parts_of(self), word_of(part, get_args(Part), "part")), self._mesh_class)
-
-    def write_pattern(
-        self,
-        path: Union[str, os.PathLike[str]],
-        *,
-        unit: Optional[Unit] = None,
-        name: str = "pattern",
-        size: str = "",
-        quantity: int = 1,
-        piece_quantities: Sequence[int] = (),
-        piece_names: Sequence[str] = (),
-        allowance: Optional[float] = None,
-        curve_allowances: Optional[Mapping[str, float]] = None,
-        mitre_limit: float = 2.0,
-        notch_spacing: Optional[float] = None,
-        curve_notches: Optional[Mapping[str, Sequence[float]]] = None,
-        double_notches: Sequence[str] = (),
-        notch_corners: bool = False,
-        notch_curve_ends: bool = False,
-        notch_length: float = 5.0,
-        join_marks: bool = True,
-        up: UpAxis = "auto",
-        cut_darts_out: bool = False,
-        cut_on_fold: bool = False,
-        folds: Sequence[str] = (),
-        dart_tip: float = 0.0,
-        curve_dart_tips: Optional[Mapping[str, float]] = None,
-        cut_pairs: bool = False,
-        fair: float = 0.2,
-        curve_fairs: Optional[Mapping[str, float]] = None,
-        symmetrize: bool = False,
-        laser_colors: bool = False,
-        cutter_style: bool = False,
-        fabric_width: float = 0.0,
-        nap: bool = False,
-        fabric_gap: float = 5.0,
-        paper: Paper = "A4",
-        page_overlap: float = 10.0,
-        max_pages: int = 200,
-        walk_table: bool = False,
-        sizes: Optional[Grading] = None,
-    ) -> None:
-        """Writes a pattern to cut, true to scale: SVG, PDF, DXF (R12 after ASTM D6673 / AAMA) or HPGL;
-        panels and stitches of GarmentCode (.json); or the
-        walk of its seams, both sides from notch to notch, as a table (.csv, see vtkPatternWriter).
-
-        The options are those of the command wirewarp and mean the same. Lengths among them are in mm.
-
-        Args:
-            path: the file, which ends in .svg, .pdf, .dxf, .plt, .json or .csv. An earlier one stays where this fails.
-            unit: unit of length of the surface: "mm", "cm", "m" or "inch". None: that of the field data `LengthUnit` of the surface;
-                where there is none, cm, with a warning.
-            name, size: of the pattern, to be written on it.
-            quantity: how many of each piece are cut, 1 to 1,000,000.
-            piece_quantities: how many of each piece in place of quantity, in the order of the report's,
-                each 1 to 1,000,000; no more than there are pieces.
-            piece_names: of the pieces, in the order of the report's.
-            allowance: seam allowance, in [0, 1e6]; None: 10, and 0 of a material whose edges do not fray.
-            curve_allowances: by the name of a curve, or "boundary", where it is another.
-            mitre_limit: longest mitre of a corner, in allowances, in [1, 100].
-            notch_spacing: distance of notches along seams and darts, in [0, 1e6]; 0: none but at the
-                mouths of darts; None: about a sixth of the largest piece.
-            curve_notches: by the name of a curve, a seam, a dart or one along the boundary, distances from
-                its start in place of notch_spacing, each in [0, 1e6].
-            double_notches: names of curves whose notches are double, as at the back: two marks 6.35 mm apart.
-            notch_corners: notch the cut line at corners, where the sew lines, drawn on, meet it.
-            notch_curve_ends: notch the border where feature curves and edges end on it, and opposite on
-                what is sewn to it.
-            notch_length: in [0, 1e6].
-            join_marks: mark both sides of each stretch that is sewn to another with the same letters, and list
-                them in a PDF.
-            up: the axis of the surface that points up in each piece, with its grain along it, where the piece has no
-                grain of its own: "x", "y", "z", "auto" (of y and z that along which the surface is larger), or "none".
-            cut_darts_out: cut darts out along their allowance instead of folding them.
-            cut_on_fold: draw a half of each symmetric piece, to be cut on the fold of the cloth.
-            folds: names of curves along which pieces are cut on the fold: inside, where a half is drawn of a
-                piece that must be symmetric about it, or on the border of a piece that is a half.
-            dart_tip: how far tips of folded darts are drawn back, their legs with them, which are shorter then,
-                in [0, 1e6] and at most half of a dart's depth.
-            curve_dart_tips: by the name of a dart, another such distance.
-            cut_pairs: of two pieces that are mirror images draw the first alone, to be cut in pairs of
-                which one is turned over.
-            fair: draw borders and curves as smooth splines of the same lengths, straight where nearly so, at
-                most this far from the points of the mesh, in [0, 100]; 0: raw, as the mesh has them.
-            curve_fairs: by the name of a curve, or "boundary", another such distance, each in [0, 100].
-            symmetrize: draw the outline of each piece that is symmetric to 0.5 mm as exactly its own mirror
-                image; sides whose lengths differ by up to 0.1 mm get their mean.
-            laser_colors: draw an SVG in thin lines with a colour of its own for each role.
-            cutter_style: draw a DXF for cutting machines: layers CUT, MARK and TEXT, each line once, with arcs.
-            fabric_width: of SVG, PDF and HPGL: lay all copies of all pieces on cloth of this width, their
-                grain along it, as short as a search finds it, in [0, 1e5]; 0: pieces in rows.
-            nap: that cloth has an up and a down, so that no piece is turned by half a turn.
-            fabric_gap: least distance of pieces on that cloth, in [0, 1000].
-            paper: of a PDF: "A4", "letter", "A3", "A0", or "sheet", one page for all.
-            page_overlap: how far its pages overlap, in [0, 50].
-            max_pages: a PDF of more pages is refused, since the unit is likely wrong; 1 to 100,000.
-            walk_table: add the walk of the seams to a PDF, on pages of its own.
-            sizes: the sizes of which this is the base; a DXF has the numbers of their rules at its points then, as
-                :meth:`Grading.write_rule_table` counts them. None: no numbers.
-
-        Raises:
-            ValueError: a word or a number out of range.
-            FlatteningError: another file's extension, a curve that is not there, or what cannot be drawn.
-            FileError: the file cannot be written.
-            OutOfMemoryError: there is not enough memory to draw it.
-        """
-        options = {key: value for key, value in locals().items() if key not in ("self", "path")}
-        if not BUILT_WITH_VTK:
-            raise ImportError(missing_vtk("write_pattern()"))
-        from ._pattern import write_parts
-        from ._vtk import parts_of
-        write_parts(parts_of(self), os.fspath(path), options)
 
     def plot(self, color_by: Optional[Coloring] = "homogeneity", *, ax: Optional[Axes] = None,
              measures: bool = True) -> Axes:

@@ -9,13 +9,16 @@ from ._option_table import DartLegs as DartLegs
 from ._option_table import DistortionEnergy as Energy
 from ._option_table import Interior as Interior
 from ._option_table import Options as Options
+from ._option_table import Paper as Paper
 from ._option_table import Scheme as Scheme
 from ._option_table import Solver as Solver
 from ._option_table import SuggestedCuts as CutChoice
 from ._option_table import Test as SewingTest
+from ._option_table import UpAxis as UpAxis
 
 __all__ = [
-    "BoundaryMode", "CoincidentPoints", "CutChoice", "DartLegs", "Energy", "Interior", "Options", "Scheme", "SewingTest", "Solver"]
+    "BoundaryMode", "CoincidentPoints", "CutChoice", "DartLegs", "Energy", "Interior", "Options", "Paper", "Scheme", "SewingTest", "Solver",
+    "UpAxis"]
 
 CurveType = Literal["accessory", "key", "dart", "seam"]
 KeyShape = Literal["surface", "straight"]
@@ -24,8 +27,6 @@ SeamSource = Literal["none", "textures", "materials", "groups"]
 Part = Literal["flat", "wires", "cut"]
 Coloring = Literal["homogeneity", "area", "aspect-ratio", "developability", "stretch", "warp", "weft", "shear"]
 Unit = Literal["mm", "cm", "m", "inch"]
-Paper = Literal["A4", "letter", "A3", "A0", "sheet"]
-UpAxis = Literal["auto", "x", "y", "z", "none"]
 
 
 class Remedy(TypedDict):
