@@ -8,6 +8,8 @@
 #include "OutputFiles.h"
 #include "PlainText.h"
 #include "ReadSurface.h"
+#include "Suggestion/SymmetryPlane.h"
+#include "Surface/SurfacePreparation.h"
 #include "SurfaceMending.h"
 #include "TriangleList.h"
 #include "Units.h"
@@ -27,6 +29,7 @@
 #include <iostream>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -144,6 +147,59 @@ void sayUnit(const Options& options, const std::string& stated, const LikelyUnit
             << '\n';
 }
 
+/// Whether it is its own mirror image, as what bodies wear is.
+void saySymmetry(const TriangleList& list)
+{
+  flattening::Points3 points;
+  for (vtkIdType k = 0; k < list.points->GetNumberOfPoints(); ++k)
+  {
+    points.emplace_back(Eigen::Map<const flattening::Point3>(list.points->GetPoint(k)));
+  }
+  flattening::Triangles triangles;
+  for (const ListedTriangle& triangle : list.triangles)
+  {
+    const auto corner = [&triangle](std::size_t k) {
+      return static_cast<flattening::Index>(triangle.corners[k]);
+    };
+    triangles.push_back({ corner(0), corner(1), corner(2) });
+  }
+  const flattening::PreparedSurface surface = flattening::prepareSurface(points, triangles);
+  const auto plane = surface.status.ok() ? flattening::findSymmetryPlane(surface.mesh)
+                                         : std::optional<flattening::SymmetryPlane>();
+  if (!plane)
+  {
+    std::cout << "symmetry: none is found\n";
+    return;
+  }
+  vtkBoundingBox box = boxOf(list);
+  const double offset =
+    std::abs(plane->offset) < 1e-6 * box.GetDiagonalLength() ? 0.0 : plane->offset;
+  Eigen::Index axis = 0;
+  const double along = plane->normal.cwiseAbs().maxCoeff(&axis);
+  const double sign = plane->normal[axis] < 0.0 ? -1.0 : 1.0;
+  const flattening::Point3 normal = sign * plane->normal;
+  constexpr double nearlyAlong = 0.9998; // about one degree
+  std::cout << "symmetry: about the plane "
+            << (along > nearlyAlong ? std::string(1, "xyz"[axis]) + '=' +
+                     inShort(offset == 0.0 ? 0.0 : sign * offset)
+                                    : "across " + inShort(normal.x()) + ", " + inShort(normal.y()) +
+                     ", " + inShort(normal.z()))
+            << ", 95 % of it within " << inShort(std::round(1e4 * plane->spread) / 100.0)
+            << " % of its size; cuts come in pairs (--symmetric)\n";
+}
+
+/// What is of this size, and what `wirewarp make` calls it.
+std::pair<std::string, std::string> likelyKind(std::array<double, 3> sides, bool closed)
+{
+  std::sort(sides.begin(), sides.end());
+  const double largest = sides[2];
+  return largest > 2500.0 ? std::pair("a tent, a sail or a hull", "tent")
+    : closed ? std::pair(largest < 500.0 ? "a toy or a cushion" : "a cover or furniture", "plush")
+    : largest > 350.0                    ? std::pair("a garment", "garment")
+    : largest > 190.0 && sides[0] > 40.0 ? std::pair("a shoe or a bag", "garment")
+                                         : std::pair("a small part", "sheet");
+}
+
 /// \return whether the surface can be flattened without a cut
 bool saySurface(const TriangleList& list, const Shape& shape, const std::string& unit)
 {
@@ -228,6 +284,14 @@ int runCheck(const Options& options)
               << inShort(sides[1]) << " x " << inShort(sides[2]) << ' ' << unit << '\n';
     sayUnit(options, stated, likelyUnit(mend.surface));
     flattens = saySurface(list, shape, unit);
+    saySymmetry(list);
+    for (double& side : sides)
+    {
+      side *= millimetresOf(unit);
+    }
+    const auto [what, kind] = likelyKind(sides, shape.closedParts == shape.parts);
+    std::cout << "likely: " << what << ", by its size; wirewarp make " << plainText(options.surface)
+              << " --for " << kind << '\n';
   }
   for (const std::string& note : mend.notes)
   {

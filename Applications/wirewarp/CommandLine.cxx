@@ -256,8 +256,8 @@ const std::vector<Command>& commands()
         addCutting(app, options);
         addDrawing(app, options.pattern);
       },
-      { "--for", "--height", "--scale", "--max-strain", "--pieces", "--symmetric", "--effort",
-        "--material", "--allowance", "--fold", "--pairs", "--name", "--paper", "--style" } },
+      { "--for", "--template", "--height", "--max-strain", "--pieces", "--symmetric", "--effort",
+        "--material", "--allowance", "--fold", "--pairs", "--paper", "--style" } },
     { "check", "Print size, likely unit, openings and defects of a surface; mend it", "SURFACE",
       "FILE", "Write the mended and scaled surface: .vtp",
       [](CLI::App& app, Options& options) {
@@ -594,6 +594,7 @@ void checkOptions(const CLI::App& app, Options& options)
     }
     takeSource(app, options);
   }
+  checkTemplate(options);
   const std::string fault =
     options.sizes.any() ? options.sizes.fault(options.pattern.size) : std::string();
   if (!fault.empty())

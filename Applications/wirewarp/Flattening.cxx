@@ -282,6 +282,10 @@ std::vector<std::string> readInput(const Options& options, const std::string& ba
     }
     connect(path, curves.curves);
   }
+  if (options.seams.given())
+  {
+    connect("--template", seamsOf(options.seams, owner));
+  }
   result.curveDistance = largestDistance(surface, read);
   return files;
 }

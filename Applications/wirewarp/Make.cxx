@@ -217,7 +217,34 @@ void addMaking(CLI::App& app, Options& options)
     ->transform(CLI::IsMember(names, CLI::ignore_case).description(""))
     ->type_name(words)
     ->default_str(names.front());
+  app
+    .add_option("--template", options.seams.name,
+      "Seams to begin with: front-back, gores, strips. Front-back: where the plane between both "
+      "cuts the surface; gores: through its upright axis, as many as --pieces (6); strips: none "
+      "wider than --max-width. Darts and seams are proposed beside them where they are needed")
+    ->transform(
+      CLI::IsMember({ "front-back", "gores", "strips" }, CLI::ignore_case).description(""))
+    ->type_name("TEMPLATE");
   app.footer(text + "\n  all: " + effort.option + ' ' + effort.value + "\n\n" + app.get_footer());
+}
+
+void checkTemplate(Options& options)
+{
+  SeamTemplate& seams = options.seams;
+  if (seams.name == "strips" && options.values.number("MaximumWidth") <= 0.0)
+  {
+    throw CLI::ValidationError("--template", "strips needs --max-width, the width of the roll");
+  }
+  if (seams.name != "gores" || !options.values.isGiven("PieceCount"))
+  {
+    return;
+  }
+  seams.pieces = options.values.integer("PieceCount");
+  options.values.set("PieceCount", 0.0); // no search is needed for them
+  if (seams.pieces < 4 || seams.pieces % 2 != 0)
+  {
+    throw CLI::ValidationError("--template", "gores are an even number from 4 (--pieces)");
+  }
 }
 
 std::vector<std::string> withOptionsOfKind(std::vector<std::string> arguments)

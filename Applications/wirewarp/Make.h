@@ -17,6 +17,10 @@ struct Options;
 /// Adds --for, which names what is made.
 void addMaking(CLI::App& app, Options& options);
 
+/// Checks the template of seams, whose gores are as many as --pieces says. Throws
+/// CLI::ValidationError.
+void checkTemplate(Options& options);
+
 /// Arguments of `wirewarp make` with the options of what is made behind them, but for those that
 /// are given.
 std::vector<std::string> withOptionsOfKind(std::vector<std::string> arguments);

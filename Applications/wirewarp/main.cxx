@@ -13,6 +13,8 @@
 
 #include <vtkSMPTools.h>
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -70,6 +72,13 @@ std::string writtenFiles(const std::vector<std::string>& files)
     before = folder;
   }
   return text + (text.empty() ? "" : "\n");
+}
+
+/// On a terminal, unless its user wants no colors.
+void sayInRed(const std::string& text)
+{
+  const bool red = isatty(STDERR_FILENO) == 1 && !std::getenv("NO_COLOR") && !text.empty();
+  std::cerr << (red ? "\033[31m" : "") << text << (red ? "\033[0m" : "");
 }
 
 void say(const Options& options, const FilesOfFlattening& written)
@@ -130,7 +139,7 @@ int run(const Options& options)
             << writeErrors(written.result) << warnings(written.result);
   if (written.result.exitCode == Flawed)
   {
-    std::cerr << pieceWarnings(written.result);
+    sayInRed(pieceWarnings(written.result));
   }
   return written.result.outcome();
 }

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`wirewarp make`: from a surface to a pattern in one command."""
 
+import math
 import os
+import pty
 import re
+import subprocess
 
 import command
 
@@ -72,6 +75,54 @@ class Make(command.CommandTest):
         run = self.make("cap.obj", "--unit", "cm", "--max-strain", "0.1%", "--max-cuts", "1", "-o", "a.svg", code=4)
         self.assertIn("does not fit: strain", run.stdout)
         self.assertIn("--max-cuts", run.stderr)
+
+    def test_templates_begin_with_seams_where_makers_place_them(self):
+        """A tube is parted at its sides, a ball by planes through its axis."""
+        tube = command.grid(24, 6, lambda i, j: (20 * math.cos(math.pi * i / 12), 12 * math.sin(math.pi * i / 12), 10 * j),
+                            closed=True)
+        self.write("tube.obj", command.obj(*tube))
+        run = self.make("tube.obj", "--unit", "cm", "--template", "front-back", "-o", "out", "-o", "a.csv")
+        self.assertIn("cuts: none are needed", run.stdout)
+        report = self.report("out")
+        self.assertEqual(len(report["pieces"]), 2)
+        self.assertEqual([curve["name"] for curve in report["curves"]], ["side", "side"])
+        with open(self.path("a.csv"), encoding="utf-8") as file:
+            rows = [line.split(",") for line in file][1:]
+        # Both seams run up the whole tube, where it is widest.
+        self.assertEqual({row[0] for row in rows}, {"side"})
+        self.assertAlmostEqual(sum(float(row[7]) for row in rows), 1200.0, delta=1e-6)
+        points, triangles = command.grid(
+            16, 8, lambda i, j: (math.sin(math.pi * (j + 1) / 10) * math.cos(math.pi * i / 8),
+                                 math.sin(math.pi * (j + 1) / 10) * math.sin(math.pi * i / 8), math.cos(math.pi * (j + 1) / 10)),
+            closed=True)
+        self.write("ball.obj", command.obj([tuple(15 * x for x in p) for p in points], triangles))
+        for pieces in (4, 8):
+            self.make("ball.obj", "--unit", "cm", "--template", "gores", "--pieces", str(pieces), "--max-strain", "50%",
+                      "-o", "out", "-o", "a.csv")
+            self.assertEqual(len(self.report("out")["pieces"]), pieces)
+        for words, wanted in ((("gores", "--pieces", "5"), "even number from 4"), (("strips",), "--max-width"),
+                              (("sleeves",), "sleeves")):
+            self.assertIn(wanted, self.make("ball.obj", "--template", *words, code=2).stderr)
+
+    def test_a_missed_bound_is_red_on_a_terminal_and_nowhere_else(self):
+        arguments = [command.EXECUTABLE, "make", "cap.obj", "--unit", "cm", "--max-strain", "0.1%", "--max-cuts", "1",
+                     "-o", "a.svg"]
+        for colors, red in (({}, True), ({"NO_COLOR": "1"}, False)):
+            ours, theirs = pty.openpty()
+            run = subprocess.run(arguments, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=theirs, check=False,
+                                 env={**os.environ, **colors}, timeout=120)
+            os.close(theirs)
+            text = b""
+            try:
+                while chunk := os.read(ours, 65536):
+                    text += chunk
+            except OSError:  # all is read
+                pass
+            os.close(ours)
+            self.assertEqual(run.returncode, 4)
+            self.assertEqual(re.search(rb"\x1b\[31m[^\x1b]*--max-cuts[^\x1b]*\x1b\[0m", text) is not None, red, text)
+        self.assertNotIn("\x1b", self.make("cap.obj", "--unit", "cm", "--max-strain", "0.1%", "--max-cuts", "1",
+                                           "-o", "a.svg", code=4).stderr)
 
     def test_an_unknown_kind_is_refused(self):
         run = self.make("cap.obj", "--for", "boat", code=2)
