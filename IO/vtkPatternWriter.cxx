@@ -154,6 +154,10 @@ void vtkPatternWriter::VisitOptions(flattening::bridge::OptionVisitor& visit)
   visit("NotchCurveEnds", this->NotchCurveEnds);
   visit("NotchLength", this->NotchLength);
   visit("MitreLimit", this->MitreLimit);
+  visit("WarpCompensation", this->WarpCompensation);
+  visit("WeftCompensation", this->WeftCompensation);
+  visit("Thickness", this->Thickness);
+  visit("GlueTab", this->GlueTab);
   visit("Symmetrize", this->Symmetrize);
   visit("FabricWidth", this->FabricWidth);
   visit("FabricNap", this->FabricNap);

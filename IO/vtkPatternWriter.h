@@ -25,17 +25,15 @@
  * `dart-mark`, `drill-hole`, `grain`); paths of wires have `data-curve` and `data-length`, notches
  *   `data-arc-length` (mm on the surface).
  * - **PDF**: 1:1 on pages of the chosen Paper with a margin of 10 mm, overlapping, with crosses to join
- *   them at, row and column on each page, a map, and a test rectangle of 100 mm x 50 mm. Blank
- * pages are left out; of the two ways to hold the paper the one with fewer pages is taken. Each
- * role of SVG, the texts, and what is of the pages are layers, unless the library was made without
- * qpdf.
- * - **DXF**: R12 ASCII after ASTM D6673 / AAMA: one BLOCK and INSERT a piece; layers 1 boundary and
- *   system texts, 2 turn points, 3 curve points, 4 notches, 6 the fold of half pieces, 7 grainline,
- * 8 internal lines, 11 cutouts, 13 drill holes, 14 sew lines and dart legs, 15 annotation. Notches
- * are points with an angle, as pattern systems read them, and short lines, as others show them;
- * drill holes points and circles. Sew lines are dashed, and the grain has a head, a solid. Blocks
- * bear the names of their pieces. Millimetres with "Units: METRIC", or, for a surface in inches,
- * inches with "Units: ENGLISH". Texts are 7-bit (\\U+XXXX).
+ * them at, row and column on each page, a map, and a test rectangle of 100 mm x 50 mm; as few pages
+ * as the two ways to hold the paper allow. Roles, texts, and what is of the pages are layers,
+ * unless the library was made without qpdf.
+ * - **DXF**: R12 ASCII after ASTM D6673 / AAMA: one BLOCK and INSERT a piece, which bears its name;
+ * layers 1 boundary and system texts, 2 turn points, 3 curve points, 4 notches, 6 the fold of half
+ * pieces, 7 grainline, 8 internal lines, 11 cutouts, 13 drill holes, 14 sew lines and dart legs, 15
+ * annotation. Notches are points with an angle and short lines, drill holes points and circles.
+ * Millimetres with "Units: METRIC", or, for a surface in inches, inches with "Units: ENGLISH".
+ * Texts are 7-bit (\\U+XXXX).
  * - **HPGL**: for plotters and cutters; a 40th of a millimetre, pen 1 draws, pen 2 cuts the cut lines last.
  *   Texts are 7-bit, other characters question marks.
  * - **GarmentCode**: JSON of panels and stitches (M. Korosteleva, O. Sorkine-Hornung, ACM Transactions on
@@ -49,7 +47,8 @@
  * `angle_sum_start_deg`, `angle_sum_end_deg` (of the cloth of both sides there: 180 where it runs
  * on smoothly over the seam; 360 within an edge; at a dart's tip that of one point), `join` (its
  * mark; empty for folded darts), `bend_deg` (the angle between the surfaces of both sides along the
- * whole join, in the mean; above 0 where it is convex: thick material is beveled by half of it).
+ * whole join, in the mean; above 0 where it is convex); with a Thickness `bevel_deg`, half of it,
+ * and `bevel_mm`, how far the bevel goes back.
  *
  * - **Nest**, **GradeList**, **RuleTable**: of the sizes on port 3, an SVG with the sew lines of all
  *   sizes on each other, a layer a size; comma-separated values with a row for each point that has
@@ -59,9 +58,8 @@
  * lines of other sizes are to be drawn anew, by their allowance.
  *
  * The cut line is the union of the piece with the strips of its seam allowance (Clipper), with
- * mitred corners of limited length. A folded dart's mouth gets a roof, so that the folded cloth
- * reaches the cut line. Where the flattening has closed a cut, the cloth is whole: nothing is drawn
- * there.
+ * mitred corners of limited length, and a roof over a folded dart's mouth. Where the flattening has
+ * closed a cut, nothing is drawn.
  *
  * **Errors**: nothing to draw, broken input, an invalid option, a pattern too large for the pages,
  * memory that ran out, a file that cannot be written. One vtkErrorMacro says what and the way out,
@@ -81,10 +79,7 @@
  * }
  * writer->SetUnitToCentimetre();
  * writer->SetFileName("pattern.pdf");
- * if (!writer->Write())
- * {
- *   std::cerr << writer->GetErrorMessage() << "\n";
- * }
+ * const bool done = writer->Write() == 1; // else GetErrorMessage() says why
  * @endcode
  *
  * @warning With points of single precision lengths are those of the rounded points.
@@ -269,9 +264,9 @@ public:
 
   ///@{
   /**
-   * The message in its parts, for programs that say it in words of their own: the defect; the names
-   * of the ways out, those of vtkFlatteningAlgorithm::GetRemedyName(), the best first; and what
-   * each is to be applied to, empty where it needs no name. Never null.
+   * The message in its parts, for programs that say it in words of their own: the defect; the
+   * names of the remedies, those of vtkFlatteningAlgorithm::GetRemedyName(), the best first;
+   * and what each is to be applied to, empty where it needs no name. Never null.
    */
   const char* GetStatusDefect() const { return this->StatusDefect.c_str(); }
   vtkStringArray* GetStatusRemedies() const;
@@ -347,9 +342,9 @@ public:
 
   ///@{
   /**
-   * Name of one piece, by its id from 0. Where there is none: the one that all its cells have in
-   * the cell array `PieceName` (string), as of objects of an OBJ file, numbered where several
-   * pieces have it; else PatternName, with the piece's number where there are several.
+   * Name of one piece, by its id from 0. Where there is none: that in the cell array
+   * `PieceName` (string), as of objects of an OBJ file, numbered where several pieces have
+   * it; else PatternName, with the piece's number where there are several.
    */
   void SetPieceName(int piece, const std::string& name);
   void RemoveAllPieceNames();
@@ -402,11 +397,11 @@ public:
 
   ///@{
   /**
-   * A notch on all curves of a name, this far from their start on the surface, in millimetres: on
-   * both sides of a seam or dart, or on a feature curve along the boundary, such as a hem. Curves
-   * with notches of their own have none by NotchSpacing. A name that is not there and a distance
-   * beyond the end of the longest curve are errors when writing. Get gives them in the order in
-   * which they were added.
+   * A notch on all curves of a name, this far from their start on the surface, in
+   * millimetres: on both sides of a seam or dart, or on a feature curve along the boundary.
+   * Curves with notches of their own have none by NotchSpacing. A name that is not there and
+   * a distance beyond the end of the longest curve are errors when writing. Get gives them in
+   * the order of adding.
    */
   void AddCurveNotch(const std::string& curve, double distance);
   int GetNumberOfCurveNotches(const std::string& curve) const;
@@ -416,9 +411,9 @@ public:
 
   ///@{
   /**
-   * Draw all notches of the curves of a name double, as two marks 6.35 mm apart along the border,
-   * on both sides of a seam or dart: so the back of an armhole is told from its front. A name that
-   * is not there is an error when writing.
+   * Draw all notches of the curves of a name double, as two marks 6.35 mm apart along the
+   * border, on both sides of a seam or dart: so the back of an armhole is told from its
+   * front. A name that is not there is an error when writing.
    */
   void AddDoubleNotches(const std::string& curve);
   bool HasDoubleNotches(const std::string& curve) const;
@@ -427,19 +422,13 @@ public:
 
   ///@{
   /**
-   * Notch the cut line at the corners of the sew line, where both sew lines, drawn on, meet
-   * it; a corner that points into the cloth gets one notch. Default: off.
+   * Notch the cut line at the corners of the sew line, where both sew lines, drawn on, meet it (one
+   * notch where a corner points into the cloth); and the border where feature curves and edges with
+   * names end on it, and opposite on what is sewn to it, but at corners. Default: all off.
    */
   vtkSetMacro(NotchCorners, bool);
   vtkGetMacro(NotchCorners, bool);
   vtkBooleanMacro(NotchCorners, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Notch the border where feature curves and edges with names end on it, and opposite on
-   * what is sewn to it, but at corners. Default: off.
-   */
   vtkSetMacro(NotchCurveEnds, bool);
   vtkGetMacro(NotchCurveEnds, bool);
   vtkBooleanMacro(NotchCurveEnds, bool);
@@ -496,6 +485,28 @@ public:
 
   ///@{
   /**
+   * Draw pieces longer along their grain (warp) and across it (weft), in per cent; below 0 shorter.
+   * Default: all 0. Range: -20 to 20.
+   */
+  vtkSetClampMacro(WarpCompensation, double, -20.0, 20.0);
+  vtkGetMacro(WarpCompensation, double);
+  vtkSetClampMacro(WeftCompensation, double, -20.0, 20.0);
+  vtkGetMacro(WeftCompensation, double);
+  ///@}
+
+  ///@{
+  /**
+   * Thickness of the material, with which tables of joins have their bevels, and width of tabs to
+   * glue on the first side of each join, in millimetres. Default: all 0. Range: 0 to 1e6.
+   */
+  vtkSetClampMacro(Thickness, double, 0.0, 1e6);
+  vtkGetMacro(Thickness, double);
+  vtkSetClampMacro(GlueTab, double, 0.0, 1e6);
+  vtkGetMacro(GlueTab, double);
+  ///@}
+
+  ///@{
+  /**
    * Cut darts out, with seam allowance along their legs, instead of folding them. Darts that
    * cannot be folded (with branches, or with legs that are not each other's partners) are
    * always cut out. Default: off.
@@ -518,12 +529,11 @@ public:
 
   ///@{
   /**
-   * Cut pieces on the fold of the cloth along all curves of a name. Of a piece that has it inside
-   * one half is drawn, as with CutOnFold. A piece that has it on its border is a half: it lies with
-   * this edge on the fold, without allowance there. What cannot be is an error when writing, with
-   * piece and curve: a name that is not there, a curve that is sewn, that bends by more than 0.5 mm
-   * or about which its piece is not symmetric to 0.5 mm, and a half that is laid on one layer of
-   * cloth (FabricWidth).
+   * Cut pieces on the fold of the cloth along all curves of a name. Of a piece that has it
+   * inside one half is drawn, as with CutOnFold; a piece that has it on its border is a half,
+   * without allowance there. A name that is not there, a curve that is sewn, that bends by
+   * more than 0.5 mm or about which its piece is not symmetric to 0.5 mm, and a half that is
+   * laid on one layer of cloth (FabricWidth) are errors when writing.
    */
   void AddFold(const std::string& curve);
   void RemoveAllFolds();
@@ -589,11 +599,11 @@ public:
 
   ///@{
   /**
-   * Draw the outline of each piece that is symmetric within 0.5 mm as its own mirror image:
-   * both sides follow the same curves, within the FairTolerance. Sides whose lengths differ
-   * by up to 0.1 mm get their mean, as does what is sewn to them. Notes (MIRRORED,
-   * NOT_MIRRORED) say how far sides are from each other, and why a piece is not drawn so. It
-   * is an error when writing where no line is smooth. Default: off.
+   * Draw the outline of each piece that is symmetric within 0.5 mm as its own mirror image,
+   * within the FairTolerance. Sides whose lengths differ by up to 0.1 mm get their mean, as
+   * does what is sewn to them. Notes (MIRRORED, NOT_MIRRORED) say how far sides are from each
+   * other, and why a piece is not drawn so. It is an error when writing where no line is
+   * smooth. Default: off.
    */
   vtkSetMacro(Symmetrize, bool);
   vtkGetMacro(Symmetrize, bool);
@@ -601,16 +611,17 @@ public:
   ///@}
 
   /**
-   * For use before a flattening that takes long: whether all curves that have an option here, or
-   * are folds, are among the lines of `curves` (cell array `CurveName`, as of the output 1 of
-   * vtkFeatureCurveImprinter), or "boundary"; with `proposals` also whether their names are those
-   * that vtkFeatureCurveSuggestion gives, such as "dart 3". False is an error like one of Write().
+   * For use before a flattening that takes long: whether all curves that have an option here
+   * are among the lines of `curves` (cell array `CurveName`, as of the output 1 of
+   * vtkFeatureCurveImprinter), or "boundary"; with `proposals` also whether their names are
+   * those that vtkFeatureCurveSuggestion gives, such as "dart 3". False is an error like one
+   * of Write().
    */
   bool CheckCurveNames(vtkPolyData* curves, bool proposals = false);
 
   /**
-   * The names of all curves that have an allowance, notches, a dart tip or a FairTolerance of their
-   * own or are folds, each once, in alphabetical order.
+   * The names of all curves that have an option of their own, each once, in alphabetical
+   * order.
    */
   vtkSmartPointer<vtkStringArray> GetCurvesWithOptions() const;
 
@@ -657,8 +668,8 @@ public:
 
   ///@{
   /**
-   * Where ports 1 and 2 have no connection, take what the flattening filter that made the flat
-   * pieces gives there, also through filters in between that hand the pieces on as they are. For
+   * Where ports 1 and 2 have no connection, take what the flattening filter that made the
+   * flat pieces gives there, also through filters in between that hand the pieces on, for
    * programs that know one input of a writer alone, such as ParaView. Default: off.
    */
   vtkSetMacro(FollowPipeline, bool);
@@ -675,11 +686,10 @@ public:
 
   ///@{
   /**
-   * What the last Write() did, a sentence each, and of which kind it is: what options asked for
-   * (DRAWN); how many curves and straight lines are in place of how many edges of a piece and how
-   * far from them (SMOOTHED), which could not be (LEFT_ROUGH), a piece of which nothing could
-   * (NOT_SMOOTHED), an outline that was made its own mirror image (MIRRORED), and one that could
-   * not be (NOT_MIRRORED).
+   * What the last Write() did, a sentence each, and of which kind it is: what options asked
+   * for (DRAWN), lines made smooth (SMOOTHED), those and pieces that could not be
+   * (LEFT_ROUGH, NOT_SMOOTHED), an outline made its own mirror image (MIRRORED), and one that
+   * could not be (NOT_MIRRORED).
    */
   enum NoteKinds
   {
@@ -764,6 +774,10 @@ private:
   std::map<std::string, double> CurveDartTips;
   bool CutPairs = false;
   double FairTolerance = 0.0;
+  double WarpCompensation = 0.0;
+  double WeftCompensation = 0.0;
+  double Thickness = 0.0;
+  double GlueTab = 0.0;
   bool Symmetrize = false;
   std::map<std::string, double> CurveFairTolerances;
   double FabricWidth = 0.0;

@@ -186,6 +186,14 @@ void addCurves(CLI::App& app, Options& options)
 void addFlattening(CLI::App& app, Options& options)
 {
   addSeams(app, options);
+  app
+    .add_option("--neutral-layer", options.neutralLayer,
+      "Flatten the layer this far within SURFACE, which a sheet keeps the lengths of: where "
+      "SURFACE "
+      "is its outer face 1 - K of its thickness, K being the K factor (0.33 to 0.5); below 0 where "
+      "SURFACE is the inner one")
+    ->check(number(-1e6, 1e6, "[-1e6, 1e6]"))
+    ->type_name("MM");
   addMending(app, options);
   addMethods(app, options);
 }

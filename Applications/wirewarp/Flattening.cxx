@@ -2,6 +2,7 @@
 #include "Flattening.h"
 
 #include "InputError.h"
+#include "NeutralLayer.h"
 #include "Patterns.h"
 #include "Progress.h"
 #include "ReadCurves.h"
@@ -231,6 +232,12 @@ std::vector<std::string> readInput(const Options& options, const std::string& ba
     checkConnectivity(model.surface, base, contents.surface, options.surface);
     owner = model.surface;
     contents.curves = model.curves;
+  }
+  if (options.neutralLayer != 0.0)
+  {
+    const double inwards = options.neutralLayer / millimetresOf(result.unit);
+    contents.surface = neutralLayer(contents.surface,
+      isScaled(options) ? inwards / scaleOf(options, owner, result.unit) : inwards);
   }
   vtkSmartPointer<vtkPolyData> surface = contents.surface;
   double factor = 1.0;

@@ -72,20 +72,22 @@ bool hasOption(const std::vector<std::string>& arguments, const std::string& opt
     [&option](const std::string& argument) { return isOption(argument, option); });
 }
 
-std::string kindIn(const std::vector<std::string>& arguments)
+/// The value of an option; without it the other one.
+std::string valueIn(const std::vector<std::string>& arguments, const std::string& option,
+  const std::string& otherwise)
 {
   for (std::size_t k = 0; k < arguments.size(); ++k)
   {
-    if (arguments[k].rfind("--for=", 0) == 0)
-    {
-      return arguments[k].substr(6);
-    }
-    if (arguments[k] == "--for" && k + 1 < arguments.size())
+    if (arguments[k] == option && k + 1 < arguments.size())
     {
       return arguments[k + 1];
     }
+    if (isOption(arguments[k], option))
+    {
+      return arguments[k].substr(std::min(option.size() + 1, arguments[k].size()));
+    }
   }
-  return kinds().front().name;
+  return otherwise;
 }
 
 std::string counted(std::size_t count, const std::string& what)
@@ -221,7 +223,9 @@ void addMaking(CLI::App& app, Options& options)
     .add_option("--template", options.seams.name,
       "Seams to begin with: front-back, gores, strips. Front-back: where the plane between both "
       "cuts the surface; gores: through its upright axis, as many as --pieces (6); strips: none "
-      "wider than --max-width. Darts and seams are proposed beside them where they are needed")
+      "wider than --max-width. Darts alone (front-back), or seams as well, are proposed beside "
+      "them "
+      "where they are needed")
     ->transform(
       CLI::IsMember({ "front-back", "gores", "strips" }, CLI::ignore_case).description(""))
     ->type_name("TEMPLATE");
@@ -249,7 +253,7 @@ void checkTemplate(Options& options)
 
 std::vector<std::string> withOptionsOfKind(std::vector<std::string> arguments)
 {
-  const std::string name = kindIn(arguments);
+  const std::string name = valueIn(arguments, "--for", kinds().front().name);
   std::vector<DefaultOption> defaults;
   for (const Kind& kind : kinds())
   {
@@ -262,10 +266,14 @@ std::vector<std::string> withOptionsOfKind(std::vector<std::string> arguments)
   {
     defaults.push_back(effort);
   }
+  if (CLI::detail::to_lower(valueIn(arguments, "--template", "")) == "front-back")
+  {
+    defaults.insert(defaults.begin(), { "--kind", "darts" }); // the seams are there
+  }
   const std::vector<std::string> given = arguments;
   for (const DefaultOption& option : defaults)
   {
-    if (!hasOption(given, option.option))
+    if (!hasOption(given, option.option) && !hasOption(arguments, option.option))
     {
       arguments.push_back(option.option + (option.value.empty() ? "" : '=' + option.value));
     }

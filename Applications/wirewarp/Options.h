@@ -45,6 +45,7 @@ struct Options
   double fillHoles = 0.0; ///< mm; 0: none
   bool outerSide = false;
   double scale = 1.0;                      ///< of SURFACE
+  double neutralLayer = 0.0;               ///< how far it lies within SURFACE, mm
   double height = 0.0;                     ///< to which it is scaled, mm; 0: not
   SeamSource seamsFrom = SeamSource::None; ///< of SURFACE's faces
 

@@ -120,7 +120,7 @@ std::string refusalOf(vtkPatternWriter* writer, const std::string& path)
 }
 
 /// \return what is wrong, or nothing
-std::string write(vtkPatternWriter* writer, const PatternFile& file, OutputFiles& files)
+std::string writePattern(vtkPatternWriter* writer, const PatternFile& file, OutputFiles& files)
 {
   writer->SetFileFormat(file.format);
   return files.add(file.path, [writer](const std::string& path) {
@@ -179,7 +179,7 @@ std::vector<std::string> addPatterns(const Options& options, Flattening& result,
   {
     const VtkMessages messages;
     writer->SetFabricWidth(file.onCloth ? fabricWidth : 0.0);
-    const std::string problem = write(writer, file, files);
+    const std::string problem = writePattern(writer, file, files);
     if (!problem.empty())
     {
       std::string& failed = failures[problem];

@@ -366,28 +366,9 @@ Status readGarmentCode(const std::string& path, Garment& garment)
   std::ifstream file(path, std::ios::binary);
   const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
   Status status;
-  try
-  {
-    DoubledKeys<Json> doubled;
-    const Json json = Json::parse(
-      text,
-      [&doubled](
-        int, Json::parse_event_t event, const Json& parsed) { return doubled(event, parsed); },
-      true, true);
-    status = doubled.first().empty() ? GarmentReader().read(json, garment)
-                                     : invalid("\"" + doubled.first() + "\" is there twice");
-  }
-  catch (const Json::parse_error& error)
-  {
-    const auto until =
-      text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    status =
-      invalid("it is no JSON in line " + std::to_string(1 + std::count(text.begin(), until, '\n')));
-  }
-  catch (const Json::exception&)
-  {
-    status = invalid("a number in it is too large");
-  }
+  const JsonFault fault =
+    readJson<Json>(text, [&](const Json& json) { status = GarmentReader().read(json, garment); });
+  status = fault.text.empty() ? status : invalid("it " + fault.text);
   status = status.ok() ? pattern::checkGarment(garment) : status;
   if (!status.ok())
   {

@@ -183,5 +183,20 @@ class Materials(command.CommandTest):
             self.assertIn(f"\n  {name}: ", run.stdout)
 
 
+class Sheets(command.CommandTest):
+    def test_the_neutral_layer_of_a_bent_sheet_has_its_width(self):
+        """Half of a tube of 100 mm in 36 chords, 200 mm long: a layer that is d within has at each of the 35 bends
+        2 d tan(angle / 2) less, the angle being pi / 36."""
+        for unit, size in (("mm", 1.0), ("cm", 0.1)):
+            self.write("tube.obj", command.obj(*command.grid(
+                36, 4, lambda i, j: (100 * size * math.cos(math.pi * i / 36), 100 * size * math.sin(math.pi * i / 36),
+                                     50 * size * j))))
+            for inwards in (0.0, 1.8, -2.0):
+                self.flatten("flatten", "tube.obj", "--unit", unit, "--neutral-layer", str(inwards))
+                width = 36 * 200 * math.sin(math.pi / 72) - 70 * inwards * math.tan(math.pi / 72)
+                around = sum(self.array("out/wires.vtp", "FlatLength"))
+                self.assertAlmostEqual(around, 2 * (width + 200) * size, delta=1e-6)
+
+
 if __name__ == "__main__":
     command.unittest.main()

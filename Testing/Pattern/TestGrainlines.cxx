@@ -78,3 +78,25 @@ TEST(Grainlines, AStraightKeyCurveGoesBeforeTheUpOfTheSurface)
   const Point2 bias = (source.positions[2] - source.positions[0]).normalized();
   EXPECT_NEAR(std::abs(cross(grain, bias)), 0.0, 1e-9);
 }
+
+TEST(Grainlines, PiecesAreLongerAlongThemAndAcrossAsCompensationSays)
+{
+  PatternOptions options = inMillimetres(0.0);
+  options.warpCompensation = 10.0;
+  options.weftCompensation = -5.0;
+  for (const double angle : { 0.0, 0.7, 4.0 })
+  {
+    const PatternPiece piece = drawn(standingRectangle(angle, 2), options);
+    EXPECT_NEAR(piece.extent.x(), 57.0, 1e-3);
+    EXPECT_NEAR(piece.extent.y(), 110.0, 1e-3);
+    EXPECT_TRUE(says(piece, "drawn longer by 10 % along the warp"));
+    EXPECT_TRUE(says(piece, "drawn shorter by 5 % along the weft"));
+  }
+  // Along the diagonal, where that is the grain.
+  PatternSource source = standingRectangle(0.7, 2);
+  source.wires.push_back({ { 0, 2 }, WireType::Key, 0, 0, "bias" });
+  const PatternLine bias = lineOf(drawn(source, options), LineKind::KeyCurve);
+  EXPECT_NEAR(lengthOf(bias), 1.1 * std::hypot(60.0, 100.0), 1e-9);
+  options.warpCompensation = 30.0;
+  expectRefusal(source, options, { "compensation", "20 %" });
+}

@@ -175,6 +175,44 @@ TEST(Joins, TheirBendIsThatOfTheSurface)
   EXPECT_NEAR(walk.at(2).bend, -pi / 3.0, 1e-12);
 }
 
+TEST(Joins, ThickMaterialIsBeveledByHalfOfTheBend)
+{
+  PatternSource source = stripAndSquares();
+  const double half = 50.0 * std::sqrt(3.0);
+  source.inSpace = { { 0.0, 0.0, 0.0 }, { 200.0, 0.0, 0.0 }, { 200.0, 100.0, 0.0 },
+    { 100.0, 100.0, 0.0 }, { 0.0, 100.0, 0.0 }, { 0.0, 100.0, 0.0 }, { 100.0, 100.0, 0.0 },
+    { 100.0, 100.0, -100.0 }, { 0.0, 100.0, -100.0 }, { 100.0, 100.0, 0.0 }, { 200.0, 100.0, 0.0 },
+    { 200.0, 150.0, half }, { 100.0, 150.0, half } };
+  FileOptions options;
+  options.format = FileFormat::Pdf;
+  options.pattern = inMillimetres();
+  options.pattern.thickness = 12.0;
+  Pattern pattern;
+  std::string content;
+  ASSERT_TRUE(makePatternFile(source, options, pattern, content).ok());
+  const std::vector<std::vector<std::string>>& rows = pattern.tables.at(0).rows;
+  EXPECT_EQ(rows.at(0).back(), "Bevel");
+  EXPECT_EQ(rows.at(1).back(), "45\u00b0, 12 mm");
+  EXPECT_EQ(rows.at(2).back(), "-30\u00b0, -6.9 mm"); // 12 tan 30 degrees
+  options.format = FileFormat::Walk;
+  ASSERT_TRUE(makePatternFile(source, options, pattern, content).ok());
+  EXPECT_NE(content.find("bend_deg,bevel_deg,bevel_mm\n"), std::string::npos);
+  EXPECT_NE(content.find(",A,90,45,12\n"), std::string::npos);
+}
+
+TEST(Joins, TabsToGlueAreOnTheFirstSideOfEach)
+{
+  PatternOptions options = inMillimetres(0.0);
+  options.glueTab = 15.0;
+  const Pattern pattern = patternOf(stripAndSquares(), options);
+  const double tab = (100.0 + 70.0) / 2.0 * 15.0; // its ends are cut off at 45 degrees
+  const std::vector<double> areas{ 20000.0 + 2.0 * tab, 10000.0 + tab, 10000.0 };
+  for (std::size_t p = 0; p < 3; ++p)
+  {
+    EXPECT_NEAR(areaOf(lineOf(pattern.pieces[p], LineKind::CutLine).points), areas[p], 1e-2);
+  }
+}
+
 TEST(Joins, NoneIsDrawnWhereTheyAreTurnedOff)
 {
   PatternOptions options = inMillimetres();

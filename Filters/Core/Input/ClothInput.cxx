@@ -214,37 +214,19 @@ ClothMaterial readMaterialFile(const std::string& path)
   }
   std::ifstream file(path, std::ios::binary);
   const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-  try
-  {
-    DoubledKeys<Json> doubled;
-    const Json json = Json::parse(
-      text,
-      [&doubled](
-        int, Json::parse_event_t event, const Json& parsed) { return doubled(event, parsed); },
-      true, true);
-    if (!json.is_object())
-    {
-      material.status = refusal(path, "holds no object", example);
-    }
-    else if (!doubled.first().empty())
-    {
-      material.status = refusal(path, "has \"" + doubled.first() + "\" twice", "it once");
-    }
-    else
+  const JsonFault fault = readJson<Json>(text, [&](const Json& json) {
+    if (json.is_object())
     {
       material = MaterialReader(path, json).read();
     }
-  }
-  catch (const Json::parse_error& error)
+    else
+    {
+      material.status = refusal(path, "holds no object", example);
+    }
+  });
+  if (!fault.text.empty())
   {
-    const auto until =
-      text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    const auto line = 1 + std::count(text.begin(), until, '\n');
-    material.status = refusal(path, "is no JSON in line " + std::to_string(line), example);
-  }
-  catch (const Json::exception&) // a number beyond all doubles
-  {
-    material.status = refusal(path, "has a number that is too large", "numbers up to 1e15");
+    material.status = refusal(path, fault.text, fault.remedy.empty() ? example : fault.remedy);
   }
   return material;
 }

@@ -99,6 +99,44 @@ const DartPlacement* ClothOutline::placementAlong(Index from, Index to) const
   return found == this->Folded.end() ? nullptr : &this->Placements[found->second];
 }
 
+namespace
+{
+/// A tab on the right of a line, whose ends are cut off at 45 degrees.
+Points2 tabAlong(const Points2& line, double width)
+{
+  std::vector<double> arc(1, 0.0);
+  for (std::size_t k = 0; k + 1 < line.size(); ++k)
+  {
+    arc.push_back(arc.back() + (line[k + 1] - line[k]).norm());
+  }
+  const double reach = std::min(width, arc.back() / 3.0);
+  Points2 tab = line;
+  Points2 border;
+  const auto add = [&](const Point2& foot, const Point2& along, double distance) {
+    border.push_back(foot + distance * Point2(along.y(), -along.x()));
+  };
+  for (std::size_t k = 0; k + 1 < line.size(); ++k)
+  {
+    const double length = arc[k + 1] - arc[k];
+    if (!(length > 0.0))
+    {
+      continue;
+    }
+    const Point2 along = (line[k + 1] - line[k]) / length;
+    // Both ends of the edge, and where the slanted ends stop within it.
+    for (const double at : { arc[k], reach, arc.back() - reach, arc[k + 1] })
+    {
+      if (at >= arc[k] && at <= arc[k + 1])
+      {
+        add(line[k] + (at - arc[k]) * along, along, std::min({ reach, at, arc.back() - at }));
+      }
+    }
+  }
+  tab.insert(tab.end(), border.rbegin(), border.rend());
+  return tab;
+}
+}
+
 std::vector<AllowancePolygon> ClothOutline::polygons() const
 {
   std::vector<AllowancePolygon> polygons;
@@ -111,7 +149,42 @@ std::vector<AllowancePolygon> ClothOutline::polygons() const
       polygons.push_back(this->polygonOf(l));
     }
   }
+  if (this->All.options.glueTab > 0.0 && !polygons.empty())
+  {
+    polygons.front().tabs = this->glueTabs();
+  }
   return polygons;
+}
+
+std::vector<Points2> ClothOutline::glueTabs() const
+{
+  const auto pieceOf = [this](Index from, Index to) {
+    const auto found = this->All.border.find(edgeKey(from, to));
+    return found == this->All.border.end() ? none : found->second;
+  };
+  const Indices& outer = this->Loops.front();
+  const Index piece = pieceOf(outer[0], outer[1 % outer.size()]);
+  std::vector<Points2> tabs;
+  for (const Join& join : this->All.joins)
+  {
+    Indices points = join.points[0];
+    if (pieceOf(points[0], points[1]) == none) // the cloth is to be on the left
+    {
+      std::reverse(points.begin(), points.end());
+    }
+    if (join.mark.empty() || pieceOf(points[0], points[1]) != piece)
+    {
+      continue;
+    }
+    Points2 line;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k)
+    {
+      addDrawnEdge(this->All, points[k], points[k + 1], line);
+    }
+    line.push_back(this->All.at(points.back()));
+    tabs.push_back(tabAlong(line, this->All.options.glueTab));
+  }
+  return tabs;
 }
 
 AllowancePolygon ClothOutline::polygonOf(std::size_t l) const

@@ -57,6 +57,7 @@ public:
   std::vector<AllowancePolygon> polygons() const;
 
 private:
+  std::vector<Points2> glueTabs() const;
   AllowancePolygon polygonOf(std::size_t l) const;
   bool roof(std::size_t d, Point2& corner) const;
 

@@ -119,6 +119,16 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
       "outlines are made their own mirror images as smooth borders alone, and none is to be smooth",
       {}, { { Remedy::Give, "a tolerance of smooth borders above 0 mm" } } };
   }
+  const auto isCompensation = [](double percent) { return std::abs(percent) <= 20.0; };
+  if (!isCompensation(options.warpCompensation) || !isCompensation(options.weftCompensation))
+  {
+    return invalidOption("compensation along warp and weft must be from -20 to 20 %");
+  }
+  if (!isLength(options.thickness) || !isLength(options.glueTab))
+  {
+    return invalidOption(
+      "the thickness of the material and the width of tabs must be numbers of millimetres from 0");
+  }
   if (options.quantity < 1)
   {
     return invalidOption("the quantity must be a whole number from 1");
@@ -453,6 +463,16 @@ Status buildPattern(
     {
       addText(TextRole::Label, "drawn as its own mirror image");
     }
+    const auto addCompensation = [&addText](double percent, const char* along) {
+      if (percent != 0.0)
+      {
+        addText(TextRole::Label,
+          (percent > 0.0 ? "drawn longer by " : "drawn shorter by ") +
+            formatNumber(std::abs(percent), 2) + " % along the " + along);
+      }
+    };
+    addCompensation(options.warpCompensation, "warp");
+    addCompensation(options.weftCompensation, "weft");
     addText(
       TextRole::Label, "piece " + std::to_string(piece.number) + " of " + std::to_string(pieces));
     const bool forBoth = options.pairs && second < pieces;

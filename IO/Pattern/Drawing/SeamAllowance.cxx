@@ -173,6 +173,10 @@ Status addAllowance(
   {
     cloth.push_back(grid(polygon.points));
     addStrips(polygon, mitreLimit, grid, strips);
+    for (const Points2& tab : polygon.tabs)
+    {
+      addPositive(grid(tab), strips);
+    }
   }
   ClipperLib::Paths borders;
   try

@@ -15,13 +15,15 @@ struct AllowancePolygon
 {
   Points2 points;
   std::vector<double> allowance;
+  std::vector<Points2> tabs; ///< further cloth beside edges, as polygons
 };
 
 inline bool hasAllowance(const std::vector<AllowancePolygon>& polygons)
 {
   return std::any_of(polygons.begin(), polygons.end(), [](const AllowancePolygon& polygon) {
-    return std::any_of(polygon.allowance.begin(), polygon.allowance.end(),
-      [](double allowance) { return allowance > 0.0; });
+    return !polygon.tabs.empty() ||
+      std::any_of(polygon.allowance.begin(), polygon.allowance.end(),
+        [](double allowance) { return allowance > 0.0; });
   });
 }
 

@@ -191,6 +191,7 @@ private:
     WalkInterval interval;
     interval.join = join.mark;
     interval.bend = join.bend;
+    interval.thickness = this->All.options.thickness;
     interval.curve = wire.name;
     interval.type = wire.type;
     interval.piece = join.piece;
@@ -256,13 +257,25 @@ std::string bendInDegrees(const WalkInterval& row, int digits)
 {
   return std::isnan(row.bend) ? "" : formatNumber(degreesPerRadian * row.bend, digits);
 }
+
+std::string bevelInDegrees(const WalkInterval& row, int digits)
+{
+  return std::isnan(row.bend) ? "" : formatNumber(degreesPerRadian * row.bend / 2.0, digits);
+}
+
+bool hasThickness(const std::vector<WalkInterval>& walk)
+{
+  return !walk.empty() && walk.front().thickness > 0.0;
+}
 }
 
 std::string makeWalkTable(const std::vector<WalkInterval>& walk, const Pattern& pattern)
 {
   std::string table =
     "curve,type,piece_a,piece_b,interval,from_mm,to_mm,length_a_mm,length_b_mm,"
-    "difference_mm,ease_percent,angle_sum_start_deg,angle_sum_end_deg,join,bend_deg\n";
+    "difference_mm,ease_percent,angle_sum_start_deg,angle_sum_end_deg,join,bend_deg";
+  const bool isThick = hasThickness(walk);
+  table += isThick ? ",bevel_deg,bevel_mm\n" : "\n";
   for (const WalkInterval& row : walk)
   {
     table += csvField(cleanText(row.curve)) + (row.type == WireType::Dart ? ",dart," : ",seam,") +
@@ -278,7 +291,13 @@ std::string makeWalkTable(const std::vector<WalkInterval>& walk, const Pattern& 
     {
       table += "," + formatNumber(angle, 3);
     }
-    table += "," + row.join + "," + bendInDegrees(row, 1) + "\n";
+    table += "," + row.join + "," + bendInDegrees(row, 1);
+    if (isThick)
+    {
+      table += "," + bevelInDegrees(row, 1) + "," +
+        (std::isnan(row.bend) ? "" : formatNumber(row.bevel(), 2));
+    }
+    table += "\n";
   }
   return table;
 }
@@ -306,6 +325,7 @@ PatternTable joinRows(const std::vector<WalkInterval>& walk, const Pattern& patt
   PatternTable table;
   table.title = "Joins";
   table.columns = { 0.0, 14.0, 56.0, 93.0, 130.0, 146.0, 162.0 };
+  const bool isThick = hasThickness(walk);
   std::vector<WalkInterval> joins; // each with the lengths of its intervals
   for (const WalkInterval& interval : walk)
   {
@@ -324,6 +344,11 @@ PatternTable joinRows(const std::vector<WalkInterval>& walk, const Pattern& patt
   if (!joins.empty())
   {
     table.rows.push_back({ "Join", "Curve", "Side 1", "Side 2", "1 mm", "2 mm", "Bend" });
+    if (isThick)
+    {
+      table.columns = { 0.0, 14.0, 50.0, 83.0, 116.0, 131.0, 146.0, 158.0 };
+      table.rows.back().emplace_back("Bevel");
+    }
   }
   const auto piece = [&pattern](
                        std::size_t p) { return std::to_string(p + 1) + ": " + pattern.names[p]; };
@@ -332,6 +357,12 @@ PatternTable joinRows(const std::vector<WalkInterval>& walk, const Pattern& patt
     table.rows.push_back({ join.join, cleanText(join.curve), piece(join.piece[0]),
       piece(join.piece[1]), formatNumber(join.length[0], 1), formatNumber(join.length[1], 1),
       bendInDegrees(join, 0) + (std::isnan(join.bend) ? "" : "\u00b0") });
+    if (isThick)
+    {
+      table.rows.back().push_back(std::isnan(join.bend)
+          ? ""
+          : bevelInDegrees(join, 0) + "\u00b0, " + formatNumber(join.bevel(), 1) + " mm");
+    }
   }
   return table;
 }

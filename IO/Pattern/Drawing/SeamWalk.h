@@ -5,6 +5,8 @@
 #include "Outlines/Pattern.h"
 #include "Outlines/PatternSource.h"
 
+#include <cmath>
+
 namespace flattening::pattern
 {
 class FairCache;
@@ -13,8 +15,9 @@ class FairCache;
 /// two sides along each other measures them. Lengths in millimetres, angles in degrees.
 struct WalkInterval
 {
-  std::string join;  ///< its mark; empty: the legs of a folded dart
-  double bend = 0.0; ///< of the surface along the whole join, radians; see Join
+  std::string join;       ///< its mark; empty: the legs of a folded dart
+  double bend = 0.0;      ///< of the surface along the whole join, radians; see Join
+  double thickness = 0.0; ///< of the material
   std::string curve;
   WireType type = WireType::Seam;
   std::array<std::size_t, 2> piece{}; ///< of the two sides
@@ -26,6 +29,10 @@ struct WalkInterval
   /// interval: 180 where what is sewn together runs on smoothly over the seam. At the tip of a dart
   /// both sides are one point, whose angle counts once.
   std::array<double, 2> angleSum{};
+
+  /// How far the bevel of either side, of half the bend, goes back over the thickness, millimetres;
+  /// below 0 where the surface is hollow.
+  double bevel() const { return this->thickness * std::tan(this->bend / 2.0); }
 
   /// By how much the first side is longer than the second, in percent of that.
   double ease() const

@@ -155,6 +155,35 @@ void addDetails(Table& table)
     .slider(1.0, 10.0)
     .expert()
     .help("Longest miter of a corner, in allowances.");
+  const auto addCompensation = [&table](const char* property, auto access, const char* text) {
+    table.add(property, access)
+      .range(-20.0, 20.0)
+      .slider(-5.0, 5.0)
+      .form("PERCENT")
+      .expert()
+      .help(text);
+  };
+  addCompensation(
+    "WarpCompensation", [](All& all) { return &all.pattern.warpCompensation; },
+    "Draw pieces longer along their grain by this many per cent, below 0 shorter: against "
+    "shrinkage, or for cloth under tension.");
+  addCompensation(
+    "WeftCompensation", [](All& all) { return &all.pattern.weftCompensation; },
+    "The same across the grain.");
+  table.add("Thickness", [](All& all) { return &all.pattern.thickness; })
+    .spelled("sheet-thickness", "thickness")
+    .range(0.0, largestLength)
+    .slider(0.0, 50.0)
+    .form("MM")
+    .expert()
+    .help("Thickness of the material. The tables of joins and seams then have the bevel of both "
+          "sides, half of the bend, and how far it goes back over the thickness.");
+  table.add("GlueTab", [](All& all) { return &all.pattern.glueTab; })
+    .spelled("glue-tabs", "glue_tab")
+    .range(0.0, largestLength)
+    .slider(0.0, 50.0)
+    .form("MM")
+    .help("Width of tabs to glue, with slanted ends, on the first side of each join; 0: none.");
   table.add("Symmetrize", [](All& all) { return &all.pattern.symmetrize; })
     .label("Symmetric Outlines")
     .help("Draw the outline of each piece that is symmetric to 0.5 mm as exactly its own mirror "

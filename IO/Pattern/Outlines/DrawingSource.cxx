@@ -2,6 +2,7 @@
 #include "Outlines/DrawingSource.h"
 
 #include "Outlines/ClosedCuts.h"
+#include "Outlines/Grainlines.h"
 
 #include <algorithm>
 #include <string>
@@ -88,6 +89,43 @@ double DrawingSource::fairToleranceAlong(Index from, Index to) const
     from, to, this->options.fairToleranceOfCurve, this->options.fairToleranceOf(this->source));
 }
 
+namespace
+{
+/// Makes pieces longer along their grain and across it, as the options say.
+void compensate(std::size_t pieces, DrawingSource& all)
+{
+  PatternSource& source = all.source;
+  const Eigen::Vector2d factors(
+    1.0 + all.options.weftCompensation / 100.0, 1.0 + all.options.warpCompensation / 100.0);
+  if (factors == Eigen::Vector2d::Ones())
+  {
+    return;
+  }
+  std::vector<Eigen::Matrix2d> stretches(pieces);
+  for (std::size_t p = 0; p < pieces; ++p)
+  {
+    const Point2 grain = grainOf(source, p, all.options.up);
+    Eigen::Matrix2d turn; // the grain becomes upright
+    turn << grain.y(), -grain.x(), grain.x(), grain.y();
+    stretches[p] = turn.transpose() * factors.asDiagonal() * turn;
+  }
+  std::vector<char> isDone(source.positions.size(), 0);
+  for (std::size_t t = 0; t < source.triangles.size(); ++t)
+  {
+    for (const Index v : source.triangles[t])
+    {
+      const auto point = static_cast<std::size_t>(v);
+      if (isDone[point] == 0)
+      {
+        const auto piece = static_cast<std::size_t>(source.pieceOfTriangle[t]);
+        source.positions[point] = stretches[piece] * source.positions[point];
+        isDone[point] = 1;
+      }
+    }
+  }
+}
+}
+
 Status findBorders(DrawingSource& all)
 {
   std::size_t pieces = 0;
@@ -95,6 +133,7 @@ Status findBorders(DrawingSource& all)
   {
     pieces = std::max(pieces, static_cast<std::size_t>(piece) + 1);
   }
+  compensate(pieces, all);
   all.border = bordersOf(all.source);
   Status status = findLoops(all.source, all.border, pieces, all.loops);
   for (std::size_t p = 0; status.ok() && p < pieces; ++p)

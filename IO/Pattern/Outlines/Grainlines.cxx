@@ -102,6 +102,31 @@ std::optional<Point2> upOf(const PatternSource& source, std::size_t piece, UpAxi
   return slope.normalized();
 }
 
+Point2 grainOf(const PatternSource& source, std::size_t piece, UpAxis axis)
+{
+  const Point2 upright(0.0, 1.0);
+  for (const SourceWire& wire : source.wires)
+  {
+    const bool isKey = wire.type == WireType::Key && wire.piece == static_cast<Index>(piece) &&
+      wire.points.size() > 1 && wire.points.front() != wire.points.back();
+    if (source.onCloth || !isKey)
+    {
+      continue;
+    }
+    Points2 line;
+    for (const Index v : wire.points)
+    {
+      line.push_back(source.positions[v]);
+    }
+    const Point2 chord = line.back() - line.front();
+    if (farthestFromChord(line) <= straightness * chord.norm())
+    {
+      return chord.normalized();
+    }
+  }
+  return source.onCloth ? upright : upOf(source, piece, axis).value_or(upright);
+}
+
 bool hasStraightKey(const PatternPiece& piece)
 {
   return std::any_of(piece.lines.begin(), piece.lines.end(),

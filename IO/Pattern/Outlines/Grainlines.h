@@ -19,6 +19,10 @@ inline constexpr double straightness = 0.005;
 /// there. None where the surface is not known, or lies rather level in the piece.
 std::optional<Point2> upOf(const PatternSource& source, std::size_t piece, UpAxis axis);
 
+/// The direction of a flat piece's grain, of length 1: upright on its cloth, else along its first
+/// straight key curve, else the up of the surface, or upright.
+Point2 grainOf(const PatternSource& source, std::size_t piece, UpAxis axis);
+
 /// Whether a piece has a key curve that is straight in the plane, along which its grain runs.
 bool hasStraightKey(const PatternPiece& piece);
 

@@ -108,6 +108,10 @@ struct PatternOptions
   double allowance = -1.0;             ///< below 0: 10, of a sheet 0
   std::map<std::string, double> allowanceOfCurve; ///< by curve name; "boundary" for the rest
   double mitreLimit = 2.0;                        ///< longest mitre, in allowances
+  double warpCompensation = 0.0; ///< by which pieces are longer along their grain, per cent
+  double weftCompensation = 0.0; ///< the same across it
+  double thickness = 0.0;        ///< of the material, for bevels of joins, millimetres
+  double glueTab = 0.0;          ///< width of tabs on the first side of each join, millimetres
   /// Along the curve, on the surface; 0: at mouths of darts alone; below 0: about a sixth of the
   /// largest piece.
   double notchSpacing = -1.0;
