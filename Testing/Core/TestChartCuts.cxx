@@ -273,6 +273,26 @@ TEST(ChartCuts, ReachTheirBoundWithLegsOfDartsThatFold)
   }
 }
 
+TEST(ChartCuts, KeepToTheirSideOfASlit)
+{
+  // Half a great circle is open: its two sides lie on each other.
+  Polyline slit;
+  slit.type = CurveType::Seam;
+  for (int k = 0; k <= 16; ++k)
+  {
+    slit.points.emplace_back(std::cos(pi * k / 16), std::sin(pi * k / 16), 0.0);
+  }
+  const ImprintedSurface surface = imprintCurves(sphere(3), { slit }, {});
+  ASSERT_TRUE(surface.status.ok()) << surface.status.message;
+  const TriangleMesh open = cutSurface(surface.mesh, surface.curves).mesh;
+  ASSERT_EQ(open.boundaryLoops().size(), 1U);
+  const std::vector<SuggestedCurve> cuts = chartsOf(open, 0.05, std::nullopt);
+  ASSERT_FALSE(cuts.empty());
+  const FlatteningResult flat = flattenedWith(open, cuts);
+  EXPECT_TRUE(flat.status.ok()) << flat.status.message;
+  EXPECT_LE(largestP95(flat), 0.05);
+}
+
 TEST(ChartCuts, LeaveWhatLiesFlatAsItIs)
 {
   EXPECT_TRUE(chartsOf(

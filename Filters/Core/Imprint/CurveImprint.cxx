@@ -5,6 +5,7 @@
 #include "Base/Memory.h"
 #include "Imprint/ImprintedSurface.h"
 #include "Imprint/SurfaceSplit.h"
+#include "Surface/SheetLocator.h"
 #include "Surface/SurfacePoint.h"
 #include "Surface/SurfaceTrace.h"
 #include "Surface/TriangleMesh.h"
@@ -42,8 +43,6 @@ public:
 
 private:
   void keepNearVertices(const Points3& queries, std::vector<Indices>& candidates) const;
-  std::vector<std::vector<ClosestPoint>> sheetsAt(const Point3& point) const;
-  void keepToOneSheet(std::size_t c, std::vector<ClosestPoint>& closest);
   SuggestedRemedies waysFrom(double farthest) const;
 
   const TriangleMesh& Mesh;
@@ -54,8 +53,7 @@ private:
   SnapDistance AtVertex; ///< greatest distance of a point from the vertex that it is
   std::vector<std::size_t> First;
   Indices Vertices; ///< per point of all polylines
-  std::optional<SurfaceLocator> Locator;
-  Indices Parts; ///< by triangle, of what is joined; found when needed
+  std::optional<SheetLocator> Locator;
 };
 
 double diagonal(const TriangleMesh& mesh)
@@ -160,9 +158,6 @@ Indices chooseVertices(const TriangleMesh& mesh, const std::vector<Indices>& can
   return chosen;
 }
 
-/// Of the surface's diagonal: points of the surface that differ by less, in rounding, are one
-/// place.
-constexpr double samePlaceShare = 1e-9;
 /// Of the surface's diagonal: a curve that is farther off was not drawn on this surface as it is.
 constexpr double nearby = 0.1;
 
@@ -251,18 +246,26 @@ Status CurvePlacement::locate(std::size_t c, std::vector<ClosestPoint>& closest)
   const Polyline& polyline = this->Polylines[c];
   Indices off;
   double farthest = 0.0;
-  for (std::size_t i = 0; i < polyline.points.size(); ++i)
+  const std::vector<SheetLocator::Place> places = this->Locator->along(polyline.points);
+  for (std::size_t i = 0; i < places.size(); ++i)
   {
-    closest.push_back(this->Locator->closest(polyline.points[i]));
-    if (closest.back().triangle == none || closest.back().distance > this->Reach)
+    const ClosestPoint& point = places[i].closest;
+    closest.push_back(point);
+    if (point.triangle == none || point.distance > this->Reach)
     {
       off.push_back(pointId(polyline, i));
-      farthest = std::max(farthest, closest.back().distance);
+      farthest = std::max(farthest, point.distance);
     }
+    Index& vertex = this->Vertices[this->First[c] + i];
+    const Indices& sheet = places[i].sheet;
+    const bool elsewhere = !sheet.empty() && std::none_of(sheet.begin(), sheet.end(), [&](Index t) {
+      const Triangle& corners = this->Mesh.triangle(t);
+      return std::find(corners.begin(), corners.end(), vertex) != corners.end();
+    });
+    vertex = elsewhere ? none : vertex;
   }
   if (off.empty())
   {
-    this->keepToOneSheet(c, closest);
     return {};
   }
   return { StatusCode::CurvePointOffSurface,
@@ -272,111 +275,6 @@ Status CurvePlacement::locate(std::size_t c, std::vector<ClosestPoint>& closest)
           ? ", as where curve and surface differ in unit, axes or place"
           : ""),
     { ElementKind::CurvePoints, off }, this->waysFrom(farthest) };
-}
-
-/// The triangles at a place of the surface, together those that share edges: where the surface
-/// touches itself or another part, as at the two sides of a slit, there are several sheets.
-std::vector<std::vector<ClosestPoint>> CurvePlacement::sheetsAt(const Point3& point) const
-{
-  std::vector<ClosestPoint> all = this->Locator->allClosest(point, samePlaceShare * this->Diagonal);
-  JoinedSets joined(static_cast<Index>(all.size()));
-  for (std::size_t i = 0; i < all.size(); ++i)
-  {
-    for (Index h = 3 * all[i].triangle; h < 3 * all[i].triangle + 3; ++h)
-    {
-      for (std::size_t j = 0; j < i; ++j)
-      {
-        if (this->Mesh.twin(h) != none && this->Mesh.twin(h) / 3 == all[j].triangle)
-        {
-          joined.join(static_cast<Index>(i), static_cast<Index>(j));
-        }
-      }
-    }
-  }
-  std::map<Index, std::vector<ClosestPoint>> sheets; // by the first of each
-  for (std::size_t i = 0; i < all.size(); ++i)
-  {
-    sheets[joined.find(static_cast<Index>(i))].push_back(all[i]);
-  }
-  std::vector<std::vector<ClosestPoint>> result;
-  for (auto& [first, sheet] : sheets)
-  {
-    result.push_back(std::move(sheet));
-  }
-  std::sort(result.begin(), result.end(),
-    [](const auto& a, const auto& b) { return a.front().triangle < b.front().triangle; });
-  return result;
-}
-
-/// Where sheets touch, points of a curve may lie on another one than the rest of it. As few steps
-/// as possible lead from one part of the surface to another, then from one triangle to another;
-/// then the smaller ids win.
-void CurvePlacement::keepToOneSheet(std::size_t c, std::vector<ClosestPoint>& closest)
-{
-  std::vector<std::vector<std::vector<ClosestPoint>>> sheets;
-  bool several = false;
-  for (const Point3& point : this->Polylines[c].points)
-  {
-    sheets.push_back(this->sheetsAt(point));
-    several = several || sheets.back().size() > 1;
-  }
-  if (!several)
-  {
-    return;
-  }
-  if (this->Parts.empty())
-  {
-    connectedParts(this->Mesh, {}, this->Parts);
-  }
-  const auto share = [](const std::vector<ClosestPoint>& a, const std::vector<ClosestPoint>& b) {
-    return std::any_of(a.begin(), a.end(), [&b](const ClosestPoint& one) {
-      return std::any_of(b.begin(), b.end(),
-        [&one](const ClosestPoint& other) { return other.triangle == one.triangle; });
-    });
-  };
-  const auto part = [this](const std::vector<ClosestPoint>& sheet) {
-    return this->Parts[sheet.front().triangle];
-  };
-  // Dynamic programming along the curve, backwards: per sheet the least cost from there on.
-  const auto otherPart = static_cast<Index>(closest.size());
-  std::vector<Indices> cost(sheets.size());
-  std::vector<Indices> next(sheets.size());
-  for (std::size_t i = sheets.size(); i-- > 0;)
-  {
-    cost[i].assign(sheets[i].size(), 0);
-    next[i].assign(sheets[i].size(), none);
-    for (std::size_t k = 0; i + 1 < sheets.size() && k < sheets[i].size(); ++k)
-    {
-      for (std::size_t j = 0; j < sheets[i + 1].size(); ++j)
-      {
-        const bool same = part(sheets[i][k]) == part(sheets[i + 1][j]);
-        const Index sum = cost[i + 1][j] +
-          (!same                                      ? otherPart
-              : share(sheets[i][k], sheets[i + 1][j]) ? 0
-                                                      : 1);
-        if (next[i][k] == none || sum < cost[i][k])
-        {
-          cost[i][k] = sum;
-          next[i][k] = static_cast<Index>(j);
-        }
-      }
-    }
-  }
-  Index* const vertices = this->Vertices.data() + this->First[c];
-  auto at = static_cast<Index>(std::min_element(cost[0].begin(), cost[0].end()) - cost[0].begin());
-  for (std::size_t i = 0; i < sheets.size(); at = next[i++][at])
-  {
-    if (sheets[i].size() > 1)
-    {
-      const std::vector<ClosestPoint>& sheet = sheets[i][at];
-      const bool has = std::any_of(sheet.begin(), sheet.end(), [&](const ClosestPoint& one) {
-        const Triangle& corners = this->Mesh.triangle(one.triangle);
-        return std::find(corners.begin(), corners.end(), vertices[i]) != corners.end();
-      });
-      vertices[i] = has ? vertices[i] : none;
-      closest[i] = sheet.front();
-    }
-  }
 }
 
 ImprintedSurface refuse(Status status, std::size_t curve)

@@ -343,7 +343,9 @@ public:
     this->Settled = settleSeams(this->Given, this->Surface, this->Mirror,
       this->seams(whole.mesh, parted.mesh.vertexCount(), charts.arcs(this->Mirror.has_value())),
       this->Bound, this->Options.flattening, this->Budget, this->Run);
-    return joined(this->Settled.cuts);
+    std::vector<SuggestedCurve> cuts = joined(this->Settled.cuts);
+    const CutTrials trials(this->Given, {}, {}, this->Options.flattening);
+    return trials.paths(linesOf(cuts)).empty() ? this->Settled.cuts : cuts;
   }
 
   /// How many pieces are folded, or lie over themselves, and the largest strain.
@@ -535,12 +537,7 @@ std::vector<SuggestedCurve> drawnOn(const TriangleMesh& mesh,
       }
       continue;
     }
-    std::vector<SurfacePoint> chain;
-    for (const Point3& point : points)
-    {
-      chain.push_back(drawing.place(point));
-    }
-    points = drawing.draw(chain, SeamDrawing::levels - 1);
+    points = drawing.draw(drawing.place(points), SeamDrawing::levels - 1);
     cut.length = lengthOf(points);
   }
   return cuts;

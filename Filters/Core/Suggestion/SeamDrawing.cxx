@@ -83,9 +83,14 @@ SeamDrawing::SeamDrawing(const TriangleMesh& mesh)
 {
 }
 
-SurfacePoint SeamDrawing::place(const Point3& point) const
+std::vector<SurfacePoint> SeamDrawing::place(const Points3& line) const
 {
-  return snapToMesh(this->Mesh, this->Snap, this->Locator.closest(point));
+  std::vector<SurfacePoint> places;
+  for (const SheetLocator::Place& place : this->Locator.along(line))
+  {
+    places.push_back(snapToMesh(this->Mesh, this->Snap, place.closest));
+  }
+  return places;
 }
 
 bool SeamDrawing::exact(const SurfacePoint& from, const SurfacePoint& to) const
@@ -140,8 +145,9 @@ Points3 SeamDrawing::draw(const std::vector<SurfacePoint>& chain, int level) con
       continue;
     }
     const double tolerance = farthest[level] * longest;
-    const FittedPath fitted =
-      tolerance > 0.0 ? fitSpline(this->Graph, this->Locator, path, tolerance) : FittedPath();
+    const FittedPath fitted = tolerance > 0.0
+      ? fitSpline(this->Graph, this->Locator.points(), path, tolerance)
+      : FittedPath();
     if (fitted.segments.empty() || !fitted.status.ok())
     {
       add(path);

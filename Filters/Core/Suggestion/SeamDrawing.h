@@ -3,7 +3,7 @@
 
 #include "Imprint/ImprintedSurface.h"
 #include "Paths/PathGraph.h"
-#include "Surface/SurfaceLocator.h"
+#include "Surface/SheetLocator.h"
 #include "Surface/SurfacePoint.h"
 
 namespace flattening
@@ -24,8 +24,8 @@ public:
   /// The mesh must outlive it.
   explicit SeamDrawing(const TriangleMesh& mesh);
 
-  /// The place of the surface next to a point; a vertex where one is near.
-  SurfacePoint place(const Point3& point) const;
+  /// The places of the surface next to the points of a line; vertices where some are near.
+  std::vector<SurfacePoint> place(const Points3& line) const;
   /// From place to place: along creases and boundaries as they are, elsewhere smooth.
   Points3 draw(const std::vector<SurfacePoint>& chain, int level) const;
 
@@ -34,7 +34,7 @@ private:
 
   const TriangleMesh& Mesh;
   PathGraph Graph;
-  SurfaceLocator Locator;
+  SheetLocator Locator;
   SnapDistance Snap;
 };
 

@@ -190,26 +190,25 @@ private:
         continue;
       }
       seam.level = levels[s];
-      std::vector<SurfacePoint> chain;
-      std::vector<SurfacePoint> image;
-      for (const Point3& point : seam.chain)
-      {
-        chain.push_back(this->Drawing.place(point));
-        if (seam.paired || seam.crosses)
-        {
-          image.push_back(this->Mirror->has(point)
-              ? chain.back()
-              : this->Drawing.place(this->Mirror->plane.mirrored(point)));
-        }
-      }
+      const std::vector<SurfacePoint> chain = this->Drawing.place(seam.chain);
       seam.points = this->Drawing.draw(chain, seam.level);
       seam.image.clear();
-      if (image.empty())
+      if (!seam.paired && !seam.crosses)
       {
         continue;
       }
       if (this->Mirror->plane.error > SurfaceMirror::exact)
       {
+        Points3 mirrored;
+        for (const Point3& point : seam.chain)
+        {
+          mirrored.push_back(this->Mirror->plane.mirrored(point));
+        }
+        std::vector<SurfacePoint> image = this->Drawing.place(mirrored);
+        for (std::size_t k = 0; k < image.size(); ++k)
+        {
+          image[k] = this->Mirror->has(seam.chain[k]) ? chain[k] : image[k];
+        }
         seam.image = this->Drawing.draw(image, seam.level);
         continue;
       }

@@ -11,9 +11,6 @@ namespace
 {
 /// Triangles a leaf: to measure so few takes no longer than another two boxes.
 constexpr Index leafSize = 4;
-/// Distances that differ by less than this fraction of them are equal: which of two faces is the
-/// closer one to a point over the edge between them is not left to rounding.
-constexpr double equalDistances = 1e-10;
 
 std::array<double, 3> along(int from, int to, double fraction)
 {

@@ -14,6 +14,10 @@ struct ClosestPoint
   double distance = 0.0;
 };
 
+/// Distances that differ by less than this fraction of them are equal: which of two faces is the
+/// closer one to a point over the edge between them is not left to rounding.
+inline constexpr double equalDistances = 1e-10;
+
 /// Finds the point of a surface that is closest to a point in space, with a tree of bounding boxes:
 /// n log n to build, log n a query where the point is near the surface.
 class SurfaceLocator
@@ -27,6 +31,11 @@ public:
   /// The closest point of each triangle that is farther than the closest one by at most a distance;
   /// ascending ids.
   std::vector<ClosestPoint> allClosest(const Point3& point, double farther) const;
+  /// Of the box around the surface; 0 for an empty one.
+  double diagonal() const
+  {
+    return this->Nodes.empty() ? 0.0 : this->Nodes.front().box.diagonal().norm();
+  }
 
 private:
   struct Node
