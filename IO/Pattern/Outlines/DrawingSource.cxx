@@ -58,12 +58,12 @@ double DrawingSource::allowanceAlong(Index from, Index to) const
     return 0.0;
   }
   const std::map<std::string, double>& ofCurve = this->options.allowanceOfCurve;
-  auto border = this->border.find(edgeKey(from, to));
-  border = border == this->border.end() ? this->border.find(edgeKey(to, from)) : border;
-  if (border != this->border.end())
+  auto place = this->border.find(edgeKey(from, to));
+  place = place == this->border.end() ? this->border.find(edgeKey(to, from)) : place;
+  if (place != this->border.end())
   {
     const auto ofSide =
-      ofCurve.find(this->nameAlong(from, to) + ':' + std::to_string(border->second + 1));
+      ofCurve.find(this->nameAlong(from, to) + ':' + std::to_string(place->second + 1));
     if (ofSide != ofCurve.end())
     {
       return ofSide->second;
