@@ -15,7 +15,7 @@ struct AllowancePolygon
 {
   Points2 points;
   std::vector<double> allowance;
-  std::vector<Points2> tabs; ///< further cloth beside edges, as polygons
+  std::vector<Points2> tabs = {}; ///< further cloth beside edges, as polygons
 };
 
 inline bool hasAllowance(const std::vector<AllowancePolygon>& polygons)
