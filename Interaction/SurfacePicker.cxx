@@ -2,6 +2,7 @@
 #include "SurfacePicker.h"
 
 #include <vtkGenericCell.h>
+#include <vtkIdList.h>
 #include <vtkMath.h>
 
 #include <algorithm>
@@ -27,6 +28,55 @@ std::array<double, 3> worldAt(vtkRenderer* renderer, double x, double y, double 
   return { world[0] / world[3], world[1] / world[3], world[2] / world[3] };
 }
 
+/// Twice the area of a polygon along its normal. \return whether it has one
+bool areaNormal(vtkPolyData* surface, vtkIdType cell, double normal[3])
+{
+  vtkNew<vtkIdList> points;
+  surface->GetCellPoints(cell, points);
+  std::fill(normal, normal + 3, 0.0);
+  double first[3];
+  for (vtkIdType k = 1; k + 1 < points->GetNumberOfIds(); ++k)
+  {
+    double one[3];
+    double other[3];
+    double twice[3];
+    surface->GetPoint(points->GetId(0), first);
+    surface->GetPoint(points->GetId(k), one);
+    surface->GetPoint(points->GetId(k + 1), other);
+    vtkMath::Subtract(one, first, one);
+    vtkMath::Subtract(other, first, other);
+    vtkMath::Cross(one, other, twice);
+    vtkMath::Add(normal, twice, normal);
+  }
+  return vtkMath::Norm(normal) > 0.0;
+}
+
+/// 1 or -1 where the normals of a surface go all ways, as those of a body do, and point away from
+/// its middle or to it; 0 for a sheet, of which either side may be drawn on.
+double outwardsOf(vtkPolyData* surface)
+{
+  constexpr double sheet = 0.4; // of the area, that is seen from one side
+  double center[3];
+  surface->GetCenter(center);
+  double whole[3] = { 0.0, 0.0, 0.0 };
+  double area = 0.0;
+  double away = 0.0;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    double normal[3];
+    if (areaNormal(surface, cell, normal))
+    {
+      double way[3];
+      surface->GetPoint(surface->GetCell(cell)->GetPointId(0), way);
+      vtkMath::Subtract(way, center, way);
+      vtkMath::Add(whole, normal, whole);
+      area += vtkMath::Norm(normal);
+      away += vtkMath::Dot(normal, way);
+    }
+  }
+  return vtkMath::Norm(whole) > sheet * area ? 0.0 : away > 0.0 ? 1.0 : -1.0;
+}
+
 /// Length of a pixel at a point, in the unit of the scene.
 double pixelSize(vtkRenderer* renderer, const std::array<double, 3>& point)
 {
@@ -45,11 +95,21 @@ double pixelSize(vtkRenderer* renderer, const std::array<double, 3>& point)
 void SurfacePicker::setSurface(vtkPolyData* surface)
 {
   this->Surface = surface && surface->GetNumberOfCells() > 0 ? surface : nullptr;
+  this->Outwards = 0.0;
   if (this->Surface)
   {
     this->Locator->SetDataSet(surface);
     this->Locator->BuildLocator();
+    this->Outwards = outwardsOf(surface);
   }
+}
+
+//------------------------------------------------------------------------------
+bool SurfacePicker::isInside(vtkIdType triangle, const std::array<double, 3>& way) const
+{
+  double normal[3];
+  return this->Outwards != 0.0 && areaNormal(this->Surface, triangle, normal) &&
+    this->Outwards * vtkMath::Dot(normal, way.data()) > 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -63,6 +123,11 @@ bool SurfacePicker::pickPixel(vtkRenderer* renderer, double x, double y, Surface
   vtkIdType id = -1;
   if (this->Locator->IntersectWithLine(
         start.data(), end.data(), 0.0, t, picked.point.data(), coordinates, subId, id) == 0)
+  {
+    return false;
+  }
+  // Through an opening, where who aims at the border has missed it.
+  if (this->isInside(id, { end[0] - start[0], end[1] - start[1], end[2] - start[2] }))
   {
     return false;
   }

@@ -45,9 +45,12 @@ public:
 
 private:
   bool pickPixel(vtkRenderer* renderer, double x, double y, SurfacePick& picked) const;
+  /// Whether a triangle is seen from within a surface that surrounds a space.
+  bool isInside(vtkIdType triangle, const std::array<double, 3>& way) const;
 
   vtkNew<vtkStaticCellLocator> Locator;
   vtkSmartPointer<vtkPolyData> Surface;
+  double Outwards = 0.0; ///< 1 or -1: where the normals of one that surrounds a space point; or 0
 };
 }
 }

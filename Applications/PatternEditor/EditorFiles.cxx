@@ -5,19 +5,24 @@
 #include "CurveList.h"
 #include "FaceSeams.h"
 #include "Files.h"
+#include "Formats/PatternOptionTable.h"
 #include "InputError.h"
 #include "ReadCurves.h"
 #include "ReadSurface.h"
+#include "TextFile.h"
 #include "Units.h"
 #include "WindowWords.h"
 
 #include <vtkFeatureCurveEditor.h>
+#include <vtkFieldData.h>
 #include <vtkFlatteningAlgorithm.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPatternWriter.h>
 #include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <QDateTime>
@@ -28,6 +33,7 @@
 #include <QPainter>
 #include <QString>
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -37,13 +43,68 @@ namespace editor
 {
 namespace
 {
-/// The curves as they are written, with the unit of the surface.
-vtkSmartPointer<vtkPolyData> curvesIn(const QString& unit, vtkFeatureCurveEditor* curves)
+using flattening::OptionValues;
+
+const char* const optionArray = "PatternOptions"; ///< of field data, "Property=value"
+
+/// The curves as they are written, with the unit of the surface and the options of the pattern that
+/// are not the defaults.
+vtkSmartPointer<vtkPolyData> curvesIn(
+  const QString& unit, vtkFeatureCurveEditor* curves, vtkPatternWriter* pattern)
 {
   auto drawn = vtkSmartPointer<vtkPolyData>::New();
   curves->GetCurves(drawn);
   vtkFlatteningAlgorithm::SetLengthUnitOf(drawn, unit.toStdString());
+  OptionValues values(flattening::pattern::patternOptions());
+  pattern->GetOptions(values);
+  vtkNew<vtkStringArray> kept;
+  kept->SetName(optionArray);
+  for (const flattening::Option* const option : values.options())
+  {
+    const std::string& property = option->property;
+    if (values[property] != option->byDefault && property != "PatternName")
+    {
+      kept->InsertNextValue(property + '=' + textOf(*option, values[property]));
+    }
+  }
+  drawn->GetFieldData()->AddArray(kept);
   return drawn;
+}
+
+/// Takes the options that a file of curves keeps; those of one that keeps none stay.
+void takeOptions(vtkPolyData* curves, vtkPatternWriter* pattern)
+{
+  auto* const kept =
+    vtkStringArray::SafeDownCast(curves->GetFieldData()->GetAbstractArray(optionArray));
+  OptionValues values(flattening::pattern::patternOptions());
+  for (vtkIdType k = 0; kept && k < kept->GetNumberOfValues(); ++k)
+  {
+    const std::string& entry = kept->GetValue(k);
+    const std::size_t sign = std::min(entry.find('='), entry.size());
+    const std::string text = entry.substr(std::min(sign + 1, entry.size()));
+    const flattening::Option* const option = values.find(entry.substr(0, sign));
+    double number = 0.0;
+    if (!option || option->type == flattening::OptionType::List)
+    {
+      continue; // of another version
+    }
+    if (option->type == flattening::OptionType::Text)
+    {
+      values.set(option->property, text);
+    }
+    else if (option->type == flattening::OptionType::Word)
+    {
+      values.setWord(option->property, text);
+    }
+    else if (wirewarp::parseNumber(text, number) && isValid(*option, number))
+    {
+      values.set(option->property, number);
+    }
+  }
+  if (kept)
+  {
+    pattern->SetOptions(values);
+  }
 }
 }
 
@@ -149,6 +210,7 @@ bool EditorWindow::openCurves(const std::string& path)
     }
     const wirewarp::CurveContents read = wirewarp::readCurves(path, this->Surface);
     this->showCurves(read.curves, read.note);
+    takeOptions(read.curves, this->Pattern);
     this->takeUnit(vtkFlatteningAlgorithm::GetLengthUnitOf(read.curves));
   });
 }
@@ -242,7 +304,8 @@ void EditorWindow::followSaving()
 //------------------------------------------------------------------------------
 void EditorWindow::keepUnsaved()
 {
-  this->attempt([&] { this->Journal.write(curvesIn(this->Unit->currentText(), this->Curves)); });
+  this->attempt(
+    [&] { this->Journal.write(curvesIn(this->Unit->currentText(), this->Curves, this->Pattern)); });
 }
 
 //------------------------------------------------------------------------------
@@ -269,6 +332,7 @@ void EditorWindow::offerLeftover()
     {
       throw std::runtime_error(this->Curves->GetMessage());
     }
+    takeOptions(left.curves, this->Pattern);
     this->tell("recovered what was not saved", false);
     this->takeUnit(vtkFlatteningAlgorithm::GetLengthUnitOf(left.curves));
   });
@@ -278,7 +342,7 @@ void EditorWindow::offerLeftover()
 bool EditorWindow::saveCurves(const std::string& path)
 {
   return this->attempt([&] {
-    figures::writePolyData(path, curvesIn(this->Unit->currentText(), this->Curves));
+    figures::writePolyData(path, curvesIn(this->Unit->currentText(), this->Curves, this->Pattern));
     this->Saved = this->Curves->GetMTime();
     this->followSaving();
     this->tell("saved " + path, false);

@@ -15,6 +15,7 @@
 #include <array>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -187,6 +188,13 @@ void EditorWindow::makeViewMenu()
     this->showResult();
   });
   this->addAction(menu, "Whole view", "R", &EditorWindow::resetViews);
+  for (const auto& [name, key, axis] : { std::tuple("From the front", "F2", 0),
+         std::tuple("From the side", "F4", 1), std::tuple("From above", "F5", 2) })
+  {
+    QAction* const action = menu->addAction(name);
+    action->setShortcut(QKeySequence(key));
+    QObject::connect(action, &QAction::triggered, [this, axis = axis] { this->lookAlong(axis); });
+  }
 }
 
 //------------------------------------------------------------------------------

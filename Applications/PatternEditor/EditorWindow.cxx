@@ -4,10 +4,14 @@
 #include "Files.h"
 #include "PatternPicture.h"
 
+#include <vtkCamera.h>
 #include <vtkFeatureCurveEditor.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkInteractorStyleImage.h>
 #include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkMath.h>
+#include <vtkObjectFactory.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
 #include <QApplication>
@@ -20,10 +24,53 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include <array>
+#include <cmath>
+
 namespace editor
 {
 namespace
 {
+/// Turns about the up of the view and never tilts it.
+class TurntableStyle : public vtkInteractorStyleTrackballCamera
+{
+public:
+  static TurntableStyle* New();
+  vtkTypeMacro(TurntableStyle, vtkInteractorStyleTrackballCamera)
+
+  void Rotate() override
+  {
+    if (!this->CurrentRenderer)
+    {
+      return;
+    }
+    constexpr double degreesPerWindow = 200.0;
+    constexpr double steepest = 0.999; // cosine, from which the view is not tipped on
+    const int* const size = this->CurrentRenderer->GetRenderWindow()->GetSize();
+    const int* const at = this->Interactor->GetEventPosition();
+    const int* const before = this->Interactor->GetLastEventPosition();
+    vtkCamera* const camera = this->CurrentRenderer->GetActiveCamera();
+    camera->Azimuth(-degreesPerWindow * (at[0] - before[0]) / size[0]);
+    const double tip = -degreesPerWindow * (at[1] - before[1]) / size[1];
+    double up[3];
+    camera->GetViewUp(up);
+    vtkMath::Normalize(up);
+    camera->Elevation(tip);
+    double along[3];
+    camera->GetDirectionOfProjection(along);
+    if (std::abs(vtkMath::Dot(up, along)) > steepest)
+    {
+      camera->Elevation(-tip);
+    }
+    if (this->AutoAdjustCameraClippingRange)
+    {
+      this->CurrentRenderer->ResetCameraClippingRange();
+    }
+    this->Interactor->Render();
+  }
+};
+vtkStandardNewMacro(TurntableStyle);
+
 constexpr int restMilliseconds = 150;
 constexpr int lateMilliseconds = 100;
 constexpr int keepMilliseconds = 300;
@@ -152,7 +199,7 @@ QVTKOpenGLStereoWidget* EditorWindow::addView(vtkRenderer* renderer)
   }
   else
   {
-    vtkNew<vtkInteractorStyleTrackballCamera> style;
+    vtkNew<TurntableStyle> style;
     view->interactor()->SetInteractorStyle(style);
   }
   // The styles' own keys: q would end the program, w and 3 draw otherwise.
@@ -249,6 +296,30 @@ void EditorWindow::resetViews()
 {
   this->SpaceScene.resetCamera();
   this->PlaneScene.reset();
+  this->showResult();
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::lookAlong(int axis)
+{
+  if (!this->Surface)
+  {
+    return;
+  }
+  double bounds[6];
+  this->Surface->GetBounds(bounds);
+  const bool yUp = bounds[3] - bounds[2] > bounds[5] - bounds[4];
+  const std::array<figures::Vector, 3> upright{ { { 0.0, 0.0, 1.0 }, { 1.0, 0.0, 0.0 },
+    { 0.0, 1.0, 0.0 } } };
+  const std::array<figures::Vector, 3> lying{ { { 0.0, -1.0, 0.0 }, { 1.0, 0.0, 0.0 },
+    { 0.0, 0.0, 1.0 } } };
+  vtkCamera* const camera = this->Space->GetActiveCamera();
+  this->SpaceScene.lookFrom((yUp ? upright : lying)[static_cast<std::size_t>(axis)]);
+  if (!yUp && axis != 2)
+  {
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    this->Space->ResetCamera(bounds);
+  }
   this->showResult();
 }
 

@@ -133,6 +133,9 @@ private:
   /// As if the mouse's buttons were released.
   void letGo();
   void resetViews();
+  /// From the front, the side (0, 1), or above (2). Up is of y and z the axis along which the
+  /// surface is larger, as in patterns.
+  void lookAlong(int axis);
   /// Whether there are curves that no file has.
   bool isUnsaved() const;
   bool mayForgetCurves();

@@ -106,11 +106,19 @@ void SpaceView::showGhosts(const figures::PolyData& lines, std::size_t chosen)
 //------------------------------------------------------------------------------
 void SpaceView::resetCamera()
 {
+  if (this->Surface)
+  {
+    this->lookFrom(figures::facing(this->Surface));
+  }
+}
+
+//------------------------------------------------------------------------------
+void SpaceView::lookFrom(const figures::Vector& back)
+{
   if (!this->Surface)
   {
     return;
   }
-  const figures::Vector back = figures::facing(this->Surface);
   vtkCamera* const camera = this->Renderer->GetActiveCamera();
   camera->ParallelProjectionOn();
   double center[3];

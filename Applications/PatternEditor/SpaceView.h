@@ -23,6 +23,8 @@ public:
   /// Lines that are no curves yet, one of them stronger.
   void showGhosts(const figures::PolyData& lines, std::size_t chosen);
   void resetCamera();
+  /// Shows the whole surface from a direction.
+  void lookFrom(const figures::Vector& back);
 
 private:
   vtkSmartPointer<vtkRenderer> Renderer;

@@ -4,6 +4,7 @@
 #include "FaceSeams.h"
 
 #include <vtkActor2DCollection.h>
+#include <vtkCamera.h>
 #include <vtkDoubleArray.h>
 #include <vtkPatternWriter.h>
 #include <vtkStringArray.h>
@@ -19,6 +20,8 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 
+#include <array>
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <initializer_list>
@@ -167,6 +170,48 @@ TEST_F(PatternEditor, TheUnitIsKeptWithCurvesAndSurface)
   EXPECT_EQ(this->window->unit()->currentText(), "m");
   EXPECT_TRUE(this->window->message().contains("states no unit: m is taken, in which it is 2 m"))
     << this->window->message().toStdString();
+}
+
+TEST_F(PatternEditor, OptionsOfThePatternAreKeptWithTheCurves)
+{
+  const std::string lines = testing::TempDir() + "option_curves.vtp";
+  ASSERT_TRUE(this->window->curves()->SetCurves(tutorialLines(this->surface)));
+  vtkPatternWriter* pattern = this->window->pattern();
+  pattern->SetAllowance(12.5);
+  pattern->SetPatternSize("38=M");
+  pattern->SetPaperToA0();
+  pattern->JoinMarksOff();
+  pattern->SetQuantity(2);
+  ASSERT_TRUE(this->window->saveCurves(lines)) << this->window->message().toStdString();
+
+  this->open();
+  pattern = this->window->pattern();
+  EXPECT_EQ(pattern->GetAllowance(), -1.0);
+  ASSERT_TRUE(this->window->openCurves(lines));
+  EXPECT_EQ(pattern->GetAllowance(), 12.5);
+  EXPECT_EQ(pattern->GetPatternSize(), "38=M");
+  EXPECT_EQ(pattern->GetPaper(), static_cast<int>(vtkPatternWriter::A0));
+  EXPECT_FALSE(pattern->GetJoinMarks());
+  EXPECT_EQ(pattern->GetQuantity(), 2);
+  EXPECT_EQ(pattern->GetDartTip(), 0.0);
+}
+
+TEST_F(PatternEditor, KeysShowTheSurfaceFromTheFrontTheSideAndAbove)
+{
+  vtkCamera* const camera = this->window->space()->GetActiveCamera();
+  const auto lookedAlong = [&](Qt::Key key) {
+    QTest::keyClick(this->window.get(), key);
+    const double* const along = camera->GetDirectionOfProjection();
+    return std::array<long, 3>{ std::lround(along[0]), std::lround(along[1]),
+      std::lround(along[2]) };
+  };
+  // The shirt stands upright along y and faces z.
+  using Way = std::array<long, 3>;
+  EXPECT_EQ(lookedAlong(Qt::Key_F4), (Way{ -1, 0, 0 }));
+  EXPECT_NEAR(camera->GetViewUp()[1], 1.0, 1e-9);
+  EXPECT_EQ(lookedAlong(Qt::Key_F5), (Way{ 0, -1, 0 }));
+  EXPECT_EQ(lookedAlong(Qt::Key_F2), (Way{ 0, 0, -1 }));
+  EXPECT_NEAR(camera->GetViewUp()[1], 1.0, 1e-9);
 }
 
 TEST_F(PatternEditor, ASearchForProposalsCanBeStopped)

@@ -7,6 +7,7 @@
 #include <vtkActor2DCollection.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
+#include <vtkCylinderSource.h>
 #include <vtkFeatureCurveEditor.h>
 #include <vtkFeatureCurveRepresentation.h>
 #include <vtkInteractorStyleTrackballCamera.h>
@@ -16,6 +17,7 @@
 #include <vtkTextActor.h>
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
+#include <vtkTriangleFilter.h>
 
 #include <gtest/gtest.h>
 
@@ -150,6 +152,33 @@ protected:
 }
 
 //------------------------------------------------------------------------------
+TEST_F(FeatureCurveWidget, AClickThroughAnOpeningDoesNotReachTheInsideOfABody)
+{
+  vtkNew<vtkCylinderSource> source; // about y, 2 high, of radius 1
+  source->SetHeight(2.0);
+  source->SetRadius(1.0);
+  source->SetResolution(32);
+  source->CappingOff();
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(source->GetOutputPort());
+  triangles->Update();
+  this->surface = triangles->GetOutput();
+  ASSERT_TRUE(this->editor->SetSurface(this->surface));
+  this->widget->SetSurface(this->surface);
+  vtkCamera* const camera = this->renderer->GetActiveCamera();
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetPosition(0.0, 3.0, 3.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  this->renderer->ResetCamera(this->surface->GetBounds());
+  this->window->Render();
+  const double inside[2][3] = { { -0.2, 0.5, -0.97 }, { 0.2, 0.5, -0.97 } };
+  this->draw({ this->pixelOf(inside[0]), this->pixelOf(inside[1]) });
+  EXPECT_EQ(this->editor->GetNumberOfCurves(), 0);
+  const double outside[2][3] = { { -0.2, 0.0, 0.97 }, { 0.2, 0.0, 0.97 } };
+  this->draw({ this->pixelOf(outside[0]), this->pixelOf(outside[1]) });
+  EXPECT_EQ(this->editor->GetNumberOfCurves(), 1);
+}
+
 TEST_F(FeatureCurveWidget, ClicksDrawACurveThroughTheVerticesTheyMean)
 {
   // The tutorial's bust girth.
