@@ -3,6 +3,7 @@
 
 import math
 import os
+import re
 
 import command
 
@@ -94,6 +95,18 @@ class Commands(command.CommandTest):
         default, mirrored, free = reports.values()
         self.assertEqual(default, mirrored)
         self.assertNotEqual(default, free)
+
+    def test_legs_that_fold_tell_what_they_cost(self):
+        data = os.path.join(command.DATA, "shirt_back")
+        pieces = {}
+        for legs in ("mirrored", "free"):
+            self.run_well(data + ".vtp", data + "_curves.vtp", "-o", "out", "--dart-legs", legs)
+            (pieces[legs],) = self.report("out")["pieces"]
+        numbers = re.search(r"leave a strain of ([\d.]+) %, free ones would leave ([\d.]+) %",
+                            pieces["mirrored"]["fallbacks"]).groups()
+        for number, legs in zip(numbers, ("mirrored", "free")):
+            self.assertAlmostEqual(float(number), 100 * pieces[legs]["strain_p95"], 2)
+        self.assertNotIn("leave a strain", pieces["free"]["fallbacks"])
 
     def test_a_result_is_sewn_into_its_folder(self):
         self.run_well("a.obj", "--unit", "cm", "-o", "out")

@@ -85,6 +85,11 @@ std::vector<std::string> fallbacks(const PieceContext& context, const PieceSolut
     all.push_back("darts whose legs cannot be made to fold on each other keep free ones: " +
       quotedNames(context.curves, flat.freeDarts));
   }
+  if (flat.strainOfLegs > 0.0)
+  {
+    all.push_back("legs of darts that fold on each other leave a strain of " +
+      percent(flat.strainOfLegs) + ", free ones would leave " + percent(flat.strainOfFreeLegs));
+  }
   return all;
 }
 

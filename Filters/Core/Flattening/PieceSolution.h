@@ -46,6 +46,9 @@ struct PieceSolution
   std::optional<GrainReport> grain;
   bool clothSolved = false;
   Indices freeDarts; ///< whose legs stay free although others were asked for, ascending
+  /// On 95 % of the area, where legs of darts that fold on each other cost much; 0 where not.
+  double strainOfFreeLegs = 0.0;
+  double strainOfLegs = 0.0;
   /// Of the piece with sides of cuts joined, where they are; its edges end at vertices of the
   /// piece.
   std::optional<WireNetwork> joinedNetwork;
