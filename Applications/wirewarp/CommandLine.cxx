@@ -561,7 +561,8 @@ std::string idleOption(const CLI::App& app, const Options& task)
     [](const PatternFile& file) { return file.format == vtkPatternWriter::PDF; });
   for (const char* const option : { "--paper", "--page-overlap", "--max-pages", "--seam-table" })
   {
-    if (isGiven(app, option) && !drawsPdf)
+    const bool isOfKind = task.command == "make" && std::string_view(option) == "--paper";
+    if (isGiven(app, option) && !drawsPdf && !isOfKind)
     {
       return std::string(option) +
         " is for a pattern in PDF (-o FILE.pdf); give that as well, or leave it out";

@@ -215,7 +215,7 @@ std::vector<std::string> addPatterns(const Options& options, Flattening& result,
   for (const auto& [note, kind] : notes)
   {
     result.patternNotes.push_back(note);
-    if (!isNews(kind, request, options.quiet))
+    if (!isNews(kind, request, options.quiet || options.command == "make"))
     {
       continue;
     }

@@ -169,7 +169,7 @@ std::string fitVerdict(double strain, double bound)
   {
     return "unknown";
   }
-  const std::string percent = format("%.2g %%", 100.0 * strain);
+  const std::string percent = format(strain < 0.1 ? "%.2g %%" : "%.0f %%", 100.0 * strain);
   const double enough = bound > 0.0 ? tolerance * bound : ofCloth;
   if (strain <= enough)
   {

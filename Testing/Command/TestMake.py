@@ -124,6 +124,21 @@ class Make(command.CommandTest):
         self.assertNotIn("\x1b", self.make("cap.obj", "--unit", "cm", "--max-strain", "0.1%", "--max-cuts", "1",
                                            "-o", "a.svg", code=4).stderr)
 
+    def test_a_tent_is_drawn_on_one_sheet_with_the_grain_along_its_strips(self):
+        """A sheet of 6 x 2.4 m that hangs a little, whose upright axis says nothing of its cloth."""
+        self.write("tent.obj", command.obj(*command.grid(
+            24, 12, lambda i, j: (0.25 * i, 0.2 * j, 0.1 * math.sin(math.pi * i / 24)))))
+        run = self.make("tent.obj", "--unit", "m", "--for", "tent", "--template", "strips", "--max-width", "1.5",
+                        "-o", "out", "-o", "tent.pdf", "-o", "tent.svg")
+        self.assertIn("pieces: 2, the longest", run.stdout)
+        with open(self.path("tent.svg"), encoding="utf-8") as file:
+            grains = re.findall(r'class="grain".*?d="M([-\d.]+),([-\d.]+) L([-\d.]+),([-\d.]+)"', file.read(), re.S)
+        self.assertEqual(len(grains), 2)
+        for x0, y0, x1, y1 in (map(float, grain) for grain in grains):
+            self.assertAlmostEqual(x0, x1, delta=1e-6)
+            self.assertGreater(abs(y1 - y0), 3000)  # along 6 m
+        self.assertIn("tent.pdf", run.stdout)  # hundreds of A4 would be an error
+
     def test_an_unknown_kind_is_refused(self):
         run = self.make("cap.obj", "--for", "boat", code=2)
         self.assertIn("boat", run.stderr)
