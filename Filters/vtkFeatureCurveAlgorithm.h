@@ -171,8 +171,10 @@ public:
   ///@{
   /**
    * Length tolerance of all curves of a name, in place of `LengthTolerance`. The name may also be
-   * the "curve N" that a curve without a name is given. Default: none. Range: [0, 1); a value
-   * outside and a name that no curve has are refused (INVALID_OPTION).
+   * the "curve N" that a curve without a name is given, or "boundary" for what is left of the
+   * surface's own, of which each stretch between ends of other wires gets a length of its own.
+   * Default: none. Range: [0, 1); a value outside and a name that no curve has are refused
+   * (INVALID_OPTION).
    */
   void AddCurveTolerance(const std::string& curve, double tolerance);
   void RemoveAllCurveTolerances();

@@ -9,6 +9,7 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "FlatteningOutput.h"
 #include "Input/ClothInput.h"
+#include "Input/CurvedSurface.h"
 #include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
@@ -288,6 +289,8 @@ flattening::FlatteningOptions vtkFlatPieceAlgorithm::Settings()
   {
     options.cloth = flattening::readCloth(material, this->Grain);
   }
+  const auto elastic = this->CurveTolerances.find(flattening::boundaryName);
+  options.boundaryTolerance = elastic == this->CurveTolerances.end() ? 0.0 : elastic->second;
   return options;
 }
 

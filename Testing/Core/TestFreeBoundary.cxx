@@ -312,3 +312,48 @@ TEST(FreeBoundary, RefusesWhatHasNoEffect)
   surface.curves[0].tolerance = 0.0;
   EXPECT_NE(refusal(), StatusCode::InvalidOption);
 }
+
+TEST(ElasticBoundary, EachStretchBetweenEndsOfWiresHasOneFactorWithinTheTolerance)
+{
+  constexpr double tolerance = 0.02;
+  Surface surface = cushion(12, 15, 0.3);
+  surface.curves = { columnCurve(12, 15, 5), rowCurve(12, 9) };
+  FlatteningOptions options;
+  const FlatteningResult exact = flatten(surface, options);
+  options.boundaryTolerance = tolerance;
+  const FlatteningResult elastic = flatten(surface, options);
+  ASSERT_TRUE(elastic.status.ok()) << elastic.status.message;
+  EXPECT_LT(elastic.pieces[0].quality.maximumEdgeLengthError, 1e-12) << "of the two curves";
+  EXPECT_LT(elastic.pieces[0].quality.rigidEnergy, 0.95 * exact.pieces[0].quality.rigidEnergy);
+
+  // By the quarters that the curves divide it into.
+  std::array<std::vector<double>, 4> factors;
+  const TriangleMesh& mesh = surface.mesh;
+  for (Index h = 0; h < 3 * mesh.triangleCount(); ++h)
+  {
+    if (mesh.twin(h) == none)
+    {
+      const Index a = mesh.from(h);
+      const Index b = mesh.to(h);
+      const bool right = a % 13 + b % 13 > 2 * 5;
+      const bool above = a / 13 + b / 13 > 2 * 9;
+      factors[2 * right + above].push_back((elastic.positions[b] - elastic.positions[a]).norm() /
+        (mesh.point(b) - mesh.point(a)).norm());
+    }
+  }
+  for (const std::vector<double>& stretch : factors)
+  {
+    const auto [least, most] = std::minmax_element(stretch.begin(), stretch.end());
+    EXPECT_LT(*most - *least, 1e-12);
+    EXPECT_LE(std::abs(*most - 1.0), tolerance + 1e-12);
+    EXPECT_GT(std::abs(*most - 1.0), 1e-4);
+  }
+}
+
+TEST(ElasticBoundary, IsRefusedWhereItIsFree)
+{
+  FlatteningOptions options = freeBoundary();
+  options.boundaryTolerance = 0.02;
+  EXPECT_EQ(
+    statustesting::codeOf(flatten(cushion(9, 8, 0.4), options).status), StatusCode::InvalidOption);
+}

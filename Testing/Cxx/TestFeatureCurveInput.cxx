@@ -140,6 +140,14 @@ void tolerancesMayBeGivenByName(Checks& check)
     check.equal(std::string(filter->GetStatusName()), "InvalidOption", "a tolerance out of range");
   }
   filter->RemoveAllCurveTolerances();
+  filter->AddCurveTolerance("boundary", 0.02);
+  filter->Update();
+  check.equal(std::string(filter->GetStatusName()), "Ok", "the boundary has a name");
+  filter->SetBoundaryModeToFree();
+  filter->Update();
+  check.equal(std::string(filter->GetStatusName()), "InvalidOption", "a tolerance of what is free");
+  filter->SetBoundaryModeToExact();
+  filter->RemoveAllCurveTolerances();
   filter->AddCurveTolerance("belt", 0.1);
   filter->Update();
   check.equal(std::string(filter->GetStatusName()), "InvalidOption", "a name of no curve");

@@ -15,11 +15,60 @@ namespace
 constexpr double connectorTolerance = 0.9;
 constexpr double stretchWeight = 1e-2;
 
-/// Elastic curves stretch as one, each edge of a connector on its own.
+/// The sides of the boundary's edges from one end of another wire to the next.
+std::vector<Indices> boundaryStretches(const AngleProblem& problem)
+{
+  const WireNetwork& network = *problem.network;
+  const auto isBoundary = [&](Index side) {
+    const WireEdge& edge = network.edges[network.edge[side]];
+    return edge.curve == none && !edge.connector && problem.held[network.edge[side]];
+  };
+  const auto continues = [&](Index side) {
+    const Index host = network.hostOfVertex[network.vertex[side]];
+    return isBoundary(network.previous[side]) &&
+      network.vertexNodeBegin[host + 1] - network.vertexNodeBegin[host] ==
+      (network.interior[host] ? 2 : 1);
+  };
+  std::vector<Indices> stretches;
+  std::vector<char> done(network.edges.size(), 0);
+  for (const WireEdge& edge : network.edges)
+  {
+    Index side = edge.side;
+    if (!isBoundary(side) || done[network.edge[side]])
+    {
+      continue;
+    }
+    while (continues(side) && network.previous[side] != edge.side)
+    {
+      side = network.previous[side];
+    }
+    stretches.emplace_back();
+    do
+    {
+      done[network.edge[side]] = 1;
+      stretches.back().push_back(side);
+      side = network.next[side];
+    } while (isBoundary(side) && !done[network.edge[side]] && continues(side));
+  }
+  return stretches;
+}
+
+/// Elastic curves, and stretches of an elastic boundary, stretch as one, each edge of a connector
+/// on its own.
 void addStretchGroups(
   const std::vector<FeatureCurve>& curves, const CurveRules& rules, AngleProblem& problem)
 {
   const WireNetwork& network = *problem.network;
+  for (const Indices& sides :
+    rules.boundaryTolerance > 0.0 ? boundaryStretches(problem) : std::vector<Indices>())
+  {
+    for (const Index side : sides)
+    {
+      problem.stretchGroup[network.edge[side]] = static_cast<Index>(problem.groups.size());
+    }
+    problem.groups.push_back(
+      { rules.boundaryTolerance, stretchWeight * static_cast<double>(sides.size()) });
+  }
   Indices groupOfCurve(curves.size(), none);
   for (Index e = 0; e < network.edgeCount(); ++e)
   {

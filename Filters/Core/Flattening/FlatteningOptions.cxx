@@ -47,6 +47,12 @@ Status checkOptions(const FlatteningOptions& options)
       return { StatusCode::InvalidOption, "the boundary is free, and the scheme is not isometric",
         {}, { { Remedy::Give, "the isometric scheme, or an exact boundary" } } };
     }
+    if (options.boundaryTolerance > 0.0)
+    {
+      return { StatusCode::InvalidOption,
+        "a free boundary may have any length, and it has a tolerance", {},
+        { { Remedy::Give, "an exact boundary, or no tolerance" } } };
+    }
     if (options.isometric.energy.kind == DistortionEnergyKind::Automatic &&
       options.isometric.energy.bias != 0.0)
     {

@@ -66,6 +66,9 @@ struct FlatteningOptions
 {
   Scheme scheme = Scheme::Isometric;
   BoundaryMode boundary = BoundaryMode::Exact;
+  /// How far each stretch of the boundary between ends of other wires may go from its length on the
+  /// surface, as a fraction in [0, 1); 0 is rigid.
+  double boundaryTolerance = 0.0;
   /// Isometric scheme: by triangle where it lay before more of the surface was cut. Pieces that
   /// lengths alone hold go on from there, which is quicker than from the wires' angles, to the same
   /// minimum or one beside it (see warpFromGivenStart()). Empty: all start from their angles.

@@ -229,7 +229,7 @@ Status wrongLengths(const CutSurface& cut, const std::vector<FeatureCurve>& curv
   for (const Wire& wire : result.wires)
   {
     const double error = wire.maximumEdgeError;
-    const bool elastic = wire.curve != none && curves[wire.curve].tolerance > 0.0;
+    const bool elastic = isElastic(wire.curve, curves, options.boundaryTolerance);
     const bool held = holdsLength(wire.curve, curves, free);
     if (wire.piece == piece && held && !wire.connector && !elastic &&
       !(error <= options.lengthTolerance))

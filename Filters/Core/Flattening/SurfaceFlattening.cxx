@@ -21,14 +21,15 @@ namespace flattening
 namespace
 {
 /// Half-edges of the piece's wires whose length is promised, one an edge.
-Indices rigidHalfedges(
-  const WireNetwork& network, const std::vector<FeatureCurve>& curves, bool freeBoundary)
+Indices rigidHalfedges(const WireNetwork& network, const std::vector<FeatureCurve>& curves,
+  const FlatteningOptions& options)
 {
+  const bool free = options.boundary == BoundaryMode::Free;
   Indices edges;
   for (const WireEdge& edge : network.edges)
   {
-    const bool elastic = edge.curve != none && curves[edge.curve].tolerance > 0.0;
-    if (holdsLength(edge, curves, freeBoundary) && !elastic)
+    if (holdsLength(edge, curves, free) &&
+      !isElastic(edge.curve, curves, options.boundaryTolerance))
     {
       edges.push_back(network.halfedge[edge.side]);
     }
@@ -122,8 +123,7 @@ void measurePiece(const std::vector<FeatureCurve>& curves, const FlatteningOptio
   {
     positions.push_back(result.positions[v]);
   }
-  const Indices edges =
-    rigidHalfedges(networkOf(wired, flat), curves, options.boundary == BoundaryMode::Free);
+  const Indices edges = rigidHalfedges(networkOf(wired, flat), curves, options);
   FlatteningQuality quality =
     measureFlattening(piece.mesh, *wired.measures, positions, edges, execution);
   if (only)
@@ -321,6 +321,7 @@ Status flattenPieces(const PieceSettings& settings, const Execution& execution,
       return cancelled();
     }
     rules.freeBoundary = settings.options.boundary == BoundaryMode::Free;
+    rules.boundaryTolerance = settings.options.boundaryTolerance;
     for (std::size_t c = 0; !eased.empty() && c < curves; ++c)
     {
       rules.stretch.resize(curves);

@@ -273,7 +273,7 @@ Status applyTolerances(const std::map<std::string, double>& tolerances, CurvedSu
         "the length tolerance of \"" + entry.first + "\" lies outside [0, 1)", {},
         { { Remedy::Give, "a fraction of the length" } } };
     }
-    bool known = false;
+    bool known = entry.first == boundaryName;
     for (std::size_t c = 0; c < polylines.size(); ++c)
     {
       if (polylines[c].name == entry.first)

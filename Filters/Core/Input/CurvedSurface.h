@@ -81,8 +81,11 @@ void imprintInput(CurveInput read, const ImprintOptions& options, const Executio
 /// The refusal of a name that no curve has.
 Status noCurveNamed(const std::string& name, const CurvedSurface& source);
 
-/// Gives the curves of each name their length tolerance. InvalidOption where no curve has the name,
-/// or the tolerance lies outside [0, 1).
+/// What the boundary beside all curves is called.
+constexpr const char* boundaryName = "boundary";
+
+/// Gives the curves of each name their length tolerance; that of the boundary is an option of the
+/// flattening. InvalidOption where no curve has the name, or the tolerance lies outside [0, 1).
 Status applyTolerances(const std::map<std::string, double>& tolerances, CurvedSurface& source);
 
 /// A sentence for each dart or seam that stops one edge short of the boundary, with the point of

@@ -150,7 +150,8 @@ void addEase(Table& table)
     .spelled("tolerance")
     .form("NAME=FRACTION")
     .where(keepsLengths)
-    .help("Make a curve elastic: its length may change by up to this fraction, from 0 to below 1.");
+    .help("Make a curve elastic: its length may change by up to this fraction, from 0 to below 1; "
+          "NAME boundary: each stretch of the boundary between ends of other wires.");
   table.text("CurveEases", OptionType::List)
     .spelled("ease")
     .form("NAME[:PIECE]=PERCENT%")

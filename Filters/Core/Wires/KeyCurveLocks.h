@@ -39,6 +39,9 @@ struct CurveRules
   std::vector<std::vector<double>> legTurns;
   /// The boundary and the sides of cuts are no wires: see holdsLength().
   bool freeBoundary = false;
+  /// How far lengths of the boundary beside all curves may go from those on the surface, as a
+  /// fraction; 0 is rigid.
+  double boundaryTolerance = 0.0;
 
   bool releases(Index curve) const
   {
@@ -62,6 +65,13 @@ inline bool holdsLength(
   const WireEdge& edge, const std::vector<FeatureCurve>& curves, bool freeBoundary)
 {
   return !edge.connector && holdsLength(edge.curve, curves, freeBoundary);
+}
+
+/// Whether a curve, or the boundary beside all curves (none), may change its length.
+inline bool isElastic(
+  Index curve, const std::vector<FeatureCurve>& curves, double boundaryTolerance)
+{
+  return (curve == none ? boundaryTolerance : curves[curve].tolerance) > 0.0;
 }
 
 /// A wire-node's angle where a key curve prescribes it.

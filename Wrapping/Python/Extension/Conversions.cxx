@@ -4,6 +4,7 @@
 #include "Base/Types.h"
 #include "Flattening/FlatteningOptions.h"
 #include "Input/ClothInput.h"
+#include "Input/CurvedSurface.h"
 #include "Input/InputSurface.h"
 #include "Input/StatusWords.h"
 
@@ -325,6 +326,10 @@ Settings::Settings(const std::string& owner, const py::dict& values)
   {
     const auto row = item.cast<py::tuple>();
     this->tolerances.emplace_back(row[0].cast<std::string>(), row[1].cast<double>());
+    if (this->tolerances.back().first == boundaryName)
+    {
+      flattening.boundaryTolerance = this->tolerances.back().second;
+    }
   }
   for (const py::handle item : rows("Preferences"))
   {
