@@ -97,6 +97,12 @@ public:
     return unknowns;
   }
 
+  /// Of the span at a place; what is straight is one.
+  double widthAt(double t) const
+  {
+    return this->Stretch.straight ? this->Stretch.length() : this->width(this->spanAt(t));
+  }
+
   Terms at(double t, Derivative derivative) const
   {
     Terms terms;
@@ -113,13 +119,12 @@ public:
       terms.factor[1] = share;
       return terms;
     }
-    const std::vector<double>& breaks = this->Stretch.breaks;
-    const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, t);
-    const auto span = static_cast<std::size_t>(above - breaks.begin()) - 1;
+    const std::size_t span = this->spanAt(t);
     const double width = this->width(span);
     const double start = span > 0 ? width / (this->width(span - 1) + width) : 1.0;
     const double end = span + 1 < this->spanCount() ? width / (width + this->width(span + 1)) : 1.0;
-    const Eigen::Vector4d b = bernstein((t - breaks[span]) / width, width, derivative);
+    const Eigen::Vector4d b =
+      bernstein((t - this->Stretch.breaks[span]) / width, width, derivative);
     terms.factor = { start * b[0], (1.0 - start) * b[0] + b[1], b[2] + (1.0 - end) * b[3],
       end * b[3] };
     for (std::size_t k = 0; k < 4; ++k)
@@ -179,6 +184,12 @@ public:
 
 private:
   std::size_t spanCount() const { return this->Stretch.breaks.size() - 1; }
+  std::size_t spanAt(double t) const
+  {
+    const std::vector<double>& breaks = this->Stretch.breaks;
+    const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, t);
+    return static_cast<std::size_t>(above - breaks.begin()) - 1;
+  }
   double width(std::size_t span) const
   {
     return this->Stretch.breaks[span + 1] - this->Stretch.breaks[span];
@@ -204,7 +215,9 @@ public:
   {
     const auto add = [&](double end) {
       Part& part = this->Parts.emplace_back();
-      integrate(from, end, [&](double t, double weight) {
+      const double share = (end - from) / curve.widthAt(0.5 * (from + end));
+      const int parts = std::clamp(static_cast<int>(std::ceil(spanParts * share)), 1, spanParts);
+      integrate(from, end, parts, [&](double t, double weight) {
         const Terms slope = curve.at(t, Derivative::Slope);
         part.weights.push_back(weight);
         part.slopes.push_back(slope.factor);
@@ -248,23 +261,35 @@ public:
         const double weight = part.weights[place];
         missing -= weight * speed;
         first += weight * unit * slope.factor.transpose();
-        const Eigen::Matrix2d across =
-          (Eigen::Matrix2d::Identity() - unit * unit.transpose()) * (tension * weight / speed);
-        for (Eigen::Index k = 0; tension > 0.0 && k < 16; ++k)
+        if (tension > 0.0)
         {
-          second.block<2, 2>(2 * (k / 4), 2 * (k % 4)) +=
-            slope.factor[k / 4] * slope.factor[k % 4] * across;
+          Eigen::Matrix<double, 8, 1> across;
+          Eigen::Map<Eigen::Matrix<double, 2, 4>>(across.data()) =
+            Point2(-unit.y(), unit.x()) * slope.factor.transpose();
+          second.noalias() += (tension * weight / speed) * across * across.transpose();
         }
       }
       const auto coordinate = [&part](Eigen::Index k) {
         return 2 * part.unknown[static_cast<std::size_t>(k / 2)] + k % 2;
       };
+      // Parts of one span that follow each other share their entries.
+      const std::size_t block = bends.size() < 64 ? 0 : bends.size() - 64;
+      const bool shared = bends.size() > block && bends[block].row() == coordinate(0) &&
+        bends.back().row() == coordinate(7);
       for (Eigen::Index a = 0; a < 8; ++a)
       {
         slopes.emplace_back(row, coordinate(a), first(a % 2, a / 2));
         for (Eigen::Index b = 0; b < 8; ++b)
         {
-          bends.emplace_back(coordinate(a), coordinate(b), second(a, b));
+          if (shared)
+          {
+            Eigen::Triplet<double>& entry = bends[block + static_cast<std::size_t>(8 * a + b)];
+            entry = { entry.row(), entry.col(), entry.value() + second(a, b) };
+          }
+          else
+          {
+            bends.emplace_back(coordinate(a), coordinate(b), second(a, b));
+          }
         }
       }
     }
@@ -623,9 +648,9 @@ private:
       last = this->largestOf(missing);
       stuck = step < steps / 3 || last < 0.5 * least ? 0 : stuck + 1;
       least = std::min(least, last);
-      if (!missing.allFinite() || (stuck > patience && last > goodLength))
+      if (!missing.allFinite() || stuck > patience)
       {
-        return false;
+        return last <= goodLength;
       }
       if (last < exactLength)
       {

@@ -59,7 +59,7 @@ bool FairSpan::turnsBack() const
 double FairSpan::length() const
 {
   double length = 0.0;
-  integrate(this->from, this->to,
+  integrate(this->from, this->to, spanParts,
     [&](double t, double weight) { length += weight * this->slope(t).norm(); });
   return std::abs(length); // the way back has a negative one
 }

@@ -38,10 +38,14 @@ FairSpan partOf(const FairSpan& span, double from, double to);
 /// The one that holds a place.
 const FairSpan& spanAt(const std::vector<FairSpan>& spans, double arc);
 
-/// Calls f(t, weight) at the places of Gauss's rule of eight points on each quarter of an interval,
-/// by which a curve's length is exact to rounding though its speed be uneven.
+/// Parts of a span that its length is integrated over.
+inline constexpr int spanParts = 4;
+
+/// Calls f(t, weight) at the places of Gauss's rule of eight points on each of so many parts of an
+/// interval. By that on quarters of a span its length is exact to rounding though its speed be
+/// uneven.
 template <typename Function>
-void integrate(double from, double to, const Function& f)
+void integrate(double from, double to, int parts, const Function& f)
 {
   // Half of the rule on [-1, 1]. M. Abramowitz, I. Stegun, Handbook of Mathematical Functions,
   // table 25.4.
@@ -49,15 +53,15 @@ void integrate(double from, double to, const Function& f)
     0.796666477413626739592, 0.960289856497536231684 };
   constexpr std::array<double, 4> share{ 0.362683783378361982965, 0.313706645877887287338,
     0.222381034453374470544, 0.101228536290376259153 };
-  const double eighth = (to - from) / 8.0;
-  for (const double eighths : { 1.0, 3.0, 5.0, 7.0 })
+  const double half = (to - from) / (2.0 * parts);
+  for (int part = 0; part < parts; ++part)
   {
-    const double middle = from + eighths * eighth;
+    const double middle = from + (2.0 * part + 1.0) * half;
     for (std::size_t k = 0; k < 4; ++k)
     {
       for (const double sign : { -1.0, 1.0 })
       {
-        f(middle + sign * eighth * place[k], eighth * share[k]);
+        f(middle + sign * half * place[k], half * share[k]);
       }
     }
   }
