@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Options/Option.h"
 #include "Options/OptionStructures.h"
-#include "Options/OptionTable.h"
 
 #include <algorithm>
 #include <string>
