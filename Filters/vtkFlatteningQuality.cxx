@@ -5,9 +5,9 @@
 #include "Base/Execution.h"
 #include "FieldArrays.h"
 #include "FilterExecution.h"
+#include "PolyDataSets.h"
 #include "Quality/BoundaryOverlap.h"
 #include "Quality/SurfaceDevelopability.h"
-#include "QualityInput.h"
 #include "Report/FlatteningArrays.h"
 #include "Report/FlatteningTables.h"
 #include "SurfaceOutput.h"
@@ -118,7 +118,7 @@ int vtkFlatteningQuality::RequestData(vtkInformation* vtkNotUsed(request),
   this->Begin(outputVector);
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  const flattening::bridge::MappedSurface map = flattening::bridge::loadMappedSurface(
+  const flattening::MappedSurface map = flattening::bridge::loadMappedSurface(
     surface, vtkPolyData::GetData(inputVector[1]), vtkPolyData::GetData(inputVector[2]));
   if (this->Conclude(map.outcome))
   {

@@ -26,7 +26,7 @@ int vtkSurfaceDevelopability::RequestData(vtkInformation* vtkNotUsed(request),
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const flattening::LoadedSurface surface =
     flattening::bridge::loadSurface(input, flattening::CoincidentPoints::Automatic,
-      flattening::Defects::Heal, flattening::bridge::GhostCells::Duplicates);
+      flattening::Defects::Heal, flattening::GhostCells::Duplicates);
   if (!this->Conclude(surface.outcome))
   {
     return 1;

@@ -2,6 +2,7 @@
 #include "AttributeArrays.h"
 
 #include "FieldArrays.h"
+#include "Input/DataSet.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellData.h"
@@ -134,15 +135,6 @@ std::vector<std::string> textsOfCells(vtkPolyData* data, const char* array)
     texts.push_back(values->GetValue(k));
   }
   return texts;
-}
-
-std::string withoutNul(std::string text)
-{
-  for (std::size_t at = text.find('\0'); at != std::string::npos; at = text.find('\0', at))
-  {
-    text.replace(at, 1, "\\0");
-  }
-  return text;
 }
 
 vtkSmartPointer<vtkFieldData> fieldArrays(vtkPolyData* data, std::vector<std::string>& warnings)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Report/ReportColumns.h"
+#include "Input/Columns.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -18,10 +18,6 @@ namespace flattening
 {
 namespace bridge
 {
-/// A text without the character NUL, which ends texts in VTK's files, so that readers crash on what
-/// is behind it: "\0" stands for it.
-std::string withoutNul(std::string text);
-
 /// The data's arrays that have a value for each point, with the same active attributes. An array
 /// that is too short, as VTK lets it be, would be read beyond its end. \param warnings get a
 /// sentence for each that is left out, or whose texts were changed by withoutNul().

@@ -3,11 +3,11 @@
 
 #include "AttributeArrays.h"
 #include "Base/Types.h"
-#include "CurveInput.h"
+#include "CurvedPolyData.h"
 #include "Editing/DrawingSurface.h"
 #include "FieldArrays.h"
 #include "Imprint/ImprintedSurface.h"
-#include "Report/ReportColumns.h"
+#include "Input/Columns.h"
 #include "Surface/FeatureCurve.h"
 
 #include "vtkCellArray.h"
@@ -382,7 +382,7 @@ CurveSetInput readCurveSet(vtkPolyData* data, const DrawingSurface& surface)
 {
   CurveSetInput result;
   CurveInput input;
-  readCurves(data, 0, input);
+  readCurvesOf(data, 0, input);
   if (!input.outcome.ok())
   {
     result.status = input.outcome;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurvedPolyData.h"
 
+#include "PolyDataSets.h"
+
 #include "vtkPolyData.h"
 
 #include <utility>
@@ -46,6 +48,22 @@ bool SurfaceOrigin::sameAs(const SurfaceOrigin& other) const
     this->Cells == other.Cells && this->Ghosts == other.Ghosts;
 }
 
+void readCurvesOf(vtkPolyData* data, int source, CurveInput& curves)
+{
+  if (data->GetNumberOfLines() == 0)
+  {
+    return;
+  }
+  if (data->GetLines()->IsValid())
+  {
+    readCurves(dataSetOf(data), source, curves);
+    return;
+  }
+  curves.outcome = { StatusCode::InvalidPointId,
+    "the lines of the curves do not fit the list of their points", {}, { Remedy::WriteAgain } };
+  curves.blamed = source;
+}
+
 void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
   CoincidentPoints coincident, Defects defects, const ImprintOptions& options,
   const Execution& execution, CurvedPolyData& source)
@@ -68,7 +86,7 @@ void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& cu
   CurveInput read;
   for (std::size_t k = 0; k < source.sources.size() && read.outcome.ok(); ++k)
   {
-    readCurves(source.sources[k], static_cast<int>(k), read);
+    readCurvesOf(source.sources[k], static_cast<int>(k), read);
   }
   imprintInput(std::move(read), options, execution, source);
 }

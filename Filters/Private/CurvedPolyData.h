@@ -2,7 +2,6 @@
 #pragma once
 
 #include "AttributeArrays.h"
-#include "CurveInput.h"
 #include "Input/CurvedSurface.h"
 #include "SurfaceInput.h"
 #include "vtkAbstractArray.h"
@@ -56,6 +55,10 @@ struct CurvedPolyData : CurvedSurface
   CoincidentPoints coincident = CoincidentPoints::Automatic;
   Defects defects = Defects::Heal;
 };
+
+/// Adds the line cells of a data set, as readCurves() does. The outcome says whether they are
+/// sound.
+void readCurvesOf(vtkPolyData* data, int source, CurveInput& curves);
 
 /// Loads the surface with its curves. What the source holds of a run before is taken over where it
 /// is made from the same: the surface and, where the points of the curves are the same, the

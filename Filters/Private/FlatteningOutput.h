@@ -3,8 +3,8 @@
 
 #include "CurvedPolyData.h"
 #include "Flattening/SurfaceFlattening.h"
+#include "Input/Columns.h"
 #include "Report/FlatteningTables.h"
-#include "Report/ReportColumns.h"
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
 

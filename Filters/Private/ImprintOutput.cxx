@@ -2,7 +2,7 @@
 #include "ImprintOutput.h"
 
 #include "FieldArrays.h"
-#include "Report/ReportColumns.h"
+#include "Input/Columns.h"
 #include "SurfaceOutput.h"
 
 #include "vtkCellArray.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Input/InputSurface.h"
+#include "Input/DataSet.h"
 #include "Surface/SurfacePreparation.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -9,30 +9,13 @@
 #include "vtkType.h"
 
 class vtkPolyData;
-class vtkUnsignedCharArray;
 
 namespace flattening
 {
 namespace bridge
 {
-/// Which cells that vtkGhostType marks are read.
-enum class GhostCells
-{
-  LeftOut,    ///< neither hidden ones nor copies of other processes' cells
-  Duplicates, ///< also those copies, for what is computed around a point
-};
-
-/// Whether a cell of the data is to be read.
-class CellChoice
-{
-public:
-  CellChoice(vtkPolyData* data, GhostCells ghosts);
-  bool reads(vtkIdType cell) const;
-
-private:
-  vtkUnsignedCharArray* Ghosts;
-  int LeftOut;
-};
+/// Whether the polygons and strips can be read.
+Status checkCells(vtkPolyData* surface);
 
 /// The polygons and strips, but ghost cells.
 SurfaceTriangles readTriangles(vtkPolyData* surface, GhostCells ghosts = GhostCells::LeftOut);

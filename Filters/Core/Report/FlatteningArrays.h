@@ -3,8 +3,8 @@
 
 #include "Flattening/FlatteningOptions.h"
 #include "Flattening/FlatteningResult.h"
+#include "Input/Columns.h"
 #include "Input/CurvedSurface.h"
-#include "Report/ReportColumns.h"
 
 #include <string>
 #include <vector>

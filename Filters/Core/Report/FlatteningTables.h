@@ -2,9 +2,9 @@
 #pragma once
 
 #include "Flattening/FlatteningResult.h"
+#include "Input/Columns.h"
 #include "Input/CurvedSurface.h"
 #include "Quality/FlatteningQuality.h"
-#include "Report/ReportColumns.h"
 
 #include <string>
 #include <vector>

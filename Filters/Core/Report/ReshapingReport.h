@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Input/Columns.h"
 #include "Input/CurvedSurface.h"
-#include "Report/ReportColumns.h"
 #include "Reshaping/FlattenableSurface.h"
 
 #include <set>

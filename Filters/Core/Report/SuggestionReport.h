@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Report/ReportColumns.h"
+#include "Input/Columns.h"
 #include "Suggestion/CurveSuggestions.h"
 #include "Surface/FeatureCurve.h"
 

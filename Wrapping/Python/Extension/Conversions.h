@@ -4,10 +4,10 @@
 
 #include "Base/Execution.h"
 #include "Base/Status.h"
+#include "Input/Columns.h"
 #include "Input/CurvedSurface.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
-#include "Report/ReportColumns.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>

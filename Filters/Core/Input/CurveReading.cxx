@@ -1,18 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CurveInput.h"
-
-#include "AttributeArrays.h"
 #include "Base/Types.h"
-#include "SurfaceInput.h"
-
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkStringArray.h"
-#include "vtkType.h"
-#include "vtkVariant.h"
+#include "Input/DataSet.h"
 
 #include <algorithm>
 #include <array>
@@ -24,22 +12,20 @@
 
 namespace flattening
 {
-namespace bridge
-{
 namespace
 {
 /// Segments joined end to end.
 struct SegmentChain
 {
-  std::vector<vtkIdType> points; ///< the first again at the end where the chain is closed
-  std::size_t firstSegment = 0;  ///< the smallest index of its segments
+  std::vector<std::int64_t> points; ///< the first again at the end where the chain is closed
+  std::size_t firstSegment = 0;     ///< the smallest index of its segments
 };
 
 /// Joins segments wherever two of them, and no more, meet in a point. A chain runs in the direction
 /// of its first segment; chains come in the order of their first segments.
-std::vector<SegmentChain> chainSegments(const std::vector<std::array<vtkIdType, 2>>& segments)
+std::vector<SegmentChain> chainSegments(const std::vector<std::array<std::int64_t, 2>>& segments)
 {
-  std::map<vtkIdType, std::vector<std::size_t>> segmentsAt;
+  std::map<std::int64_t, std::vector<std::size_t>> segmentsAt;
   for (std::size_t s = 0; s < segments.size(); ++s)
   {
     segmentsAt[segments[s][0]].push_back(s);
@@ -47,10 +33,10 @@ std::vector<SegmentChain> chainSegments(const std::vector<std::array<vtkIdType, 
   }
   std::vector<char> used(segments.size(), 0);
   // Goes on from the last point as long as there is one way.
-  auto extend = [&](std::vector<vtkIdType>& points) {
+  auto extend = [&](std::vector<std::int64_t>& points) {
     for (;;)
     {
-      const vtkIdType end = points.back();
+      const std::int64_t end = points.back();
       const std::vector<std::size_t>& here = segmentsAt[end];
       if (here.size() != 2 || (used[here[0]] && used[here[1]]))
       {
@@ -69,8 +55,8 @@ std::vector<SegmentChain> chainSegments(const std::vector<std::array<vtkIdType, 
       continue;
     }
     used[s] = 1;
-    std::vector<vtkIdType> forward{ segments[s][1] };
-    std::vector<vtkIdType> backward{ segments[s][0] };
+    std::vector<std::int64_t> forward{ segments[s][1] };
+    std::vector<std::int64_t> backward{ segments[s][0] };
     extend(forward);
     extend(backward);
     SegmentChain chain;
@@ -101,29 +87,25 @@ struct Attributes
 
 struct Chain
 {
-  vtkIdType cell = -1; ///< the first one
+  std::int64_t cell = -1; ///< the first one
   Attributes attributes;
-  std::vector<vtkIdType> points;
+  std::vector<std::int64_t> points;
 };
 
 /// Reads the line cells of one data set.
 class LineReader
 {
 public:
-  LineReader(vtkPolyData* data, int source, CurveInput& curves)
+  LineReader(const DataSet& data, int source, CurveInput& curves)
     : Data(data)
+    , Points(*data.points)
     , Source(source)
     , Curves(curves)
-    , Choice(data, GhostCells::LeftOut)
-    , FirstLine(data->GetNumberOfVerts())
+    , Choice(data)
   {
   }
 
-  bool read()
-  {
-    return this->checkCells() && this->checkArrays() && this->collectChains() &&
-      this->appendPolylines();
-  }
+  bool read() { return this->checkArrays() && this->collectChains() && this->appendPolylines(); }
 
 private:
   bool refuse(Status status)
@@ -133,92 +115,84 @@ private:
     return false;
   }
 
-  bool refuseCell(vtkIdType cell, const std::string& what, const char* suggested)
+  bool refuseCell(std::int64_t cell, const std::string& what, const char* suggested)
   {
     return this->refuse(refuseCurve(cell, what, suggested));
   }
 
-  static ElementIds ofCell(vtkIdType cell)
+  static ElementIds ofCell(std::int64_t cell)
   {
     return { ElementKind::Curves, std::vector<std::int64_t>{ cell } };
   }
 
-  bool checkCells()
-  {
-    return this->Data->GetLines()->IsValid() ||
-      this->refuse(
-        { StatusCode::InvalidPointId, "the lines of the curves do not fit the list of their points",
-          {}, { Remedy::WriteAgain } });
-  }
-
   bool checkArrays()
   {
-    vtkCellData* cells = this->Data->GetCellData();
-    this->Type = cells->GetAbstractArray("CurveType");
-    this->Name = cells->GetAbstractArray("CurveName");
-    this->Shape = cells->GetAbstractArray("KeyShape");
-    this->Tolerance = cells->GetAbstractArray("LengthTolerance");
-    this->Ease = cells->GetAbstractArray("LengthEase");
-    this->EasedPiece = cells->GetAbstractArray("EasedPiece");
-    this->Planar = this->Data->GetPointData()->GetAbstractArray("PlanarShape");
-    for (vtkAbstractArray* array :
+    const Columns& cells = this->Data.cellArrays;
+    this->Type = findColumn(cells, "CurveType");
+    this->Name = findColumn(cells, "CurveName");
+    this->Shape = findColumn(cells, "KeyShape");
+    this->Tolerance = findColumn(cells, "LengthTolerance");
+    this->Ease = findColumn(cells, "LengthEase");
+    this->EasedPiece = findColumn(cells, "EasedPiece");
+    this->Planar = findColumn(this->Data.pointArrays, "PlanarShape");
+    for (const Column* const array :
       { this->Type, this->Name, this->Shape, this->Tolerance, this->Ease, this->EasedPiece })
     {
-      if (!this->hasShape(array, 1, this->Data->GetNumberOfCells(), "cell"))
+      if (!this->hasShape(array, 1, this->Data.cells(), "cell"))
       {
         return false;
       }
     }
-    for (vtkAbstractArray* array :
+    for (const Column* const array :
       { this->Shape, this->Tolerance, this->Ease, this->EasedPiece, this->Planar })
     {
-      if (array && !array->IsNumeric())
+      if (array && array->isText())
       {
         return this->refuse({ StatusCode::InvalidCurve,
-          std::string("the array ") + array->GetName() + " of the curves holds no numbers", {},
+          "the array " + array->name + " of the curves holds no numbers", {},
           { { Remedy::Give, "it as numbers" } } });
       }
     }
-    return this->hasShape(this->Planar, 2, this->Data->GetNumberOfPoints(), "point");
+    return this->hasShape(this->Planar, 2, this->Points.size(), "point");
   }
 
-  bool hasShape(vtkAbstractArray* array, int components, vtkIdType tuples, const char* what)
+  bool hasShape(const Column* array, int components, std::size_t tuples, const char* what)
   {
-    if (!array ||
-      (array->GetNumberOfComponents() == components && array->GetNumberOfTuples() >= tuples))
+    if (!array || (array->components == components && array->rows() >= tuples))
     {
       return true;
     }
     return this->refuse({ StatusCode::InvalidCurve,
-      std::string("the array ") + array->GetName() + " of the curves has another shape", {},
+      "the array " + array->name + " of the curves has another shape", {},
       { { Remedy::Give,
         "it " + std::to_string(components) + (components == 1 ? " component" : " components") +
           " and a value for each " + what } } });
   }
 
-  bool readType(vtkIdType cell, CurveType& type)
+  bool readType(std::int64_t cell, CurveType& type)
   {
     if (!this->Type)
     {
       return true;
     }
-    const vtkVariant value = this->Type->GetVariantValue(cell);
+    const auto row = static_cast<std::size_t>(cell);
     for (const CurveType candidate :
       { CurveType::Accessory, CurveType::Key, CurveType::Dart, CurveType::Seam })
     {
-      const bool equal = value.IsNumeric() ? value.ToDouble() == static_cast<int>(candidate)
-                                           : value.ToString() == curveTypeName(candidate);
+      const bool equal = this->Type->isText()
+        ? this->Type->text(row) == curveTypeName(candidate)
+        : this->Type->number(row) == static_cast<int>(candidate);
       if (equal)
       {
         type = candidate;
         return true;
       }
     }
-    return this->refuseCell(cell, "has the CurveType \"" + value.ToString() + "\"",
+    return this->refuseCell(cell, "has the CurveType \"" + this->Type->text(row) + "\"",
       "0 (accessory), 1 (key), 2 (dart), 3 (seam) or one of these names");
   }
 
-  bool readAttributes(vtkIdType cell, Attributes& attributes)
+  bool readAttributes(std::int64_t cell, Attributes& attributes)
   {
     if (!this->readType(cell, attributes.type))
     {
@@ -226,11 +200,11 @@ private:
     }
     if (this->Name)
     {
-      attributes.name = withoutNul(this->Name->GetVariantValue(cell).ToString());
+      attributes.name = withoutNul(this->Name->text(static_cast<std::size_t>(cell)));
     }
     if (this->Shape)
     {
-      const double shape = this->Shape->GetVariantValue(cell).ToDouble();
+      const double shape = this->Shape->number(static_cast<std::size_t>(cell));
       if (shape != 0.0 && shape != 1.0)
       {
         return this->refuseCell(
@@ -240,7 +214,7 @@ private:
     }
     if (this->Tolerance)
     {
-      attributes.tolerance = this->Tolerance->GetVariantValue(cell).ToDouble();
+      attributes.tolerance = this->Tolerance->number(static_cast<std::size_t>(cell));
       Status status = checkTolerance(cell, attributes.tolerance);
       if (!status.ok())
       {
@@ -250,11 +224,11 @@ private:
     return this->readEase(cell, attributes.ease);
   }
 
-  bool readEase(vtkIdType cell, LengthEase& ease)
+  bool readEase(std::int64_t cell, LengthEase& ease)
   {
     if (this->Ease)
     {
-      ease.fraction = this->Ease->GetVariantValue(cell).ToDouble();
+      ease.fraction = this->Ease->number(static_cast<std::size_t>(cell));
       if (!(std::abs(ease.fraction) < 1.0))
       {
         return this->refuseCell(
@@ -263,7 +237,7 @@ private:
     }
     if (this->EasedPiece)
     {
-      const double piece = this->EasedPiece->GetVariantValue(cell).ToDouble();
+      const double piece = this->EasedPiece->number(static_cast<std::size_t>(cell));
       if (!(piece >= -1.0 && piece < std::numeric_limits<Index>::max() &&
             piece == std::floor(piece)))
       {
@@ -278,24 +252,26 @@ private:
   /// Polylines as they are; two-point lines that agree in their attributes joined end to end.
   bool collectChains()
   {
-    if (this->Data->GetNumberOfPoints() > std::numeric_limits<Index>::max())
+    if (this->Points.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
     {
       return this->refuse({ StatusCode::InvalidOption, "the curves have too many points", {},
         { Remedy::DivideInput } });
     }
     bool sound = true;
     std::map<Attributes, std::vector<Chain>> segments;
-    forEachCell(this->Data->GetLines(), [&](vtkIdType k, vtkIdType count, const vtkIdType* ids) {
-      const vtkIdType cell = this->FirstLine + k;
-      if (!this->Choice.reads(cell))
-      {
-        return;
-      }
+    const CellList& lines = this->Data.lines;
+    for (std::size_t k = 0; k < lines.size() && sound; ++k)
+    {
       Chain chain;
-      chain.cell = cell;
-      chain.points.assign(ids, ids + count);
-      sound = sound && this->checkPoints(chain) && this->readAttributes(cell, chain.attributes);
-      if (sound && count == 2 && ids[0] != ids[1])
+      chain.cell = static_cast<std::int64_t>(this->Data.vertexCells + k);
+      if (!this->Choice.reads(this->Data.vertexCells + k))
+      {
+        continue;
+      }
+      chain.points.assign(lines.begin(k), lines.end(k));
+      sound = this->checkPoints(chain) && this->readAttributes(chain.cell, chain.attributes);
+      const bool segment = chain.points.size() == 2 && chain.points[0] != chain.points[1];
+      if (sound && segment)
       {
         segments[chain.attributes].push_back(std::move(chain));
       }
@@ -303,7 +279,7 @@ private:
       {
         this->Chains.push_back(std::move(chain));
       }
-    });
+    }
     for (const auto& group : segments)
     {
       this->joinSegments(group.second);
@@ -315,9 +291,9 @@ private:
 
   bool checkPoints(const Chain& chain)
   {
-    const vtkIdType count = this->Data->GetNumberOfPoints();
+    const auto count = static_cast<std::int64_t>(this->Points.size());
     const bool known = std::all_of(chain.points.begin(), chain.points.end(),
-      [count](vtkIdType p) { return p >= 0 && p < count; });
+      [count](std::int64_t p) { return p >= 0 && p < count; });
     return known ||
       this->refuse({ StatusCode::InvalidPointId,
         "cell " + std::to_string(chain.cell) + " of the curves uses a point id outside 0.." +
@@ -327,7 +303,7 @@ private:
 
   void joinSegments(const std::vector<Chain>& segments)
   {
-    std::vector<std::array<vtkIdType, 2>> ends;
+    std::vector<std::array<std::int64_t, 2>> ends;
     ends.reserve(segments.size());
     for (const Chain& segment : segments)
     {
@@ -353,11 +329,9 @@ private:
       polyline.keyShape = chain.attributes.keyShape;
       polyline.tolerance = chain.attributes.tolerance;
       polyline.ease = chain.attributes.ease;
-      for (const vtkIdType p : chain.points)
+      for (const std::int64_t p : chain.points)
       {
-        Point3 point;
-        this->Data->GetPoint(p, point.data());
-        polyline.points.push_back(point);
+        polyline.points.push_back(this->Points[static_cast<std::size_t>(p)]);
         polyline.pointIds.push_back(static_cast<Index>(p));
       }
       if (!this->readPlanarShape(polyline))
@@ -373,42 +347,41 @@ private:
 
   bool readPlanarShape(Polyline& polyline)
   {
-    auto* planar = vtkDataArray::SafeDownCast(this->Planar);
-    if (!planar)
+    if (!this->Planar)
     {
       return true;
     }
     Points2 shape;
     for (const Index p : polyline.pointIds)
     {
-      shape.emplace_back(planar->GetComponent(p, 0), planar->GetComponent(p, 1));
+      const auto row = static_cast<std::size_t>(p);
+      shape.emplace_back(this->Planar->number(row, 0), this->Planar->number(row, 1));
     }
     Status status = takePlanarShape(shape, polyline);
     return status.ok() || this->refuse(std::move(status));
   }
 
-  vtkPolyData* Data;
+  const DataSet& Data;
+  const Points3& Points;
   int Source;
   CurveInput& Curves;
   CellChoice Choice;
-  vtkIdType FirstLine;
   std::vector<Chain> Chains;
-  vtkAbstractArray* Type = nullptr;
-  vtkAbstractArray* Name = nullptr;
-  vtkAbstractArray* Shape = nullptr;
-  vtkAbstractArray* Tolerance = nullptr;
-  vtkAbstractArray* Ease = nullptr;
-  vtkAbstractArray* EasedPiece = nullptr;
-  vtkAbstractArray* Planar = nullptr;
+  const Column* Type = nullptr;
+  const Column* Name = nullptr;
+  const Column* Shape = nullptr;
+  const Column* Tolerance = nullptr;
+  const Column* Ease = nullptr;
+  const Column* EasedPiece = nullptr;
+  const Column* Planar = nullptr;
 };
 }
 
-void readCurves(vtkPolyData* data, int source, CurveInput& curves)
+void readCurves(const DataSet& data, int source, CurveInput& curves)
 {
-  if (data->GetNumberOfLines() > 0)
+  if (data.lines.size() > 0)
   {
     LineReader(data, source, curves).read();
   }
-}
 }
 }

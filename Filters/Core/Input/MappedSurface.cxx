@@ -1,39 +1,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "QualityInput.h"
+#include "Input/MappedSurface.h"
 
 #include "Base/Types.h"
-#include "SurfaceInput.h"
 
-#include "vtkDataArray.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
-
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace flattening
-{
-namespace bridge
 {
 namespace
 {
 using Coordinates = std::array<double, 3>;
 
-Status readFlatPositions(vtkPolyData* surface, vtkPolyData* flat, MappedSurface& result)
+Coordinates coordinatesOf(const DataSet& data, std::int64_t point)
 {
-  vtkDataArray* coordinates = surface->GetPointData()->GetTCoords();
+  const Point3& x = (*data.points)[static_cast<std::size_t>(point)];
+  return { x.x(), x.y(), x.z() };
+}
+
+Status readFlatPositions(const DataSet& surface, const DataSet* flat, MappedSurface& result)
+{
+  const auto found = std::find_if(surface.pointArrays.begin(), surface.pointArrays.end(),
+    [](const Column& column) { return column.role == ArrayRole::TextureCoordinates; });
+  const Column* const coordinates = found == surface.pointArrays.end() ? nullptr : &*found;
   if (flat &&
-    (flat->GetNumberOfPoints() != surface->GetNumberOfPoints() ||
-      flat->GetNumberOfPolys() != surface->GetNumberOfPolys() ||
-      flat->GetNumberOfStrips() != surface->GetNumberOfStrips()))
+    (flat->points->size() != surface.points->size() || flat->faces.size() != surface.faces.size() ||
+      flat->strips.size() != surface.strips.size()))
   {
     return { StatusCode::InvalidOption,
       "the flat surface has not as many points and cells as the surface", {},
       { { Remedy::Give, "the same surface, flat" } } };
   }
   if (!flat &&
-    (!coordinates || coordinates->GetNumberOfComponents() < 2 ||
-      coordinates->GetNumberOfTuples() < surface->GetNumberOfPoints()))
+    (!coordinates || coordinates->components < 2 || coordinates->rows() < surface.points->size()))
   {
     return { StatusCode::InvalidOption, "there are no flat positions", {},
       { { Remedy::Give, "the flat surface on port 1, or texture coordinates" } } };
@@ -41,16 +43,10 @@ Status readFlatPositions(vtkPolyData* surface, vtkPolyData* flat, MappedSurface&
   Indices bad;
   for (const Index p : result.surface.prepared.originalPoint)
   {
-    Coordinates position{};
-    if (flat)
-    {
-      flat->GetPoint(p, position.data());
-    }
-    else
-    {
-      position = { coordinates->GetComponent(p, 0), coordinates->GetComponent(p, 1), 0.0 };
-    }
-    result.positions.emplace_back(position[0], position[1]);
+    const auto row = static_cast<std::size_t>(p);
+    result.positions.push_back(flat
+        ? Point2((*flat->points)[row].head<2>())
+        : Point2(coordinates->number(row, 0), coordinates->number(row, 1)));
     if (!isFinite(result.positions.back()))
     {
       bad.push_back(p);
@@ -100,19 +96,17 @@ public:
     }
   }
 
-  Status find(vtkPolyData* lines, Indices& edges) const
+  Status find(const DataSet& lines, Indices& edges) const
   {
     using Pair = std::pair<Index, Index>;
-    std::map<Pair, std::pair<vtkIdType, vtkIdType>> wanted; // with the points that ask for it
-    if (!lines->GetLines()->IsValid())
-    {
-      return { StatusCode::InvalidPointId,
-        "the lines of the edges do not fit the list of their points", {}, { Remedy::WriteAgain } };
-    }
+    // With the points that ask for it.
+    std::map<Pair, std::pair<std::int64_t, std::int64_t>> wanted;
     std::vector<std::int64_t> unknown;
-    forEachCell(lines->GetLines(), [&](vtkIdType, vtkIdType count, const vtkIdType* ids) {
+    for (std::size_t k = 0; k < lines.lines.size(); ++k)
+    {
+      const std::int64_t* const ids = lines.lines.begin(k);
       Index last = none;
-      for (vtkIdType i = 0; i < count; ++i)
+      for (std::ptrdiff_t i = 0; i < lines.lines.end(k) - ids; ++i)
       {
         const Index place = this->placeOf(lines, ids[i]);
         if (place == none)
@@ -125,7 +119,7 @@ public:
         }
         last = place;
       }
-    });
+    }
     if (!unknown.empty())
     {
       return { StatusCode::CurvePointOffSurface,
@@ -158,14 +152,13 @@ public:
   }
 
 private:
-  Index placeOf(vtkPolyData* lines, vtkIdType point) const
+  Index placeOf(const DataSet& lines, std::int64_t point) const
   {
-    Coordinates coordinates{};
-    if (point < 0 || point >= lines->GetNumberOfPoints())
+    if (point < 0 || point >= static_cast<std::int64_t>(lines.points->size()))
     {
       return none;
     }
-    lines->GetPoint(point, coordinates.data());
+    const Coordinates coordinates = coordinatesOf(lines, point);
     for (const double x : coordinates)
     {
       if (!std::isfinite(x))
@@ -182,7 +175,7 @@ private:
   Indices Place; ///< per vertex the first one with its coordinates
 };
 
-Status findEdges(vtkPolyData* flat, vtkPolyData* edges, MappedSurface& result)
+Status findEdges(const DataSet* flat, const DataSet* edges, MappedSurface& result)
 {
   const TriangleMesh& mesh = result.surface.prepared.mesh;
   if (!edges)
@@ -198,7 +191,7 @@ Status findEdges(vtkPolyData* flat, vtkPolyData* edges, MappedSurface& result)
   {
     inSpace.push_back({ p.x(), p.y(), p.z() });
   }
-  Status outcome = EdgeFinder(mesh, inSpace).find(edges, result.edges);
+  Status outcome = EdgeFinder(mesh, inSpace).find(*edges, result.edges);
   if (outcome.ok() || !flat)
   {
     return outcome;
@@ -206,18 +199,17 @@ Status findEdges(vtkPolyData* flat, vtkPolyData* edges, MappedSurface& result)
   std::vector<Coordinates> inPlane;
   for (const Index p : result.surface.prepared.originalPoint)
   {
-    inPlane.emplace_back();
-    flat->GetPoint(p, inPlane.back().data());
+    inPlane.push_back(coordinatesOf(*flat, p));
   }
   result.edges.clear();
-  return EdgeFinder(mesh, inPlane).find(edges, result.edges).ok() ? Status() : outcome;
+  return EdgeFinder(mesh, inPlane).find(*edges, result.edges).ok() ? Status() : outcome;
 }
 }
 
-MappedSurface loadMappedSurface(vtkPolyData* surface, vtkPolyData* flat, vtkPolyData* edges)
+MappedSurface loadMappedSurface(const DataSet& surface, const DataSet* flat, const DataSet* edges)
 {
   MappedSurface result;
-  result.surface = loadSurface(surface, CoincidentPoints::Keep, Defects::HealParts);
+  result.surface = loadSurface(readTriangles(surface), CoincidentPoints::Keep, Defects::HealParts);
   result.outcome = result.surface.outcome;
   if (result.outcome.ok())
   {
@@ -229,6 +221,5 @@ MappedSurface loadMappedSurface(vtkPolyData* surface, vtkPolyData* flat, vtkPoly
     result.outcome = findEdges(flat, edges, result);
   }
   return result;
-}
 }
 }

@@ -16,15 +16,50 @@ namespace flattening
 using ColumnValues = std::variant<std::vector<double>, std::vector<std::int64_t>, std::vector<int>,
   std::vector<unsigned char>, std::vector<std::string>>;
 
+/// What viewers take an array of points or cells for, in VTK's order.
+enum class ArrayRole
+{
+  None = -1,
+  Scalars,
+  Vectors,
+  Normals,
+  TextureCoordinates,
+  Tensors,
+  GlobalIds,
+  PedigreeIds,
+  EdgeFlags,
+  Tangents,
+};
+
 /// An array with a name, as front ends make it their own: of a table, or of points or cells.
 struct Column
 {
   std::string name;
   ColumnValues values;
   int components = 1;
+  ArrayRole role = ArrayRole::None;
+
+  std::size_t rows() const;
+  bool isText() const { return std::holds_alternative<std::vector<std::string>>(this->values); }
+  /// A value as a number; 0 of a text.
+  double number(std::size_t row, int component = 0) const;
+  /// A value as a text.
+  std::string text(std::size_t row) const;
 };
 
 using Columns = std::vector<Column>;
+
+/// The column of a name; null where there is none.
+const Column* findColumn(const Columns& columns, const std::string& name);
+
+/// Replaces the column of its name, or adds it.
+void setColumn(Columns& columns, Column column);
+
+/// Adds columns, each in the place of one of its name.
+void setColumns(Columns& columns, Columns added);
+
+/// The rows of arrays that other elements are copies of, without ids that are of one element alone.
+Columns copiedRows(const Columns& columns, const std::vector<std::int64_t>& rowOf);
 
 /// Adds a column of one value a row, made by value(row).
 template <class Type, class Value>

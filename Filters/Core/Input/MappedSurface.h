@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "SurfaceInput.h"
-
-class vtkPolyData;
+#include "Input/DataSet.h"
 
 namespace flattening
-{
-namespace bridge
 {
 /// A surface and flat positions of its vertices, cut open as it is.
 struct MappedSurface
@@ -21,6 +17,5 @@ struct MappedSurface
 
 /// \param flat the flat surface; null: the surface's texture coordinates
 /// \param edges lines along the edges that count; null: the boundary
-MappedSurface loadMappedSurface(vtkPolyData* surface, vtkPolyData* flat, vtkPolyData* edges);
-}
+MappedSurface loadMappedSurface(const DataSet& surface, const DataSet* flat, const DataSet* edges);
 }

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyDataSets.h"
+
+#include "AttributeArrays.h"
+#include "SurfaceInput.h"
+#include "SurfaceOutput.h"
+
+#include "vtkBitArray.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <array>
+#include <type_traits>
+
+namespace flattening
+{
+namespace bridge
+{
+namespace
+{
+CellList cellsOf(vtkCellArray* cells)
+{
+  CellList list;
+  list.offsets.reserve(static_cast<std::size_t>(cells->GetNumberOfCells()) + 1);
+  list.ids.reserve(static_cast<std::size_t>(cells->GetNumberOfConnectivityIds()));
+  forEachCell(cells, [&list](vtkIdType, vtkIdType count, const vtkIdType* ids) {
+    list.ids.insert(list.ids.end(), ids, ids + count);
+    list.offsets.push_back(static_cast<std::int64_t>(list.ids.size()));
+  });
+  return list;
+}
+
+vtkSmartPointer<vtkCellArray> cellsOf(const CellList& list)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (std::size_t k = 0; k < list.size(); ++k)
+  {
+    const std::vector<vtkIdType> ids(list.begin(k), list.end(k));
+    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+  return cells;
+}
+
+template <class Value>
+std::vector<Value> valuesOf(vtkDataArray* array)
+{
+  std::vector<Value> values;
+  const int components = array->GetNumberOfComponents();
+  values.reserve(static_cast<std::size_t>(array->GetNumberOfValues()));
+  for (vtkIdType row = 0; row < array->GetNumberOfTuples(); ++row)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      values.push_back(static_cast<Value>(array->GetComponent(row, c)));
+    }
+  }
+  return values;
+}
+
+ColumnValues numbersOf(vtkDataArray* array)
+{
+  switch (array->GetDataType())
+  {
+    case VTK_FLOAT:
+    case VTK_DOUBLE:
+      return valuesOf<double>(array);
+    case VTK_INT:
+      return valuesOf<int>(array);
+    case VTK_BIT:
+    case VTK_UNSIGNED_CHAR:
+      return valuesOf<unsigned char>(array);
+    default:
+      return valuesOf<std::int64_t>(array);
+  }
+}
+
+void setRoles(const Columns& columns, vtkDataSetAttributes* arrays)
+{
+  for (const Column& column : columns)
+  {
+    if (column.role != ArrayRole::None)
+    {
+      arrays->SetActiveAttribute(column.name.c_str(), static_cast<int>(column.role));
+    }
+  }
+}
+}
+
+Columns columnsOf(vtkFieldData* arrays)
+{
+  Columns columns;
+  auto* const attributes = vtkDataSetAttributes::SafeDownCast(arrays);
+  for (int k = 0; k < arrays->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* const array = arrays->GetAbstractArray(k);
+    if (!array->GetName() || array->GetNumberOfComponents() < 1)
+    {
+      continue;
+    }
+    Column column{ array->GetName(), {}, array->GetNumberOfComponents() };
+    if (auto* const numbers = vtkDataArray::SafeDownCast(array))
+    {
+      column.values = numbersOf(numbers);
+    }
+    else if (auto* const texts = vtkStringArray::SafeDownCast(array))
+    {
+      std::vector<std::string> values;
+      for (vtkIdType row = 0; row < texts->GetNumberOfValues(); ++row)
+      {
+        values.push_back(texts->GetValue(row));
+      }
+      column.values = std::move(values);
+    }
+    else
+    {
+      continue;
+    }
+    column.role =
+      attributes ? static_cast<ArrayRole>(attributes->IsArrayAnAttribute(k)) : ArrayRole::None;
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+DataSet geometryOf(vtkPolyData* data)
+{
+  DataSet set;
+  Points3 points(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    data->GetPoint(static_cast<vtkIdType>(p), points[p].data());
+  }
+  set.points = std::make_shared<const Points3>(std::move(points));
+  set.vertexCells = static_cast<std::size_t>(data->GetNumberOfVerts());
+  set.lines = cellsOf(data->GetLines());
+  set.faces = cellsOf(data->GetPolys());
+  set.strips = cellsOf(data->GetStrips());
+  const auto add = [](vtkDataArray* array, ArrayRole role, Columns& columns) {
+    if (array && array->GetNumberOfComponents() > 0)
+    {
+      columns.push_back({ array->GetName() ? array->GetName() : "", numbersOf(array),
+        array->GetNumberOfComponents(), role });
+    }
+  };
+  add(data->GetPointData()->GetTCoords(), ArrayRole::TextureCoordinates, set.pointArrays);
+  add(data->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()), ArrayRole::None,
+    set.cellArrays);
+  return set;
+}
+
+DataSet dataSetOf(vtkPolyData* data)
+{
+  DataSet set = geometryOf(data);
+  set.pointArrays = columnsOf(data->GetPointData());
+  set.cellArrays = columnsOf(data->GetCellData());
+  set.fieldArrays = columnsOf(data->GetFieldData());
+  return set;
+}
+
+void fill(vtkPolyData* output, const DataSet& data)
+{
+  output->SetPoints(makePoints(*data.points));
+  const std::array<std::pair<const CellList*, void (vtkPolyData::*)(vtkCellArray*)>, 3> lists{
+    { { &data.lines, &vtkPolyData::SetLines }, { &data.faces, &vtkPolyData::SetPolys },
+      { &data.strips, &vtkPolyData::SetStrips } }
+  };
+  for (const auto& [list, set] : lists)
+  {
+    (output->*set)(cellsOf(*list));
+  }
+  addColumns(output->GetPointData(), data.pointArrays);
+  addColumns(output->GetCellData(), data.cellArrays);
+  addColumns(output->GetFieldData(), data.fieldArrays);
+  setRoles(data.pointArrays, output->GetPointData());
+  setRoles(data.cellArrays, output->GetCellData());
+}
+
+MappedSurface loadMappedSurface(vtkPolyData* surface, vtkPolyData* flat, vtkPolyData* edges)
+{
+  MappedSurface refused;
+  refused.outcome = checkCells(surface);
+  if (refused.outcome.ok() && edges && !edges->GetLines()->IsValid())
+  {
+    refused.outcome = { StatusCode::InvalidPointId,
+      "the lines of the edges do not fit the list of their points", {}, { Remedy::WriteAgain } };
+  }
+  if (!refused.outcome.ok())
+  {
+    return refused;
+  }
+  const DataSet inPlane = flat ? geometryOf(flat) : DataSet();
+  const DataSet lines = edges ? geometryOf(edges) : DataSet();
+  return flattening::loadMappedSurface(
+    geometryOf(surface), flat ? &inPlane : nullptr, edges ? &lines : nullptr);
+}
+}
+}

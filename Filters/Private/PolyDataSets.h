@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Input/DataSet.h"
+#include "Input/MappedSurface.h"
+
+class vtkFieldData;
+class vtkPolyData;
+
+namespace flattening
+{
+namespace bridge
+{
+/// Points and cells, with the ghost cells and texture coordinates. \pre the cells are valid
+DataSet geometryOf(vtkPolyData* data);
+
+/// The same with all arrays that have names and hold numbers or texts.
+DataSet dataSetOf(vtkPolyData* data);
+
+/// Those of point, cell or field data.
+Columns columnsOf(vtkFieldData* arrays);
+
+/// Gives an empty output what a data set holds.
+void fill(vtkPolyData* output, const DataSet& data);
+
+/// As the function of Core; data sets may be null.
+MappedSurface loadMappedSurface(vtkPolyData* surface, vtkPolyData* flat, vtkPolyData* edges);
+}
+}
