@@ -5,11 +5,11 @@
 #include "Base/Execution.h"
 #include "FieldArrays.h"
 #include "FilterExecution.h"
-#include "PolyDataSets.h"
 #include "Quality/BoundaryOverlap.h"
 #include "Quality/SurfaceDevelopability.h"
 #include "Report/FlatteningArrays.h"
 #include "Report/FlatteningTables.h"
+#include "SurfaceInput.h"
 #include "SurfaceOutput.h"
 
 #include "vtkCellData.h"

@@ -116,7 +116,7 @@ int vtkPatternGrading::RequestData(vtkInformation* vtkNotUsed(request),
   {
     pattern::PatternSize& size = sizes.emplace_back();
     size.name = this->GetSizeName(k) ? this->GetSizeName(k) : std::to_string(k + 1);
-    status = flattening::bridge::readPattern(vtkPolyData::GetData(inputVector[0], k),
+    status = flattening::bridge::readPieces(vtkPolyData::GetData(inputVector[0], k),
       vtkPolyData::GetData(inputVector[1], k), nullptr, size.source);
   }
   pattern::Grading grading;

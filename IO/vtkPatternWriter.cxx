@@ -5,7 +5,7 @@
 #include "Drawing/PatternBuilder.h"
 #include "Fairing/FairBorders.h"
 #include "FieldArrays.h"
-#include "Formats/FileAside.h"
+#include "Formats/PatternData.h"
 #include "Formats/PatternFile.h"
 #include "Formats/PatternOptionTable.h"
 #include "GradingData.h"
@@ -30,8 +30,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
-#include <ctime>
 
 vtkStandardNewMacro(vtkPatternWriter);
 
@@ -41,28 +39,6 @@ namespace pattern = flattening::pattern;
 using flattening::OptionValue;
 using flattening::Status;
 using flattening::StatusCode;
-
-/// The day and minute, UTC. SOURCE_DATE_EPOCH makes files that can be made again bit for bit.
-void setTime(pattern::Pattern& drawing)
-{
-  std::time_t now = std::time(nullptr);
-  if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH"))
-  {
-    now = static_cast<std::time_t>(std::strtoll(epoch, nullptr, 10));
-  }
-  std::tm parts{};
-#ifdef _WIN32
-  const bool known = gmtime_s(&parts, &now) == 0;
-#else
-  const bool known = gmtime_r(&now, &parts) != nullptr;
-#endif
-  char text[32];
-  if (known && std::strftime(text, sizeof text, "%Y-%m-%d%H:%M", &parts) == 15)
-  {
-    drawing.date.assign(text, 10);
-    drawing.time.assign(text + 10, 5);
-  }
-}
 
 /// The filter whose first output came here unchanged; null where there is none.
 vtkAlgorithm* flatteningBehind(vtkAlgorithmOutput* connection)
@@ -290,7 +266,7 @@ Status vtkPatternWriter::WritePattern(int format)
 {
   pattern::PatternSource source;
   Status status =
-    flattening::bridge::readPattern(this->DataOf(0), this->DataOf(1), this->DataOf(2), source);
+    flattening::bridge::readPieces(this->DataOf(0), this->DataOf(1), this->DataOf(2), source);
   pattern::FileOptions options = this->MakeOptions(format);
   options.pattern.unit = static_cast<flattening::Unit>(this->KnownUnit());
   pattern::Grading grading;
@@ -301,20 +277,9 @@ Status vtkPatternWriter::WritePattern(int format)
   }
   options.fair = this->Fair.get();
   pattern::Pattern drawing;
-  setTime(drawing);
-  std::string content;
   if (status.ok())
   {
-    status = pattern::makePatternFile(source, options, drawing, content);
-  }
-  if (status.ok())
-  {
-    pattern::FileAside file(this->FileName);
-    status = file.write(content);
-    if (status.ok())
-    {
-      status = file.publish();
-    }
+    status = pattern::writePattern(this->FileName, source, options, drawing);
   }
   if (status.ok())
   {

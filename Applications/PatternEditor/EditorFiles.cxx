@@ -7,6 +7,7 @@
 #include "Files.h"
 #include "Formats/PatternOptionTable.h"
 #include "InputError.h"
+#include "PolyDataOutput.h"
 #include "ReadCurves.h"
 #include "ReadSurface.h"
 #include "TextFile.h"
@@ -159,7 +160,7 @@ bool EditorWindow::openSurface(const std::string& path)
   return this->attempt([&] {
     this->tell("", false);
     const wirewarp::SurfaceContents contents = wirewarp::readSurface(path);
-    const figures::PolyData& surface = contents.surface;
+    const figures::PolyData surface = wirewarp::polyDataOf(contents.surface);
     if (!this->Curves->SetSurface(surface))
     {
       throw std::runtime_error(this->Curves->GetMessage());
@@ -183,9 +184,9 @@ bool EditorWindow::openSurface(const std::string& path)
     this->Behind = false;
     this->showMeasures();
     this->setWindowTitle(QString::fromStdString(this->Name + "[*] - PatternEditor"));
-    if (contents.curves)
+    if (contents.curves.lines.size() > 0)
     {
-      this->showCurves(contents.curves);
+      this->showCurves(wirewarp::polyDataOf(contents.curves, surface->GetPoints()));
     }
     this->proposeUnit();
     this->askForPieces(Care::Full);
@@ -208,10 +209,12 @@ bool EditorWindow::openCurves(const std::string& path)
     {
       throw std::runtime_error("open a surface before its curves");
     }
-    const wirewarp::CurveContents read = wirewarp::readCurves(path, this->Surface);
-    this->showCurves(read.curves, read.note);
-    takeOptions(read.curves, this->Pattern);
-    this->takeUnit(vtkFlatteningAlgorithm::GetLengthUnitOf(read.curves));
+    const wirewarp::CurveContents read =
+      wirewarp::readCurves(path, wirewarp::dataSetOf(this->Surface));
+    const vtkSmartPointer<vtkPolyData> curves = wirewarp::polyDataOf(read.curves);
+    this->showCurves(curves, read.note);
+    takeOptions(curves, this->Pattern);
+    this->takeUnit(wirewarp::unitOf(read.curves));
   });
 }
 
@@ -223,12 +226,13 @@ bool EditorWindow::takeSeams(wirewarp::SeamSource source)
     {
       throw std::runtime_error("open a surface before its seams");
     }
-    const figures::PolyData seams = wirewarp::seamsOf(this->Surface, this->Labels, source);
-    if (!seams)
+    const wirewarp::DataSet seams =
+      seamsOf(wirewarp::dataSetOf(this->Surface), this->Labels, source);
+    if (seams.lines.size() == 0)
     {
       throw std::runtime_error("the faces of the surface have no edge to cut along");
     }
-    this->showCurves(seams);
+    this->showCurves(wirewarp::polyDataOf(seams));
     this->Saved = 0; // no file has them
     this->followSaving();
   });
@@ -260,7 +264,7 @@ void EditorWindow::proposeUnit()
 {
   if (!this->UnitStated)
   {
-    const wirewarp::LikelyUnit likely = wirewarp::likelyUnit(this->Surface);
+    const wirewarp::LikelyUnit likely = wirewarp::likelyUnit(wirewarp::dataSetOf(this->Surface));
     this->Unit->setCurrentText(QString::fromStdString(likely.unit));
     this->UnitStated = false; // the list was not changed by the user
     const std::string before = this->message().toStdString();
@@ -327,14 +331,15 @@ void EditorWindow::offerLeftover()
     return;
   }
   this->attempt([&] {
-    const wirewarp::CurveContents left = wirewarp::readCurves(path, this->Surface);
-    if (!this->Curves->SetCurves(left.curves))
+    const wirewarp::CurveContents left =
+      wirewarp::readCurves(path, wirewarp::dataSetOf(this->Surface));
+    if (!this->Curves->SetCurves(wirewarp::polyDataOf(left.curves)))
     {
       throw std::runtime_error(this->Curves->GetMessage());
     }
-    takeOptions(left.curves, this->Pattern);
+    takeOptions(wirewarp::polyDataOf(left.curves), this->Pattern);
     this->tell("recovered what was not saved", false);
-    this->takeUnit(vtkFlatteningAlgorithm::GetLengthUnitOf(left.curves));
+    this->takeUnit(wirewarp::unitOf(left.curves));
   });
 }
 

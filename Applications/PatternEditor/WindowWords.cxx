@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WindowWords.h"
 
-#include "RemedySpelling.h"
+#include "VtkRemedies.h"
 
 #include <vtkFlatteningAlgorithm.h>
 #include <vtkNew.h>

@@ -17,13 +17,11 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataReader.h>
 #include <vtkSMPTools.h>
-#include <vtkSTLReader.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
-#include <cstdint>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -79,32 +77,6 @@ std::string runReader(const std::string& path, Reader* reader)
   return packPolyData(reader->GetOutput());
 }
 
-/// A binary STL says how many triangles it has, but VTK's reader is content with fewer.
-void checkStlSize(const std::string& path)
-{
-  const std::string bytes = readWholeFile(path);
-  const std::size_t headerSize = 84;
-  const std::size_t facetSize = 50;
-  const bool text = bytes.compare(0, 5, "solid") == 0 && bytes.find("facet") != std::string::npos;
-  if (text)
-  {
-    if (bytes.find("endsolid") == std::string::npos)
-    {
-      throw InputError("has no 'endsolid' line; the file is truncated, write it again");
-    }
-    return;
-  }
-  std::uint64_t facets = 0;
-  for (std::size_t k = 0; k < 4 && bytes.size() >= headerSize; ++k)
-  {
-    facets |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes[80 + k])) << (8 * k);
-  }
-  if (bytes.size() < headerSize || bytes.size() < headerSize + facetSize * facets)
-  {
-    throw InputError("is shorter than its header says; the file is truncated, write it again");
-  }
-}
-
 std::string readXml(const std::string& path)
 {
   vtkNew<vtkXMLPolyDataReader> reader;
@@ -122,13 +94,6 @@ std::string readLegacy(const std::string& path)
       throw InputError("holds no polydata; save the surface or the curves as vtkPolyData");
     }
   }
-  return runReader(path, reader.Get());
-}
-
-std::string readStl(const std::string& path)
-{
-  checkStlSize(path);
-  vtkNew<vtkSTLReader> reader;
   return runReader(path, reader.Get());
 }
 
@@ -174,7 +139,6 @@ std::string answerOf(const std::string& path)
     const std::string extension = lowerCaseExtension(path);
     return vtkAnswerData +
       (extension == ".vtp"                              ? readXml(path)
-          : extension == ".stl"                         ? readStl(path)
           : extension == ".glb" || extension == ".gltf" ? readGltf(path)
                                                         : readLegacy(path));
   }

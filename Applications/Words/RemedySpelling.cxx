@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RemedySpelling.h"
 
-#include <vtkFlatteningAlgorithm.h>
-#include <vtkPatternWriter.h>
-#include <vtkStringArray.h>
+#include "Base/Status.h"
 
 namespace wirewarp
 {
 namespace
 {
-std::vector<Remedy> inPairs(vtkStringArray* names, vtkStringArray* subjects)
+/// The sentence of a remedy of Core; empty where there is none of the name.
+std::string sentenceOf(const std::string& name)
 {
-  std::vector<Remedy> remedies;
-  for (vtkIdType k = 0; k < names->GetNumberOfValues(); ++k)
+  for (int k = 0; k < flattening::remedyCount; ++k)
   {
-    remedies.push_back({ names->GetValue(k), subjects->GetValue(k) });
+    const auto remedy = static_cast<flattening::Remedy>(k);
+    if (name == flattening::remedyName(remedy))
+    {
+      return flattening::remedySentence(remedy);
+    }
   }
-  return remedies;
+  return {};
 }
 }
 
@@ -38,8 +40,7 @@ std::string findSpelling(
 //------------------------------------------------------------------------------
 std::string remedyWords(const std::string& name, const Spelling& spelling)
 {
-  const char* const known = vtkFlatteningAlgorithm::GetRemedySentence(name.c_str());
-  const std::string sentence = known ? known : "";
+  const std::string sentence = sentenceOf(name);
   std::string words;
   std::size_t part = std::string::npos; // where the one begins that may be left out
   bool complete = true;
@@ -98,14 +99,13 @@ std::string describe(
 }
 
 //------------------------------------------------------------------------------
-std::vector<Remedy> remediesOf(const vtkFlatteningAlgorithm* filter)
+std::vector<Remedy> remediesOf(const flattening::Status& status)
 {
-  return inPairs(filter->GetStatusRemedies(), filter->GetStatusRemedySubjects());
-}
-
-//------------------------------------------------------------------------------
-std::vector<Remedy> remediesOf(const vtkPatternWriter* writer)
-{
-  return inPairs(writer->GetStatusRemedies(), writer->GetStatusRemedySubjects());
+  std::vector<Remedy> remedies;
+  for (const flattening::SuggestedRemedy& suggested : status.remedies)
+  {
+    remedies.push_back({ flattening::remedyName(suggested.remedy), suggested.subject });
+  }
+  return remedies;
 }
 }

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
-class vtkFlatteningAlgorithm;
-class vtkPatternWriter;
+namespace flattening
+{
+struct Status;
+}
 
 namespace wirewarp
 {
@@ -44,7 +46,6 @@ std::string remedyWords(const std::string& name, const Spelling& spelling);
 std::string describe(
   const std::string& defect, const std::vector<Remedy>& remedies, const Spelling& spelling);
 
-/// The remedies that a filter or a writer found for its last run.
-std::vector<Remedy> remediesOf(const vtkFlatteningAlgorithm* filter);
-std::vector<Remedy> remediesOf(const vtkPatternWriter* writer);
+/// The remedies of a status.
+std::vector<Remedy> remediesOf(const flattening::Status& status);
 }

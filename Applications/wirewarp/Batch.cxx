@@ -11,8 +11,6 @@
 #include "TextFile.h"
 #include "WorkerProcesses.h"
 
-#include <vtkSMPTools.h>
-
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -126,7 +124,7 @@ Json flattenEntry(const Options& options, const BatchEntry& entry)
                { "folder", entry.folder }, { "exit_code", result.outcome() },
                { "status", result.status }, { "message", result.message },
                { "unwritten", result.unwritten },
-               { "triangles", result.refused() ? 0 : result.flat->GetNumberOfPolys() },
+               { "triangles", result.refused() ? 0 : result.flat->faces.size() },
                { "seconds",
                  { { "read", result.secondsRead }, { "core", core }, { "filter", filter },
                    { "write", write }, { "total", total } } } } },
@@ -220,8 +218,9 @@ int runBatch(const Options& options)
   const std::size_t workers = std::min(threads, entries.size());
   const auto job = [&](std::size_t k) {
     // Threads within a surface only where there are more than surfaces.
-    vtkSMPTools::Initialize(static_cast<int>(threads / workers));
-    return textOf(flattenEntry(optionsOf(options, entries[k]), entries[k]), -1);
+    Options one = optionsOf(options, entries[k]);
+    one.threads = static_cast<int>(threads / workers);
+    return textOf(flattenEntry(one, entries[k]), -1);
   };
   std::vector<Json> rows(entries.size());
   const auto done = [&](std::size_t k, const std::optional<std::string>& text) {

@@ -8,22 +8,17 @@
 #include "OutputFiles.h"
 #include "PlainText.h"
 #include "ReadSurface.h"
+#include "Report/FlatteningData.h"
 #include "Suggestion/SymmetryPlane.h"
 #include "Surface/SurfacePreparation.h"
 #include "SurfaceMending.h"
 #include "TriangleList.h"
 #include "Units.h"
 
-#include <vtkBoundingBox.h>
-#include <vtkFlatteningAlgorithm.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkStringArray.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -38,7 +33,7 @@ namespace wirewarp
 {
 namespace
 {
-using Edge = std::pair<vtkIdType, vtkIdType>;
+using Edge = std::pair<std::int64_t, std::int64_t>;
 
 /// What the triangles of a surface form.
 struct Shape
@@ -50,7 +45,7 @@ struct Shape
   std::vector<Edge> crowded; ///< edges of more than two triangles
 };
 
-vtkIdType rootOf(std::vector<vtkIdType>& parents, vtkIdType point)
+std::int64_t rootOf(std::vector<std::int64_t>& parents, std::int64_t point)
 {
   while (parents[point] != point)
   {
@@ -62,28 +57,28 @@ vtkIdType rootOf(std::vector<vtkIdType>& parents, vtkIdType point)
 
 Shape shapeOf(const TriangleList& list, const std::vector<BoundaryLoop>& loops)
 {
-  std::vector<vtkIdType> parents(list.points ? list.points->GetNumberOfPoints() : 0);
-  std::iota(parents.begin(), parents.end(), vtkIdType{ 0 });
+  std::vector<std::int64_t> parents(list.points->size());
+  std::iota(parents.begin(), parents.end(), std::int64_t{ 0 });
   std::map<Edge, int> edges;
   for (const ListedTriangle& triangle : list.triangles)
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const vtkIdType a = triangle.corners[k];
-      const vtkIdType b = triangle.corners[(k + 1) % 3];
+      const std::int64_t a = triangle.corners[k];
+      const std::int64_t b = triangle.corners[(k + 1) % 3];
       ++edges[std::minmax(a, b)];
       parents[rootOf(parents, a)] = rootOf(parents, b);
     }
   }
   Shape shape;
   /// Per part points - edges + triangles, and its boundaries.
-  std::map<vtkIdType, std::pair<long long, long long>> parts;
+  std::map<std::int64_t, std::pair<long long, long long>> parts;
   std::vector<bool> counted(parents.size(), false);
   for (const auto& [edge, triangles] : edges)
   {
     auto& [euler, boundaries] = parts[rootOf(parents, edge.first)];
     --euler;
-    for (const vtkIdType point : { edge.first, edge.second })
+    for (const std::int64_t point : { edge.first, edge.second })
     {
       euler += counted[point] ? 0 : 1;
       shape.points += counted[point] ? 0 : 1;
@@ -122,13 +117,12 @@ std::string inShort(double value)
 /// The middle of an opening's bounding box.
 std::string placeOf(const BoundaryLoop& loop, const TriangleList& list)
 {
-  vtkBoundingBox box;
-  for (const vtkIdType point : loop.points)
+  Eigen::AlignedBox3d box;
+  for (const std::int64_t point : loop.points)
   {
-    box.AddPoint(list.points->GetPoint(point));
+    box.extend(list.point(point));
   }
-  std::array<double, 3> middle{};
-  box.GetCenter(middle.data());
+  const Point3 middle = box.center();
   return "around " + inShort(middle[0]) + ", " + inShort(middle[1]) + ", " + inShort(middle[2]);
 }
 
@@ -148,22 +142,11 @@ void sayUnit(const Options& options, const std::string& stated, const LikelyUnit
 }
 
 /// Whether it is its own mirror image, as what bodies wear is.
-void saySymmetry(const TriangleList& list)
+void saySymmetry(const DataSet& data, const TriangleList& list)
 {
-  flattening::Points3 points;
-  for (vtkIdType k = 0; k < list.points->GetNumberOfPoints(); ++k)
-  {
-    points.emplace_back(Eigen::Map<const flattening::Point3>(list.points->GetPoint(k)));
-  }
-  flattening::Triangles triangles;
-  for (const ListedTriangle& triangle : list.triangles)
-  {
-    const auto corner = [&triangle](std::size_t k) {
-      return static_cast<flattening::Index>(triangle.corners[k]);
-    };
-    triangles.push_back({ corner(0), corner(1), corner(2) });
-  }
-  const flattening::PreparedSurface surface = flattening::prepareSurface(points, triangles);
+  const flattening::SurfaceTriangles read = flattening::readTriangles(data);
+  const flattening::PreparedSurface surface =
+    flattening::prepareSurface(read.points, read.triangles);
   const auto plane = surface.status.ok() ? flattening::findSymmetryPlane(surface.mesh)
                                          : std::optional<flattening::SymmetryPlane>();
   if (!plane)
@@ -171,9 +154,8 @@ void saySymmetry(const TriangleList& list)
     std::cout << "symmetry: none is found\n";
     return;
   }
-  vtkBoundingBox box = boxOf(list);
-  const double offset =
-    std::abs(plane->offset) < 1e-6 * box.GetDiagonalLength() ? 0.0 : plane->offset;
+  const double diagonal = boxOf(list).diagonal().norm();
+  const double offset = std::abs(plane->offset) < 1e-6 * diagonal ? 0.0 : plane->offset;
   Eigen::Index axis = 0;
   const double along = plane->normal.cwiseAbs().maxCoeff(&axis);
   const double sign = plane->normal[axis] < 0.0 ? -1.0 : 1.0;
@@ -265,31 +247,28 @@ int runCheck(const Options& options)
     scaleBy(scaleOf(options, mend.surface, unit), mend.surface);
     list = listTriangles(mend.surface);
   }
-  const vtkNew<vtkPolyData> healed;
-  for (const std::string& sentence : textsOf(vtkFlatteningAlgorithm::Heal(mend.surface, healed)))
+  DataSet healed;
+  const std::vector<std::string> sentences = flattening::healData(mend.surface, healed);
+  if (!sentences.empty())
   {
-    mend.notes.push_back(sentence);
+    mend.notes.insert(mend.notes.end(), sentences.begin(), sentences.end());
     mend.surface = healed;
     list = listTriangles(healed);
   }
-  const vtkBoundingBox box = boxOf(list);
+  const Point3 sides = boxOf(list).sizes();
   const Shape shape = shapeOf(list, boundaryLoops(list));
   bool flattens = shape.crowded.empty();
   if (!options.quiet)
   {
-    std::array<double, 3> sides{};
-    box.GetLengths(sides.data());
     std::cout << plainText(options.surface) << ": " << list.triangles.size() << " triangles, "
               << shape.points << " points\nsize: " << inShort(sides[0]) << " x "
               << inShort(sides[1]) << " x " << inShort(sides[2]) << ' ' << unit << '\n';
     sayUnit(options, stated, likelyUnit(mend.surface));
     flattens = saySurface(list, shape, unit);
-    saySymmetry(list);
-    for (double& side : sides)
-    {
-      side *= millimetresOf(unit);
-    }
-    const auto [what, kind] = likelyKind(sides, shape.closedParts == shape.parts);
+    saySymmetry(mend.surface, list);
+    const Point3 millimetres = sides * millimetresOf(unit);
+    const auto [what, kind] = likelyKind(
+      { millimetres.x(), millimetres.y(), millimetres.z() }, shape.closedParts == shape.parts);
     std::cout << "likely: " << what << ", by its size; wirewarp make " << plainText(options.surface)
               << " --for " << kind << '\n';
   }
@@ -301,7 +280,7 @@ int runCheck(const Options& options)
   {
     if (!stated.empty())
     {
-      vtkFlatteningAlgorithm::SetLengthUnitOf(mend.surface, stated);
+      setUnit(mend.surface, stated);
     }
     OutputFiles files;
     files.demandFolder(std::filesystem::path(options.surfaceFile).parent_path());

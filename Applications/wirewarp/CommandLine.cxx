@@ -11,9 +11,7 @@
 #include "TableOptions.h"
 #include "TextFile.h"
 #include "Units.h"
-
-#include <vtkPatternWriter.h>
-#include <vtkVersion.h>
+#include "WriteData.h"
 
 #include <CLI/CLI.hpp>
 
@@ -558,7 +556,7 @@ std::string idleOption(const CLI::App& app, const Options& task)
 {
   const std::vector<PatternFile>& files = task.pattern.files;
   const bool drawsPdf = std::any_of(files.begin(), files.end(),
-    [](const PatternFile& file) { return file.format == vtkPatternWriter::PDF; });
+    [](const PatternFile& file) { return file.format == flattening::pattern::FileFormat::Pdf; });
   for (const char* const option : { "--paper", "--page-overlap", "--max-pages", "--seam-table" })
   {
     const bool isOfKind = task.command == "make" && std::string_view(option) == "--paper";
@@ -735,7 +733,7 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
   app.footer(examples);
   app.set_help_flag("-h,--help", "Print this help and exit");
   std::ostringstream version;
-  version << "wirewarp " << WIREWARP_VERSION << " (VTK " << vtkVersion::GetVTKVersion() << ')';
+  version << "wirewarp " << WIREWARP_VERSION << " (" << vtkInWords() << ')';
   app.set_version_flag("--version", version.str(), "Print the version and exit");
   addGlobals(app, options);
   app.require_subcommand(0, 1);

@@ -7,6 +7,7 @@
 #include "PlainText.h"
 #include "Report.h"
 #include "Sizes.h"
+#include "WriteData.h"
 
 #include <array>
 #include <chrono>
@@ -22,8 +23,9 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-constexpr std::array<const char*, 3> dataNames{ "flat.vtp", "wires.vtp", "cut.vtp" };
-constexpr const char* sewnName = "sewn.vtp";
+/// Of the files that keep a result, without their ending.
+constexpr std::array<const char*, 3> dataNames{ "flat", "wires", "cut" };
+constexpr const char* sewnName = "sewn";
 constexpr std::array<const char*, 11> allPatternNames{ "pattern.svg", "pattern.pdf", "pattern.dxf",
   "pattern.plt", "pattern.json", "walk.csv", "lay.svg", "lay.plt", "nest.svg", "rules.csv",
   "pattern.rul" };
@@ -40,7 +42,7 @@ InputFiles inputFiles(const Options& options)
   {
     if (!options.source.empty())
     {
-      inputs.add((std::filesystem::path(options.source) / name).string());
+      inputs.add((std::filesystem::path(options.source) / (std::string(name) + ".vtp")).string());
     }
   }
   for (const std::string& path : options.curves)
@@ -70,7 +72,8 @@ std::vector<std::filesystem::path> kept(
   {
     if (!options.output.empty())
     {
-      paths.push_back(std::filesystem::path(options.output) / name);
+      const std::filesystem::path path = std::filesystem::path(options.output) / name;
+      paths.push_back(path.has_extension() ? path.string() : path.string() + dataExtension);
     }
   }
   return paths;
@@ -119,10 +122,10 @@ void writeResult(const Options& options, FilesOfFlattening& written, OutputFiles
 {
   Flattening& result = written.result;
   const Clock::time_point start = Clock::now();
-  const auto add = [&](const std::filesystem::path& file, vtkPolyData* data) {
+  const auto add = [&](const std::filesystem::path& file, const Data& data) {
     if (data && !file.empty())
     {
-      files.add(file, data);
+      files.add(file, *data);
       written.files.push_back(file.string());
     }
   };
@@ -143,7 +146,7 @@ void writeResult(const Options& options, FilesOfFlattening& written, OutputFiles
   add(options.curvesFile, result.flattenable ? result.flattenableCurves : result.curves);
   add(options.surfaceFile, result.flattenable);
   add(options.sewnFile, result.sewn);
-  const std::array<vtkPolyData*, 3> data{ result.flat, result.wires, result.cut };
+  const std::array<Data, 3> data{ result.flat, result.wires, result.cut };
   const std::vector<std::filesystem::path> names = dataFiles(options);
   for (std::size_t k = 0; k < names.size(); ++k)
   {

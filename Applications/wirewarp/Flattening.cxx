@@ -1,94 +1,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening.h"
 
+#include "Design/KeyPrices.h"
+#include "Flattening/FlatteningResult.h"
+#include "Input/ClothInput.h"
+#include "Input/StatusWords.h"
 #include "InputError.h"
 #include "NeutralLayer.h"
+#include "Options/OptionStructures.h"
 #include "Patterns.h"
 #include "Progress.h"
 #include "ReadCurves.h"
 #include "ReadSurface.h"
 #include "Report.h"
+#include "Report/FlatteningArrays.h"
+#include "Report/FlatteningData.h"
+#include "Report/FlatteningRun.h"
+#include "Report/FlatteningTables.h"
+#include "Report/KeyPriceReport.h"
+#include "Report/PieceSizes.h"
+#include "Report/ReshapingReport.h"
+#include "Report/SuggestionReport.h"
 #include "Resewing.h"
 #include "Sizes.h"
+#include "Suggestion/RegionWeights.h"
 #include "SurfaceMending.h"
 #include "TableOptions.h"
 #include "TextFile.h"
+#include "TriangleList.h"
 #include "Units.h"
-#include "VtkMessages.h"
 
-#include <cmath>
-#include <vtkCommand.h>
-#include <vtkFeatureCurveSuggestion.h>
-#include <vtkFlatPieceAlgorithm.h>
-#include <vtkFlatteningAlgorithm.h>
-#include <vtkIdTypeArray.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkStringArray.h>
-#include <vtkTrivialProducer.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <csignal>
+#include <cmath>
 #include <iomanip>
 #include <map>
-#include <optional>
+#include <memory>
 #include <sstream>
+#include <utility>
 
 namespace wirewarp
 {
 namespace
 {
 using Clock = std::chrono::steady_clock;
-
-volatile std::sig_atomic_t interrupted = 0;
-
-/// While it lives, Ctrl+C aborts a filter, and pressed once more ends the program.
-class Interruption
-{
-public:
-  explicit Interruption(vtkAlgorithm* filter)
-    : Filter(filter)
-    , Observer(filter->AddObserver(vtkCommand::ProgressEvent, this, &Interruption::look))
-  {
-    interrupted = 0;
-    this->Before = std::signal(SIGINT, [](int) {
-      interrupted = 1;
-      std::signal(SIGINT, SIG_DFL);
-    });
-    if (this->Before == SIG_IGN)
-    {
-      std::signal(SIGINT, SIG_IGN);
-    }
-  }
-  ~Interruption()
-  {
-    std::signal(SIGINT, this->Before);
-    this->Filter->RemoveObserver(this->Observer);
-  }
-  Interruption(const Interruption&) = delete;
-  Interruption& operator=(const Interruption&) = delete;
-
-private:
-  void look()
-  {
-    if (interrupted != 0)
-    {
-      interrupted = 0;
-      this->Filter->SetAbortExecute(1);
-    }
-  }
-
-  vtkAlgorithm* Filter;
-  unsigned long Observer;
-  void (*Before)(int) = SIG_DFL;
-};
+using flattening::Column;
+using flattening::Columns;
+using flattening::OptionOwner;
+using flattening::Status;
 
 /// A bound that was asked for and is missed by more than half of it, or a width that is exceeded.
 void checkBound(const Options& options, Flattening& result)
 {
-  if (result.exitCode != Done || result.search->GetNumberOfRows() == 0)
+  if (result.exitCode != Done || rowsOf(result.search) == 0)
   {
     return;
   }
@@ -137,20 +103,20 @@ CurveFiles readSavedCurves(const Options& options)
     const std::string extension = lowerCaseExtension(path);
     if (extension == ".vtp" || extension == ".vtk" || extension == ".obj")
     {
-      saved[path] = readCurves(path, nullptr);
+      saved[path] = readCurves(path, {});
     }
   }
   return saved;
 }
 
 /// What --unit says goes before what the surface says, and that before what curves say.
-void setUnit(const Options& options, const CurveFiles& curves, const SurfaceContents& contents,
+void chooseUnit(const Options& options, const CurveFiles& curves, const SurfaceContents& contents,
   Flattening& result)
 {
   std::string stated = options.unit.empty() ? contents.unit : options.unit;
   for (const auto& [path, contentsOfFile] : curves)
   {
-    const std::string unit = vtkFlatteningAlgorithm::GetLengthUnitOf(contentsOfFile.curves);
+    const std::string unit = unitOf(contentsOfFile.curves);
     stated = stated.empty() ? unit : stated;
     if (!unit.empty() && unit != stated)
     {
@@ -178,27 +144,25 @@ void setUnit(const Options& options, const CurveFiles& curves, const SurfaceCont
   result.unitNote = unitTaken(options.surface, taken);
 }
 
-vtkSmartPointer<vtkPolyData> mended(
-  const Options& options, const SurfaceContents& contents, Flattening& result)
+DataSet mended(const Options& options, const SurfaceContents& contents, Flattening& result)
 {
   MendedSurface mend = mendedSurface(options, contents, result.unit);
   result.notes.insert(result.notes.end(), mend.notes.begin(), mend.notes.end());
-  return mend.surface;
+  return std::move(mend.surface);
 }
 
-/// What --seams-from asks for; null where there is nothing of it.
-vtkSmartPointer<vtkPolyData> readSeams(const std::string& path, const SurfaceContents& contents,
-  const Options& options, Flattening& result)
+/// What --seams-from asks for; without lines where there is nothing of it.
+DataSet readSeams(const std::string& path, const SurfaceContents& contents, const Options& options,
+  Flattening& result)
 {
   if (options.seamsFrom == SeamSource::None)
   {
-    return nullptr;
+    return {};
   }
   try
   {
-    vtkSmartPointer<vtkPolyData> seams =
-      seamsOf(contents.surface, contents.labels, options.seamsFrom);
-    if (!seams)
+    DataSet seams = seamsOf(contents.surface, contents.labels, options.seamsFrom);
+    if (seams.lines.size() == 0)
     {
       result.notes.emplace_back("--seams-from found no edge to cut along");
     }
@@ -210,18 +174,24 @@ vtkSmartPointer<vtkPolyData> readSeams(const std::string& path, const SurfaceCon
   }
 }
 
-/// Returns the file of each connection of curves.
+/// A surface and its curves in their files.
+struct RunInput
+{
+  DataSet surface;
+  std::vector<DataSet> curves;
+  std::vector<std::string> files; ///< of the curves
+};
+
 /// \param base as flattenOne() has it
-std::vector<std::string> readInput(const Options& options, const std::string& base,
-  vtkFlatPieceAlgorithm* filter, Flattening& result)
+RunInput readInput(const Options& options, const std::string& base, Flattening& result)
 {
   SurfaceContents contents = readSurface(options.surface);
-  vtkSmartPointer<vtkPolyData> seams = readSeams(options.surface, contents, options, result);
+  DataSet seams = readSeams(options.surface, contents, options, result);
   const CurveFiles saved = readSavedCurves(options);
-  setUnit(options, saved, contents, result);
+  chooseUnit(options, saved, contents, result);
   contents.surface = mended(options, contents, result);
-  vtkFlatteningAlgorithm::SetLengthUnitOf(contents.surface, result.unit);
-  vtkSmartPointer<vtkPolyData> owner = contents.surface; // of the curves
+  setUnit(contents.surface, result.unit);
+  DataSet owner = contents.surface; // of the curves
   if (!base.empty())
   {
     Flattening ignored;
@@ -233,49 +203,47 @@ std::vector<std::string> readInput(const Options& options, const std::string& ba
     owner = model.surface;
     contents.curves = model.curves;
   }
+  const bool scaled = isScaled(options);
   if (options.neutralLayer != 0.0)
   {
     const double inwards = options.neutralLayer / millimetresOf(result.unit);
-    contents.surface = neutralLayer(contents.surface,
-      isScaled(options) ? inwards / scaleOf(options, owner, result.unit) : inwards);
+    contents.surface = neutralLayer(
+      contents.surface, scaled ? inwards / scaleOf(options, owner, result.unit) : inwards);
   }
-  vtkSmartPointer<vtkPolyData> surface = contents.surface;
-  double factor = 1.0;
-  if (isScaled(options))
+  RunInput input;
+  input.surface = contents.surface;
+  const double factor = scaled ? scaleOf(options, contents.surface, result.unit) : 1.0;
+  if (scaled)
   {
-    factor = scaleOf(options, contents.surface, result.unit);
-    surface = vtkSmartPointer<vtkPolyData>::New();
-    surface->ShallowCopy(contents.surface);
-    scaleBy(factor, surface);
+    scaleBy(factor, input.surface);
   }
-  filter->SetInputData(surface);
-  std::vector<std::string> files;
-  std::vector<vtkPolyData*> read; // which the filter's connections keep
-  const auto connect = [&](const std::string& path, vtkSmartPointer<vtkPolyData> curves) {
+  const auto connect = [&](const std::string& path, DataSet curves) {
     const std::string note = notesOfNumberNames(owner, curves);
     if (!note.empty())
     {
       result.notes.push_back(inQuotes(path) + ": " + note);
     }
-    vtkNew<vtkTrivialProducer> producer;
-    if (owner != contents.surface)
+    if (!base.empty())
     {
       curves = movedCurves(curves, owner, contents.surface);
     }
-    if (factor != 1.0)
+    const bool same = curves.points == contents.surface.points;
+    if (same)
+    {
+      curves.points = input.surface.points;
+    }
+    else if (factor != 1.0)
     {
       scaleBy(factor, curves);
     }
-    producer->SetOutput(curves);
-    filter->AddCurvesConnection(producer->GetOutputPort());
-    files.push_back(path);
-    read.push_back(curves);
+    input.files.push_back(path);
+    input.curves.push_back(std::move(curves));
   };
-  if (contents.curves)
+  if (contents.curves.lines.size() > 0)
   {
     connect(options.surface, contents.curves);
   }
-  if (seams)
+  if (seams.lines.size() > 0)
   {
     connect(options.surface, seams);
   }
@@ -293,118 +261,320 @@ std::vector<std::string> readInput(const Options& options, const std::string& ba
   {
     connect("--template", seamsOf(options.seams, owner));
   }
-  result.curveDistance = largestDistance(surface, read);
-  return files;
+  result.curveDistance = largestDistance(input.surface, input.curves);
+  return input;
 }
 
-/// A unit that is taken is none that the files state, and a note says of it what the filter warns
-/// of.
-void forgetUnit(vtkFlatPieceAlgorithm* filter, Flattening& result)
+/// The curves of the surface itself, source 0, and of all others behind them.
+flattening::CurveInput curvesOf(const RunInput& input)
 {
-  if (result.unitStated)
+  flattening::CurveInput read;
+  readCurves(input.surface, 0, read);
+  for (std::size_t k = 0; k < input.curves.size() && read.outcome.ok(); ++k)
   {
-    return;
+    readCurves(input.curves[k], static_cast<int>(k) + 1, read);
   }
-  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  return read;
+}
+
+/// The weights of --weights: a cell array with a number for each cell.
+Status readWeights(const flattening::SurfaceArrays& arrays, const std::string& name,
+  const flattening::CurvedSurface& source, flattening::RegionWeights& weights)
+{
+  if (name.empty())
   {
-    vtkFlatteningAlgorithm::SetLengthUnitOf(filter->GetOutputDataObject(port), "");
+    return {};
   }
-  const std::string warning = filter->GetSizeWarning();
-  result.warnings.erase(
-    std::remove(result.warnings.begin(), result.warnings.end(), warning), result.warnings.end());
-}
-
-void takeTables(vtkFlatPieceAlgorithm* filter, Flattening& result)
-{
-  result.tables = PieceTables{ filter->GetPieces(), filter->GetAngleIterations(),
-    filter->GetIsometricIterations(), filter->GetReleases(), filter->GetPieceRemedies() };
-  result.leftOutPieces = filter->GetLeftOutPieces();
-  result.curveTable = filter->GetCurves();
-  std::copy_n(filter->GetSeconds(), 4, result.seconds.begin());
-}
-
-void run(vtkFlatPieceAlgorithm* filter, bool quiet, Flattening& result)
-{
-  const VtkMessages messages;
+  const Column* const values = findColumn(arrays.cells, name);
+  if (!values || values->isText() || values->components != 1)
   {
-    const Progress progress(filter, quiet);
-    std::optional<Interruption> interruption;
-    if (filter->IsA("vtkFeatureCurveSuggestion"))
+    std::string names;
+    for (const Column& column : arrays.cells)
     {
-      interruption.emplace(filter);
+      names +=
+        column.isText() || column.components != 1 ? "" : (names.empty() ? "" : ", ") + column.name;
     }
-    filter->Update();
+    return { flattening::StatusCode::InvalidOption,
+      values && !values->isText()
+        ? "the cell array \"" + name + "\" has " + std::to_string(values->components) +
+          " numbers a cell"
+        : "the surface has no cell array of numbers named \"" + name + "\"",
+      {},
+      { { flattening::Remedy::Give,
+        names.empty() ? "a cell array with a number for each cell" : "one of " + names } } };
   }
-  result.flat = filter->GetOutput(0);
-  result.wires = filter->GetOutput(1);
-  result.cut = filter->GetOutput(2);
-  if (!filter->IsRefused())
+  for (const std::int64_t cell : source.surface.input.cellOfTriangle)
   {
-    takeTables(filter, result);
+    weights.push_back(values->number(static_cast<std::size_t>(cell)));
   }
-  result.warnings = textsOf(filter->GetStatusWarnings());
-  forgetUnit(filter, result);
-  takeReshaped(filter, result);
-  if (filter->IsA("vtkKeyCurvePrices"))
-  {
-    result.keyPrices = vtkTable::SafeDownCast(filter->GetOutputDataObject(5));
-  }
-  else if (auto* const suggestion = vtkFeatureCurveSuggestion::SafeDownCast(filter))
-  {
-    result.curves = filter->GetOutput(5);
-    result.search = vtkTable::SafeDownCast(filter->GetOutputDataObject(6));
-    result.leftOutLines = suggestion->GetLeftOutLines();
-  }
-  result.status = filter->GetStatusName();
-  result.remedies = remediesOf(filter);
-  if (result.status == "ClosedSurface")
-  {
-    result.remedies.push_back({ "Give", "one side of a sheet with thickness (--outer-side)" });
-  }
-  result.message = messageOf(filter->GetStatusDefect(), result.remedies);
-  result.idKind = filter->GetStatusIdKind();
-  vtkIdTypeArray* const ids = filter->GetStatusIds();
-  for (vtkIdType k = 0; k < ids->GetNumberOfValues(); ++k)
-  {
-    result.ids.push_back(ids->GetValue(k));
-  }
-  if (filter->IsRefused())
-  {
-    result.exitCode = InputRefused;
-  }
-  else if (filter->GetStatusCode() != vtkFlatteningAlgorithm::OK)
-  {
-    result.exitCode = Flawed;
-  }
-  else if (!messages.errors().empty())
-  {
-    throw InputError(messages.firstError());
-  }
-}
+  return {};
 }
 
-std::vector<std::string> textsOf(vtkStringArray* array)
+/// A flattening as it is written: a run of one surface.
+class SurfaceRun
 {
-  std::vector<std::string> texts;
-  for (vtkIdType k = 0; k < array->GetNumberOfValues(); ++k)
+public:
+  SurfaceRun(const Options& options, const RunInput& input, Flattening& result)
+    : Given(options)
+    , Input(input)
+    , Result(result)
+    , Settings(structuresOf(options))
+    , Arrays(input.surface, this->Run.source.warnings)
   {
-    texts.push_back(array->GetValue(k));
+    const auto tolerances = tolerancesOf(options);
+    const auto elastic = tolerances.find(flattening::boundaryName);
+    if (elastic != tolerances.end())
+    {
+      this->Settings.flattening.boundaryTolerance = elastic->second;
+    }
+    const std::string material = options.values.text("Material");
+    if (!material.empty())
+    {
+      this->Settings.flattening.cloth =
+        flattening::readCloth(material, options.values.text("Grain"));
+    }
   }
-  return texts;
+
+  flattening::FlatteningRun& run() { return this->Run; }
+  const flattening::OptionStructures& settings() const { return this->Settings; }
+
+  /// \return whether the surface can be used
+  bool load(const flattening::Execution& execution)
+  {
+    const bool loaded = this->Run.load(readTriangles(this->Input.surface), curvesOf(this->Input),
+      this->Settings, tolerancesOf(this->Given), execution);
+    const int blamed = this->Run.source.blamed;
+    if (!loaded && blamed > 0 && this->Input.curves.size() > 1)
+    {
+      this->Run.status.message =
+        "connection " + std::to_string(blamed - 1) + " of the curves: " + this->Run.status.message;
+    }
+    return loaded;
+  }
+
+  void flatten(const flattening::Execution& execution)
+  {
+    if (this->load(execution))
+    {
+      const std::string& command = this->Given.command;
+      if (command == "cut" || command == "make")
+      {
+        this->suggest(execution);
+      }
+      else if (command == "reshape")
+      {
+        this->reshape(execution);
+      }
+      else if (command != "prices" || this->price(execution))
+      {
+        this->take(this->Run.flatten(this->Settings.flattening, pinsOf(this->Given), execution));
+      }
+    }
+    this->Result.warnings = this->Run.warnings;
+  }
+
+private:
+  bool price(const flattening::Execution& execution)
+  {
+    const flattening::ImprintedSurface& surface = this->Run.source.imprinted;
+    const flattening::KeyPrices prices =
+      priceKeys(surface.mesh, surface.curves, this->Settings.flattening, execution);
+    if (!this->Run.conclude(this->Run.source.outcomeOfStage(prices.status)))
+    {
+      return false;
+    }
+    this->Result.keyPrices = keyPriceTable(surface.curves, prices);
+    return true;
+  }
+
+  void suggest(const flattening::Execution& watched)
+  {
+    flattening::SuggestionOptions options;
+    options.search = this->Settings.search;
+    options.imprint = this->Settings.imprint;
+    options.flattening = this->Settings.flattening;
+    if (!this->Run.conclude(readWeights(
+          this->Arrays, this->Given.values.text("WeightArray"), this->Run.source, options.weights)))
+    {
+      return;
+    }
+    const Interruption interruption;
+    flattening::Execution execution = watched;
+    execution.cancel = &Interruption::pressed;
+    const std::vector<flattening::Polyline> given = this->Run.source.curves.polylines;
+    flattening::CurveSuggestions found;
+    const auto result = this->Run.suggest(options, execution, &Interruption::forget, found);
+    if (!result)
+    {
+      return;
+    }
+    this->take(result);
+    this->Result.curves = this->stated(suggestionData(given, found));
+    this->Result.search = searchTable(found);
+    this->Result.leftOutLines = leftOutTable(found);
+  }
+
+  void reshape(const flattening::Execution& execution)
+  {
+    flattening::FlattenableOptions options = this->Settings.reshaping;
+    options.flattening = this->Settings.flattening;
+    const std::vector<std::string>& kept = this->Given.reshaping.list("KeptCurves");
+    const flattening::LoadedBody body = loadedBody(this->Given.body);
+    flattening::CurvedSurface& source = this->Run.source;
+    const auto moved = this->Run.reshape({ kept.begin(), kept.end() }, body, options, execution);
+    if (!moved)
+    {
+      return;
+    }
+    this->Result.tablesBefore.pieces =
+      flattening::pieceTable(source, moved->before, this->Result.unit, this->names(moved->before));
+    Columns shifts = shiftArrays(source.imprinted.mesh, *moved);
+    source.imprinted.mesh = moved->mesh;
+    this->take(moved->after);
+    const auto dropNormals = [](DataSet data) {
+      Columns& columns = data.pointArrays;
+      columns.erase(
+        std::remove_if(columns.begin(), columns.end(),
+          [](const Column& column) { return column.role == flattening::ArrayRole::Normals; }),
+        columns.end());
+      return data;
+    };
+    this->Result.cut = std::make_shared<const DataSet>(dropNormals(*this->Result.cut));
+    flattening::ImprintData imprint = imprintData(this->Arrays, source);
+    DataSet surface = dropNormals(std::move(imprint.surface));
+    for (Column& column : surface.pointArrays)
+    {
+      column.role =
+        column.role == flattening::ArrayRole::Scalars ? flattening::ArrayRole::None : column.role;
+    }
+    for (Column& column : shifts)
+    {
+      column.role = column.name == "ShiftDistance" ? flattening::ArrayRole::Scalars
+                                                   : flattening::ArrayRole::None;
+    }
+    setColumns(surface.pointArrays, std::move(shifts));
+    DataSet curves = dropNormals(std::move(imprint.curves));
+    this->Result.flattenable = this->stated(std::move(surface));
+    this->Result.flattenableCurves = this->stated(std::move(curves));
+    this->Result.shiftMeasures = shiftTable(*moved);
+    this->Result.shiftTrials = moved->trials.size();
+  }
+
+  /// The data with the unit of the surface, where one is stated.
+  Data stated(DataSet data) const
+  {
+    setUnit(data, this->Result.unitStated ? this->Result.unit : std::string());
+    return std::make_shared<const DataSet>(std::move(data));
+  }
+
+  std::vector<std::string> names(const flattening::FlatteningResult& result) const
+  {
+    const Column* const all = findColumn(this->Arrays.cells, "PieceName");
+    std::vector<std::string> names;
+    for (std::size_t t = 0; all && all->isText() && t < result.cut->pieceOfTriangle.size(); ++t)
+    {
+      names.push_back(all->text(static_cast<std::size_t>(
+        this->Run.source.cellOf(result.cut->originalTriangle(static_cast<flattening::Index>(t))))));
+    }
+    return names;
+  }
+
+  void take(const std::optional<flattening::FlatteningResult>& flattened)
+  {
+    if (!flattened)
+    {
+      return;
+    }
+    const flattening::CurvedSurface& source = this->Run.source;
+    Flattening& result = this->Result;
+    flattening::FlatteningData data =
+      flatteningData(this->Arrays, source, *flattened, this->Settings.flattening);
+    const auto addField = [&data](const char* name, const std::string& text) {
+      setColumn(data.flat.fieldArrays, { name, std::vector<std::string>{ text } });
+    };
+    const std::string size =
+      flattening::sizeWarning(flattening::pieceSizes(*flattened), result.unit);
+    if (result.unitStated && !size.empty())
+    {
+      this->Run.warn({ size });
+    }
+    addField("RunStatus", statusName(this->Run.status.code));
+    addField("RunStatusMessage", inWords(this->Run.status));
+    result.flat = this->stated(std::move(data.flat));
+    result.wires = this->stated(std::move(data.wires));
+    result.cut = this->stated(std::move(data.cut));
+    flattening::ReportTables tables(source, *flattened);
+    result.tables = { pieceTable(source, *flattened, result.unit, this->names(*flattened)),
+      std::move(tables.angleIterations), std::move(tables.isometricIterations),
+      std::move(tables.releaseTrials), std::move(tables.pieceRemedies) };
+    result.leftOutPieces = std::move(tables.leftOutPieces);
+    result.curveTable = flattening::curveTable(flattened->curves);
+    const flattening::StageSeconds& seconds = flattened->seconds;
+    result.seconds = { seconds.wires, seconds.interior, seconds.quality, seconds.total };
+  }
+
+  const Options& Given;
+  const RunInput& Input;
+  Flattening& Result;
+  flattening::OptionStructures Settings;
+  flattening::FlatteningRun Run;
+  flattening::SurfaceArrays Arrays;
+};
 }
 
-std::vector<Remedy> remediesOf(const PieceTables& tables, vtkIdType piece)
+namespace
+{
+/// A column and whether it has the row.
+const Column* cellOf(const Table& table, std::size_t row, const char* name)
+{
+  const Column* const column = findColumn(table, name);
+  return column && row < column->rows() ? column : nullptr;
+}
+}
+
+double numberIn(const Table& table, std::size_t row, const char* column)
+{
+  const Column* const found = cellOf(table, row, column);
+  return found ? found->number(row) : 0.0;
+}
+
+long long integerIn(const Table& table, std::size_t row, const char* column)
+{
+  return static_cast<long long>(numberIn(table, row, column));
+}
+
+std::string textIn(const Table& table, std::size_t row, const char* column)
+{
+  const Column* const found = cellOf(table, row, column);
+  return found ? found->text(row) : std::string();
+}
+
+std::vector<Remedy> remediesOf(const PieceTables& tables, std::size_t piece)
 {
   std::vector<Remedy> remedies;
-  vtkTable* const table = tables.remedies;
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  const Table& all = tables.remedies;
+  for (std::size_t row = 0; row < rowsOf(all); ++row)
   {
-    if (integerIn(table, row, "Piece") == piece)
+    if (integerIn(all, row, "Piece") == static_cast<long long>(piece))
     {
-      remedies.push_back({ textIn(table, row, "Remedy"), textIn(table, row, "Subject") });
+      remedies.push_back({ textIn(all, row, "Remedy"), textIn(all, row, "Subject") });
     }
   }
   return remedies;
+}
+
+void Flattening::conclude(const flattening::Status& outcome)
+{
+  this->status = flattening::statusName(outcome.code);
+  this->remedies = remediesOf(outcome);
+  if (outcome.code == flattening::StatusCode::ClosedSurface)
+  {
+    this->remedies.push_back({ "Give", "one side of a sheet with thickness (--outer-side)" });
+  }
+  this->message = messageOf(outcome.message, this->remedies);
+  this->idKind = flattening::kindName(outcome.ids.kind);
+  this->ids.assign(outcome.ids.values.begin(), outcome.ids.values.end());
+  this->exitCode = outcome.refused() ? InputRefused : outcome.ok() ? Done : Flawed;
 }
 
 MendedSurface mendedSurface(
@@ -427,10 +597,10 @@ bool isScaled(const Options& options)
   return options.scale != 1.0 || options.height > 0.0;
 }
 
-double scaleOf(const Options& options, vtkPolyData* surface, const std::string& unit)
+double scaleOf(const Options& options, const DataSet& surface, const std::string& unit)
 {
-  const vtkBoundingBox box = boxOf(listTriangles(surface));
-  const double height = box.IsValid() ? std::max(box.GetLength(1), box.GetLength(2)) : 0.0;
+  const Eigen::AlignedBox3d box = boxOf(listTriangles(surface));
+  const double height = box.isEmpty() ? 0.0 : std::max(box.sizes().y(), box.sizes().z());
   if (options.height > 0.0 && !(height > 0.0))
   {
     throw InputError(options.surface, "has no extent in y or z that could have the --height");
@@ -438,31 +608,24 @@ double scaleOf(const Options& options, vtkPolyData* surface, const std::string& 
   return options.height > 0.0 ? options.height / millimetresOf(unit) / height : options.scale;
 }
 
-void scaleBy(double factor, vtkPolyData* data)
+void scaleBy(double factor, DataSet& data)
 {
-  const vtkNew<vtkPoints> points; // the others may be those of the file as it was read
-  points->SetDataTypeToDouble();
-  points->DeepCopy(data->GetPoints());
-  for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k)
+  Points3 points = *data.points; // those of the file as it was read may be others'
+  for (Point3& point : points)
   {
-    std::array<double, 3> x{};
-    points->GetPoint(k, x.data());
-    points->SetPoint(k, factor * x[0], factor * x[1], factor * x[2]);
+    point *= factor;
   }
-  data->SetPoints(points);
+  data.points = std::make_shared<const Points3>(std::move(points));
 }
 
-vtkBoundingBox boxOf(const TriangleList& list)
+double diagonalOf(const DataSet& data)
 {
-  vtkBoundingBox box;
-  for (const ListedTriangle& triangle : list.triangles)
+  Eigen::AlignedBox3d box;
+  for (const Point3& point : *data.points)
   {
-    for (const vtkIdType corner : triangle.corners)
-    {
-      box.AddPoint(list.points->GetPoint(corner));
-    }
+    box.extend(point);
   }
-  return box;
+  return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
 std::string unitTaken(const std::string& surface, const LikelyUnit& taken)
@@ -495,23 +658,25 @@ Flattening flattenOne(const Options& options, const std::string& base)
       sewAgain(options, result);
       return result;
     }
-    const vtkSmartPointer<vtkFlatPieceAlgorithm> filter = makeFilter(options);
-    filter->CachingOff(); // it runs once
-    setOptions(options, filter);
-    setBody(options.body, filter);
-    const std::vector<std::string> curveFiles = readInput(options, base, filter, result);
+    const RunInput input = readInput(options, base, result);
     result.secondsRead = secondsSince(start);
-    checkCurveNames(options.pattern, options.surface, filter, result);
+    SurfaceRun run(options, input, result);
+    checkCurveNames(options, input.surface, curvesOf(input), run.settings(), result);
     if (result.refused())
     {
       result.message = options.surface + ": " + result.message;
       return result;
     }
-    run(filter, options.quiet, result);
+    {
+      Progress progress(options.quiet);
+      run.flatten(progress.execution(options.threads));
+    }
+    result.conclude(run.run().status);
     checkBound(options, result);
-    const int curves = filter->GetStatusConnection();
-    const bool ofFile = curves >= 0 && curves < static_cast<int>(curveFiles.size());
-    const std::string& file = ofFile ? curveFiles[curves] : options.surface; // or of a proposal
+    const int curves = run.run().status.refused() ? run.run().source.blamed - 1 : -1;
+    const bool ofFile = curves >= 0 && curves < static_cast<int>(input.files.size());
+    const std::string& file =
+      ofFile ? input.files[static_cast<std::size_t>(curves)] : options.surface; // or of a proposal
     sewAgain(options, result);
     if (result.refused())
     {

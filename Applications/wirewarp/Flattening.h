@@ -2,113 +2,104 @@
 #pragma once
 
 #include "FlagWords.h"
+#include "Input/DataSet.h"
 #include "Options.h"
 #include "ReadSurface.h"
 #include "SurfaceMending.h"
-#include "TriangleList.h"
 #include "Units.h"
 
-#include <vtkBoundingBox.h>
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
-#include <vtkTable.h>
-#include <vtkVariant.h>
-
 #include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-class vtkStringArray;
+namespace flattening::pattern
+{
+struct Grading;
+}
 
 namespace wirewarp
 {
-/// A table without rows.
-inline vtkSmartPointer<vtkTable> noTable()
+using Table = flattening::Columns;
+/// What is written to a file; null: nothing.
+using Data = std::shared_ptr<const DataSet>;
+
+/// Of a table.
+inline std::size_t rowsOf(const Table& table)
 {
-  return vtkSmartPointer<vtkTable>::New();
+  return table.empty() ? 0 : table.front().rows();
 }
 
-/// A value of a table.
-inline double numberIn(vtkTable* table, vtkIdType row, const char* column)
-{
-  return table->GetValueByName(row, column).ToDouble();
-}
-inline long long integerIn(vtkTable* table, vtkIdType row, const char* column)
-{
-  return table->GetValueByName(row, column).ToLongLong();
-}
-inline std::string textIn(vtkTable* table, vtkIdType row, const char* column)
-{
-  return table->GetValueByName(row, column).ToString();
-}
-
-/// The values of an array.
-std::vector<std::string> textsOf(vtkStringArray* array);
+/// A value of a table; 0 or empty where there is no such column.
+double numberIn(const Table& table, std::size_t row, const char* column);
+long long integerIn(const Table& table, std::size_t row, const char* column);
+std::string textIn(const Table& table, std::size_t row, const char* column);
 
 /// A strain above this multiple of the bound misses it.
 constexpr double missedBy = 1.5;
 
-/// The tables of pieces that vtkFlatPieceAlgorithm gives.
+/// The tables of pieces.
 struct PieceTables
 {
-  vtkSmartPointer<vtkTable> pieces = noTable();
-  vtkSmartPointer<vtkTable> angleIterations = noTable();
-  vtkSmartPointer<vtkTable> isometricIterations = noTable();
-  vtkSmartPointer<vtkTable> releaseTrials = noTable();
-  vtkSmartPointer<vtkTable> remedies = noTable();
+  Table pieces;
+  Table angleIterations;
+  Table isometricIterations;
+  Table releaseTrials;
+  Table remedies;
 };
 
 /// The remedies of one piece.
-std::vector<Remedy> remediesOf(const PieceTables& tables, vtkIdType piece);
+std::vector<Remedy> remediesOf(const PieceTables& tables, std::size_t piece);
 
 /// What became of one surface.
 struct Flattening
 {
   int exitCode = Done;
-  /// "Ok", a status name of vtkFlatteningAlgorithm, or "UnreadableInput".
+  /// "Ok", the name of a status, or "UnreadableInput".
   std::string status = "Ok";
   std::string message;
-  std::vector<vtkIdType> ids; ///< of the elements that the message is about
-  std::string idKind;         ///< what they are: "points", "cells", "curves", ...
+  std::vector<std::int64_t> ids; ///< of the elements that the message is about
+  std::string idKind;            ///< what they are: "points", "cells", "curves", ...
   std::vector<Remedy> remedies;
 
-  /// The outputs of vtkWireWarpingFilter; without points after a refusal.
-  vtkSmartPointer<vtkPolyData> flat;
-  vtkSmartPointer<vtkPolyData> wires;
-  vtkSmartPointer<vtkPolyData> cut;
+  /// The outputs of vtkWireWarpingFilter; none after a refusal.
+  Data flat;
+  Data wires;
+  Data cut;
   PieceTables tables; ///< without rows after an error
-  vtkSmartPointer<vtkTable> leftOutPieces = noTable();
-  vtkSmartPointer<vtkTable> curveTable = noTable();
+  Table leftOutPieces;
+  Table curveTable;
   std::array<double, 4> seconds{}; ///< of wires, interior and quality, and in total
 
   /// Of `wirewarp cut`: all curves, as vtkFeatureCurveSuggestion has them, and what else it found.
-  vtkSmartPointer<vtkPolyData> curves;
-  vtkSmartPointer<vtkTable> search = noTable();
-  vtkSmartPointer<vtkTable> leftOutLines = noTable();
+  Data curves;
+  Table search;
+  Table leftOutLines;
   /// Of `wirewarp prices`: the prices of vtkKeyCurvePrices.
-  vtkSmartPointer<vtkTable> keyPrices = noTable();
+  Table keyPrices;
 
   /// Of `wirewarp reshape`: outputs 5 to 9 of vtkMakeFlattenable.
-  vtkSmartPointer<vtkPolyData> flattenable;
-  vtkSmartPointer<vtkPolyData> flattenableCurves;
-  vtkSmartPointer<vtkPolyData> flatBefore;
+  Data flattenable;
+  Data flattenableCurves;
   PieceTables tablesBefore; ///< pieces alone
-  vtkSmartPointer<vtkTable> shiftMeasures = noTable();
-  vtkIdType shiftTrials = 0;
+  Table shiftMeasures;
+  std::size_t shiftTrials = 0;
 
   /// Of `wirewarp sew`: output 0 of vtkSewnShape.
-  vtkSmartPointer<vtkPolyData> sewn;
-  vtkSmartPointer<vtkTable> sewnShapes = noTable();
+  Data sewn;
+  Table sewnShapes;
 
-  /// Of `wirewarp grade`: the output of vtkPatternGrading.
-  vtkSmartPointer<vtkPolyData> grading;
+  /// Of `wirewarp grade`.
+  std::shared_ptr<const flattening::pattern::Grading> grading;
 
   std::string unit = "cm"; ///< of the surface, as in Units.h
   bool unitStated = false; ///< by --unit or by a file; else it is the likely one
   std::string unitNote;    ///< says which is taken; empty where it is stated
 
   double curveDistance = 0.0;        ///< of the curves' points from the surface, at most
-  std::vector<std::string> warnings; ///< of the filter
+  std::vector<std::string> warnings; ///< of the flattening
   std::vector<std::string> notes;    ///< what the command itself warns of
   /// What was done to the pieces of a pattern.
   std::vector<std::string> patternNotes;
@@ -128,6 +119,8 @@ struct Flattening
   bool refused() const { return this->exitCode == InputRefused; }
   /// The exit code of a run that has written what it can.
   int outcome() const { return this->unwritten.empty() ? this->exitCode : InputRefused; }
+  /// Takes over how a run ended.
+  void conclude(const flattening::Status& outcome);
 };
 
 /// The surface of a file, mended as the options say. \param unit of the surface
@@ -137,10 +130,10 @@ MendedSurface mendedSurface(
 /// Whether the options ask for another size of the surface.
 bool isScaled(const Options& options);
 /// The factor of --scale and --height. \param unit of the surface
-double scaleOf(const Options& options, vtkPolyData* surface, const std::string& unit);
-void scaleBy(double factor, vtkPolyData* data);
-/// Of the triangles alone.
-vtkBoundingBox boxOf(const TriangleList& list);
+double scaleOf(const Options& options, const DataSet& surface, const std::string& unit);
+void scaleBy(double factor, DataSet& data);
+/// Of all points.
+double diagonalOf(const DataSet& data);
 
 /// What is said of a unit that is taken since none is stated.
 std::string unitTaken(const std::string& surface, const LikelyUnit& taken);

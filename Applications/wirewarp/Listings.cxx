@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Listings.h"
 
-#include <vtkNew.h>
-#include <vtkTable.h>
-#include <vtkVariant.h>
-#include <vtkWireWarpingFilter.h>
+#include "Flattening.h"
+#include "Report/FlatteningTables.h"
 
 #include <cmath>
 #include <cstdio>
@@ -80,19 +78,16 @@ std::string range(double least, double greatest)
 
 void printMaterials(std::ostream& out)
 {
-  const vtkNew<vtkTable> table;
-  vtkWireWarpingFilter::ListMaterials(table);
-  const auto number = [&](vtkIdType row, const char* column) {
-    return table->GetValueByName(row, column).ToDouble();
+  const Table table = flattening::materialTable();
+  const auto number = [&](std::size_t row, const char* column) {
+    return numberIn(table, row, column);
   };
-  const auto text = [&](vtkIdType row, const char* column) {
-    return std::string(table->GetValueByName(row, column).ToString());
-  };
+  const auto text = [&](std::size_t row, const char* column) { return textIn(table, row, column); };
   char line[256];
   std::snprintf(line, sizeof line, "%-14s %9s %9s %9s %7s %12s %12s %6s  %s\n", "material",
     "warp N/m", "weft N/m", "shear N/m", "compr.", "warp %", "weft %", "shear", "what it is");
   out << line;
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  for (std::size_t row = 0; row < rowsOf(table); ++row)
   {
     const std::string name = text(row, "Name");
     const bool threads = number(row, "Warp") > 0.0;
@@ -114,7 +109,7 @@ void printMaterials(std::ostream& out)
   }
   out << "\nStiffness of warp, weft and shear; compr.: in compression over that in tension; then "
          "the limits.\nSheets have no seam allowance by default.\nSources:\n";
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  for (std::size_t row = 0; row < rowsOf(table); ++row)
   {
     out << "  " << text(row, "Name") << ": " << text(row, "Source") << '\n';
   }

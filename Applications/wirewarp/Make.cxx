@@ -8,14 +8,11 @@
 #include "Table.h"
 #include "Units.h"
 
-#include <vtkPatternWriter.h>
-#include <vtkPolyData.h>
-#include <vtkTable.h>
+#include <Eigen/Geometry>
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <iomanip>
 #include <map>
@@ -112,20 +109,24 @@ std::string rounded(double value)
 
 std::string surfaceLine(const Options& options, const Flattening& result)
 {
-  std::array<double, 6> box{};
-  result.cut->GetBounds(box.data());
+  Eigen::AlignedBox3d box;
+  for (const Point3& point : *result.cut->points)
+  {
+    box.extend(point);
+  }
+  const Point3 sizes = box.sizes();
   const std::string unit = result.unit;
-  return "surface: " + plainText(options.surface) + ", " + rounded(box[1] - box[0]) + " x " +
-    rounded(box[3] - box[2]) + " x " + rounded(box[5] - box[4]) + ' ' + unit +
+  return "surface: " + plainText(options.surface) + ", " + rounded(sizes.x()) + " x " +
+    rounded(sizes.y()) + " x " + rounded(sizes.z()) + ' ' + unit +
     (result.unitStated ? "" : " (a likely unit; state it with --unit)") + '\n';
 }
 
 std::string cutsLine(const Flattening& result)
 {
-  const vtkSmartPointer<vtkTable> cuts = suggestedCuts(result);
+  const Table cuts = suggestedCuts(result);
   std::map<std::string, std::size_t> count;
   double length = 0.0;
-  for (vtkIdType row = 0; row < cuts->GetNumberOfRows(); ++row)
+  for (std::size_t row = 0; row < rowsOf(cuts); ++row)
   {
     ++count[textIn(cuts, row, "Type")];
     length += numberIn(cuts, row, "Length");
@@ -143,11 +144,11 @@ std::string cutsLine(const Flattening& result)
 }
 
 /// The row with the largest number of any of some columns.
-vtkIdType largestRow(vtkTable* pieces, const std::vector<const char*>& columns)
+std::size_t largestRow(const Table& pieces, const std::vector<const char*>& columns)
 {
-  vtkIdType largest = 0;
+  std::size_t largest = 0;
   double most = -1.0;
-  for (vtkIdType row = 0; row < pieces->GetNumberOfRows(); ++row)
+  for (std::size_t row = 0; row < rowsOf(pieces); ++row)
   {
     for (const char* const column : columns)
     {
@@ -163,19 +164,18 @@ vtkIdType largestRow(vtkTable* pieces, const std::vector<const char*>& columns)
 
 std::string piecesLine(const Flattening& result)
 {
-  vtkTable* const pieces = result.tables.pieces;
-  const vtkIdType largest = largestRow(pieces, { "FlatWidth", "FlatHeight" });
-  return "pieces: " + std::to_string(pieces->GetNumberOfRows()) + ", the " +
-    (pieces->GetNumberOfRows() > 1 ? "longest " : "size ") +
-    textIn(pieces, largest, "SizeInWords") + '\n';
+  const Table& pieces = result.tables.pieces;
+  const std::size_t largest = largestRow(pieces, { "FlatWidth", "FlatHeight" });
+  return "pieces: " + std::to_string(rowsOf(pieces)) + ", the " +
+    (rowsOf(pieces) > 1 ? "longest " : "size ") + textIn(pieces, largest, "SizeInWords") + '\n';
 }
 
 std::string fitLine(const Options& options, const Flattening& result)
 {
-  vtkTable* const pieces = result.tables.pieces;
-  const vtkIdType worst = largestRow(pieces, { "StrainP95" });
+  const Table& pieces = result.tables.pieces;
+  const std::size_t worst = largestRow(pieces, { "StrainP95" });
   const std::string piece =
-    pieces->GetNumberOfRows() > 1 ? "on piece " + std::to_string(worst + 1) + ", " : "";
+    rowsOf(pieces) > 1 ? "on piece " + std::to_string(worst + 1) + ", " : "";
   const std::string place = textIn(pieces, worst, "WorstPlace");
   return "fit: " +
     fitVerdict(numberIn(pieces, worst, "StrainP95"), options.values.number("Bound")) +
@@ -191,7 +191,7 @@ std::string filesLine(const Options& options, const FilesOfFlattening& written)
   }
   const std::vector<PatternFile>& files = options.pattern.files;
   const bool printed = std::any_of(files.begin(), files.end(),
-    [](const PatternFile& file) { return file.format == vtkPatternWriter::PDF; });
+    [](const PatternFile& file) { return file.format == flattening::pattern::FileFormat::Pdf; });
   return text.empty()
     ? ""
     : text + (printed ? "; print at 100 % and measure the rectangle of 100 mm x 50 mm\n" : "\n");
@@ -285,7 +285,7 @@ std::vector<std::string> withOptionsOfKind(std::vector<std::string> arguments)
 std::string summaryOfMaking(const Options& options, const FilesOfFlattening& written)
 {
   const Flattening& result = written.result;
-  if (result.tables.pieces->GetNumberOfRows() == 0)
+  if (rowsOf(result.tables.pieces) == 0)
   {
     return filesLine(options, written);
   }

@@ -3,12 +3,11 @@
 
 #include "TriangleList.h"
 
-#include <vtkNew.h>
-#include <vtkPoints.h>
-
 #include <Eigen/Dense>
 
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace wirewarp
@@ -34,20 +33,18 @@ Eigen::Vector3d moveOf(const Eigen::Matrix3d& planes, const Eigen::Vector3d& nor
 }
 }
 
-vtkSmartPointer<vtkPolyData> neutralLayer(vtkPolyData* surface, double inwards)
+DataSet neutralLayer(const DataSet& surface, double inwards)
 {
   const TriangleList list = listTriangles(surface);
-  const auto at = [&list](vtkIdType point) {
-    return Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(list.points->GetPoint(point)));
-  };
-  const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
+  const Points3& points = *surface.points;
+  const std::size_t count = points.size();
   std::vector<Eigen::Matrix3d> planes(count, Eigen::Matrix3d::Zero());
   std::vector<Eigen::Vector3d> normals(count, Eigen::Vector3d::Zero());
   for (const ListedTriangle& triangle : list.triangles)
   {
-    const Eigen::Vector3d first = at(triangle.corners[0]);
+    const Eigen::Vector3d first = list.point(triangle.corners[0]);
     const Eigen::Vector3d twice =
-      (at(triangle.corners[1]) - first).cross(at(triangle.corners[2]) - first);
+      (list.point(triangle.corners[1]) - first).cross(list.point(triangle.corners[2]) - first);
     const double area = twice.norm();
     for (std::size_t k = 0; k < 3 && area > 0.0; ++k)
     {
@@ -56,21 +53,16 @@ vtkSmartPointer<vtkPolyData> neutralLayer(vtkPolyData* surface, double inwards)
       normals[point] += twice;
     }
   }
-  const vtkNew<vtkPoints> moved;
-  moved->SetDataTypeToDouble();
-  moved->DeepCopy(surface->GetPoints());
+  Points3 moved = points;
   for (std::size_t k = 0; k < count; ++k)
   {
     if (normals[k].squaredNorm() > 0.0)
     {
-      const auto point = static_cast<vtkIdType>(k);
-      const Eigen::Vector3d place = at(point) + moveOf(planes[k], normals[k], -inwards);
-      moved->SetPoint(point, place.data());
+      moved[k] += moveOf(planes[k], normals[k], -inwards);
     }
   }
-  auto layer = vtkSmartPointer<vtkPolyData>::New();
-  layer->ShallowCopy(surface);
-  layer->SetPoints(moved);
+  DataSet layer = surface;
+  layer.points = std::make_shared<const Points3>(std::move(moved));
   return layer;
 }
 }

@@ -2,13 +2,13 @@
 #include "OutputFiles.h"
 
 #include "InputError.h"
-#include "VtkMessages.h"
+#include "WriteData.h"
 
-#include <vtkXMLPolyDataWriter.h>
-
+#ifndef _WIN32
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
+#endif
 
 #include <cerrno>
 #include <fstream>
@@ -93,26 +93,9 @@ std::filesystem::path OutputFiles::addEntry(const std::filesystem::path& file)
   return this->Entries.back().aside;
 }
 
-void OutputFiles::add(const std::filesystem::path& file, vtkPolyData* data)
+void OutputFiles::add(const std::filesystem::path& file, const flattening::DataSet& data)
 {
-  // By way of memory: on a full disk VTK's writer of files crashes.
-  std::string text;
-  {
-    const VtkMessages messages;
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    // With the Expat of Debian 12's security updates ParaView 5.11 refuses appended data.
-    writer->SetDataModeToBinary();
-    // Zlib takes three times as long to make files of seven tenths of the size.
-    writer->SetCompressorTypeToLZ4();
-    writer->WriteToOutputStringOn();
-    writer->SetInputData(data);
-    if (writer->Write() != 1 || !messages.errors().empty())
-    {
-      cannotBeWritten(file, messages.firstError());
-    }
-    text = writer->GetOutputString();
-  }
-  this->add(file, text);
+  this->add(file, bytesOf(file.string(), data));
 }
 
 void OutputFiles::add(const std::filesystem::path& file, const std::string& text)
@@ -168,6 +151,15 @@ void OutputFiles::publish()
   this->Entries.clear();
 }
 
+#ifdef _WIN32
+FolderLock::FolderLock(const std::filesystem::path&)
+  : Folder(-1)
+  , Held(true)
+{
+}
+
+FolderLock::~FolderLock() = default;
+#else
 FolderLock::FolderLock(const std::filesystem::path& folder)
   : Folder(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
   , Held(flock(this->Folder, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
@@ -181,6 +173,7 @@ FolderLock::~FolderLock()
     close(this->Folder);
   }
 }
+#endif
 
 void InputFiles::add(const std::string& path)
 {

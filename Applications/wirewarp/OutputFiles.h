@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vtkPolyData.h>
+#include "Input/DataSet.h"
 
 #include <filesystem>
 #include <functional>
@@ -49,7 +49,7 @@ public:
   /// Throws InputError where a folder stands where a file is to be put.
   void demandPlace(const std::filesystem::path& file) const;
   /// Throw InputError where the file cannot be written.
-  void add(const std::filesystem::path& file, vtkPolyData* data);
+  void add(const std::filesystem::path& file, const flattening::DataSet& data);
   void add(const std::filesystem::path& file, const std::string& text);
   /// Leaves a file out that cannot be written.
   /// \param write writes to a path and returns what went wrong, or nothing

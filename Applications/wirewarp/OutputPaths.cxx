@@ -4,8 +4,7 @@
 #include "InputError.h"
 #include "Options.h"
 #include "TextFile.h"
-
-#include <vtkPatternWriter.h>
+#include "WriteData.h"
 
 #include <filesystem>
 #include <map>
@@ -17,26 +16,32 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// Formats of vtkPatternWriter by endings of files.
-using Formats = std::map<std::string, int>;
+/// Formats of patterns by endings of files.
+using flattening::pattern::FileFormat;
+using Formats = std::map<std::string, FileFormat>;
 
 const std::map<std::string, Formats>& drawnFormats()
 {
-  static const Formats ofPatterns{ { ".pdf", vtkPatternWriter::PDF },
-    { ".svg", vtkPatternWriter::SVG }, { ".dxf", vtkPatternWriter::DXF },
-    { ".plt", vtkPatternWriter::HPGL }, { ".hpgl", vtkPatternWriter::HPGL },
-    { ".json", vtkPatternWriter::GARMENT_CODE }, { ".csv", vtkPatternWriter::WALK } };
+  static const Formats ofPatterns{ { ".pdf", FileFormat::Pdf }, { ".svg", FileFormat::Svg },
+    { ".dxf", FileFormat::Dxf }, { ".plt", FileFormat::Hpgl }, { ".hpgl", FileFormat::Hpgl },
+    { ".json", FileFormat::GarmentCode }, { ".csv", FileFormat::Walk } };
   static const std::map<std::string, Formats> all{
     { "make", ofPatterns },
     { "pattern", ofPatterns },
     { "nest",
-      { { ".svg", vtkPatternWriter::SVG }, { ".plt", vtkPatternWriter::HPGL },
-        { ".hpgl", vtkPatternWriter::HPGL } } },
+      { { ".svg", FileFormat::Svg }, { ".plt", FileFormat::Hpgl },
+        { ".hpgl", FileFormat::Hpgl } } },
     { "grade",
-      { { ".svg", vtkPatternWriter::NEST }, { ".csv", vtkPatternWriter::GRADE_LIST },
-        { ".dxf", vtkPatternWriter::DXF }, { ".rul", vtkPatternWriter::RULE_TABLE } } },
+      { { ".svg", FileFormat::Nest }, { ".csv", FileFormat::GradeList },
+        { ".dxf", FileFormat::Dxf }, { ".rul", FileFormat::RuleTable } } },
   };
   return all;
+}
+
+/// Whether surfaces and curves are written to files of an ending.
+bool isData(const std::string& extension)
+{
+  return extension == ".vtp" || extension == ".obj";
 }
 
 /// The command that writes files of an ending; empty where none does.
@@ -46,7 +51,7 @@ std::string writerOf(const std::string& extension)
   {
     return "picture";
   }
-  if (extension == ".vtp")
+  if (isData(extension))
   {
     return "cut, sew and reshape";
   }
@@ -72,7 +77,7 @@ bool takeFile(Options& options, const std::string& path)
     return true;
   }
   std::string* const file = extension == ".png" && command == "picture" ? &options.picture.path
-    : extension != ".vtp"                                               ? nullptr
+    : !isData(extension)                                                ? nullptr
     : command == "cut" || command == "make"                             ? &options.curvesFile
     : command == "sew"                                                  ? &options.sewnFile
     : command == "reshape" || command == "check"                        ? &options.surfaceFile
@@ -129,7 +134,7 @@ void takeDefaults(Options& options)
   }
   else if (command == "cut")
   {
-    options.curvesFile = stem + "_cuts.vtp";
+    options.curvesFile = stem + "_cuts" + dataExtension;
   }
   else if (command == "pattern" || command == "make")
   {
@@ -150,7 +155,7 @@ void takeDefaults(Options& options)
   }
   else if (command == "sew")
   {
-    options.sewnFile = (within / "sewn.vtp").string();
+    options.sewnFile = (within / ("sewn" + std::string(dataExtension))).string();
   }
   else if (command == "reshape")
   {
@@ -203,23 +208,23 @@ void resolveOutputs(Options& options)
     return;
   }
   const fs::path folder = options.output;
-  const auto within = [&](std::string& file, const char* name) {
+  const auto within = [&](std::string& file, const std::string& name) {
     if (file.empty() && !folder.empty())
     {
-      file = (folder / name).string();
+      file = (folder / (name + dataExtension)).string();
     }
   };
   if (options.command == "cut" || options.command == "make" || options.command == "reshape")
   {
-    within(options.curvesFile, "curves.vtp");
+    within(options.curvesFile, "curves");
   }
   if (options.command == "reshape")
   {
-    within(options.surfaceFile, "flattenable.vtp");
+    within(options.surfaceFile, "flattenable");
   }
   if (options.command == "sew")
   {
-    within(options.sewnFile, "sewn.vtp");
+    within(options.sewnFile, "sewn");
   }
 }
 }

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Patterns.h"
 
+#include "Base/LengthUnit.h"
+#include "Base/Memory.h"
+#include "Drawing/PatternBuilder.h"
 #include "FlagWords.h"
 #include "Flattening.h"
+#include "Formats/PatternData.h"
 #include "InputError.h"
 #include "Options.h"
+#include "Outlines/DrawingSource.h"
 #include "OutputFiles.h"
 #include "PlainText.h"
+#include "Report/FlatteningRun.h"
+#include "Suggestion/CurveSuggestions.h"
 #include "TableOptions.h"
 #include "TextFile.h"
-#include "VtkMessages.h"
-
-#include <vtkFeatureCurveAlgorithm.h>
-#include <vtkFeatureCurveImprinter.h>
-#include <vtkNew.h>
-#include <vtkPatternWriter.h>
-#include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
 
 #include <CLI/CLI.hpp>
 
@@ -34,11 +33,14 @@ namespace wirewarp
 {
 namespace
 {
+namespace pattern = flattening::pattern;
 using flattening::OptionValues;
+using flattening::Status;
+using pattern::NoteKind;
 
 /// Hands entries NAME=MM on.
-void setOfCurves(const OptionValues& values, const char* property,
-  const std::function<void(const std::string&, double)>& set)
+template <class Set>
+void forCurves(const OptionValues& values, const char* property, const Set& set)
 {
   for (const std::string& entry : values.list(property))
   {
@@ -47,115 +49,138 @@ void setOfCurves(const OptionValues& values, const char* property,
   }
 }
 
-vtkSmartPointer<vtkPatternWriter> makeWriter(
+pattern::FileOptions optionsOf(
   const PatternRequest& request, const std::string& surface, const std::string& unit)
 {
-  const auto writer = vtkSmartPointer<vtkPatternWriter>::New();
   const OptionValues& values = request.values;
-  writer->SetOptions(values);
-  writer->SetUnitByName(unit);
+  pattern::FileOptions file;
+  for (const pattern::PatternOption& option : pattern::patternOptionTable())
+  {
+    if (option.setIn)
+    {
+      option.setIn(file, values[option.property]);
+    }
+  }
+  pattern::PatternOptions& drawn = file.pattern;
+  drawn.unit = flattening::unitNamed(unit);
   if (!values.isGiven("PatternName"))
   {
-    writer->SetPatternName(std::filesystem::path(surface).stem().string());
+    drawn.name = std::filesystem::path(surface).stem().string();
   }
-  writer->SetPatternSize(request.size);
-  const auto ofCurve = [&writer](void (vtkPatternWriter::*set)(const std::string&, double)) {
-    return
-      [&writer, set](const std::string& curve, double length) { (writer->*set)(curve, length); };
+  drawn.size = request.size;
+  const auto keepIn = [](std::map<std::string, double>& kept) {
+    return [&kept](const std::string& curve, double length) { kept[curve] = length; };
   };
-  setOfCurves(values, "CurveAllowances", ofCurve(&vtkPatternWriter::SetCurveAllowance));
-  setOfCurves(values, "CurveDartTips", ofCurve(&vtkPatternWriter::SetCurveDartTip));
-  setOfCurves(values, "CurveFairTolerances", ofCurve(&vtkPatternWriter::SetCurveFairTolerance));
-  setOfCurves(values, "CurveNotches", ofCurve(&vtkPatternWriter::AddCurveNotch));
-  for (const std::string& curve : values.list("DoubleNotches"))
+  forCurves(values, "CurveAllowances", keepIn(drawn.allowanceOfCurve));
+  forCurves(values, "CurveDartTips", keepIn(drawn.dartTipOfCurve));
+  forCurves(values, "CurveFairTolerances", keepIn(drawn.fairToleranceOfCurve));
+  forCurves(values, "CurveNotches", [&drawn](const std::string& curve, double distance) {
+    drawn.notchesOfCurve[curve].push_back(distance);
+  });
+  const std::vector<std::string>& doubled = values.list("DoubleNotches");
+  drawn.doubleNotches = { doubled.begin(), doubled.end() };
+  const std::vector<std::string>& folds = values.list("Folds");
+  drawn.foldsAlong = { folds.begin(), folds.end() };
+  for (const auto& [name, copies] : request.pieces)
   {
-    writer->AddDoubleNotches(curve);
+    drawn.pieceNames.push_back(name);
+    drawn.pieceQuantities.push_back(copies);
   }
-  for (const std::string& curve : values.list("Folds"))
-  {
-    writer->AddFold(curve);
-  }
-  for (std::size_t p = 0; p < request.pieces.size(); ++p)
-  {
-    const auto& [name, copies] = request.pieces[p];
-    if (!name.empty())
-    {
-      writer->SetPieceName(static_cast<int>(p), name);
-    }
-    writer->SetPieceQuantity(static_cast<int>(p), copies);
-  }
-  return writer;
+  return file;
 }
 
-bool isNews(int kind, const PatternRequest& request, bool quiet)
+bool isNews(NoteKind kind, const PatternRequest& request, bool quiet)
 {
   const bool asked =
     request.values.isGiven("FairTolerance") || request.values.isGiven("CurveFairTolerances");
   switch (kind)
   {
-    case vtkPatternWriter::SMOOTHED:
+    case NoteKind::Smoothed:
       return asked && !quiet;
-    case vtkPatternWriter::LEFT_ROUGH:
+    case NoteKind::LeftRough:
       return asked;
-    case vtkPatternWriter::NOT_SMOOTHED:
+    case NoteKind::NotSmoothed:
       return asked || !quiet;
-    case vtkPatternWriter::NOT_MIRRORED:
+    case NoteKind::NotMirrored:
       return true;
     default:
       return !quiet;
   }
 }
 
-/// What the writer refused to write to a path, in the command's words.
-std::string refusalOf(vtkPatternWriter* writer, const std::string& path)
+/// What was refused to be written to a path, in the command's words.
+std::string refusalOf(const Status& status, const std::string& path)
 {
-  if (std::string(writer->GetStatusName()) == "OutOfMemory")
+  if (status.code == flattening::StatusCode::OutOfMemory)
   {
     throw std::bad_alloc();
   }
   // The file of that name is one beside the user's, whom nobody has told of it.
-  std::string defect = writer->GetStatusDefect();
+  const std::string& defect = status.message;
   const std::size_t at = defect.find(path + ' ');
-  return messageOf(at == 0 ? defect.substr(path.size() + 1) : defect, remediesOf(writer));
+  return messageOf(at == 0 ? defect.substr(path.size() + 1) : defect, remediesOf(status));
 }
 
-/// \return what is wrong, or nothing
-std::string writePattern(vtkPatternWriter* writer, const PatternFile& file, OutputFiles& files)
+std::set<std::string> curvesWithOptions(const pattern::PatternOptions& options)
 {
-  writer->SetFileFormat(file.format);
-  return files.add(file.path, [writer](const std::string& path) {
-    writer->SetFileName(path.c_str());
-    return writer->Write() == 1 ? std::string() : refusalOf(writer, path);
-  });
+  std::set<std::string> names = options.doubleNotches;
+  names.insert(options.foldsAlong.begin(), options.foldsAlong.end());
+  for (const auto* const ofCurve :
+    { &options.allowanceOfCurve, &options.dartTipOfCurve, &options.fairToleranceOfCurve })
+  {
+    for (const auto& entry : *ofCurve)
+    {
+      names.insert(entry.first);
+    }
+  }
+  for (const auto& entry : options.notchesOfCurve)
+  {
+    names.insert(entry.first);
+  }
+  return names;
 }
 }
 
-void checkCurveNames(const PatternRequest& request, const std::string& surface,
-  vtkFeatureCurveAlgorithm* filter, Flattening& result)
+void checkCurveNames(const Options& options, const flattening::DataSet& surface,
+  flattening::CurveInput curves, const flattening::OptionStructures& settings, Flattening& result)
 {
-  const VtkMessages messages;
-  const auto writer = makeWriter(request, surface, result.unit);
-  if (!request.any() || writer->GetCurvesWithOptions()->GetNumberOfValues() == 0)
+  const PatternRequest& request = options.pattern;
+  const pattern::PatternOptions drawn = optionsOf(request, options.surface, result.unit).pattern;
+  const std::set<std::string> named = curvesWithOptions(drawn);
+  if (!request.any() || named.empty())
   {
     return;
   }
-  vtkNew<vtkFeatureCurveImprinter> imprinter;
-  imprinter->SetInputConnection(filter->GetInputConnection(0, 0));
-  for (int k = 0; k < filter->GetNumberOfInputConnections(1); ++k)
+  flattening::FlatteningRun run;
+  if (!run.load(readTriangles(surface), std::move(curves), settings, {}, {}))
   {
-    imprinter->AddCurvesConnection(filter->GetInputConnection(1, k));
+    return; // the flattening says what is wrong
   }
-  imprinter->SetSplitTriangles(filter->GetSplitTriangles());
-  imprinter->SetImprintTolerance(filter->GetImprintTolerance());
-  imprinter->SetSnapTolerance(filter->GetSnapTolerance());
-  imprinter->Update();
-  if (!imprinter->IsRefused() &&
-    !writer->CheckCurveNames(
-      imprinter->GetOutput(1), filter->IsA("vtkFeatureCurveSuggestion") != 0))
+  pattern::PatternSource source;
+  const auto add = [&source](const std::string& name) {
+    source.wires.emplace_back();
+    source.wires.back().type = pattern::WireType::Accessory;
+    source.wires.back().name = name;
+  };
+  for (const flattening::FeatureCurve& curve : run.source.imprinted.curves)
+  {
+    add(curve.name);
+  }
+  const bool proposes = options.command == "cut" || options.command == "make";
+  for (const std::string& name : named)
+  {
+    const std::string curve = pattern::curveSide(name).first;
+    if (proposes && flattening::isProposedName(curve))
+    {
+      add(curve);
+    }
+  }
+  const Status status = pattern::checkPatternOptions(source, drawn);
+  if (!status.ok())
   {
     result.exitCode = InputRefused;
-    result.status = writer->GetStatusName();
-    result.message = refusalOf(writer, "");
+    result.status = flattening::statusName(status.code);
+    result.message = refusalOf(status, "");
   }
 }
 
@@ -164,42 +189,53 @@ std::vector<std::string> addPatterns(const Options& options, Flattening& result,
   const PatternRequest& request = options.pattern;
   std::vector<std::string> names;
   std::set<std::string> warnings;              // of all formats alike
-  std::map<std::string, int> notes;            // with their kinds
+  std::map<std::string, NoteKind> notes;       // with their kinds
   std::map<std::string, std::string> failures; // files by what is wrong with them
-  const auto writer = makeWriter(request, options.surface, result.unit);
-  const double fabricWidth = writer->GetFabricWidth();
-  writer->SetInputData(0, result.flat);
-  writer->SetInputData(1, result.wires);
-  writer->SetInputData(2, result.cut);
-  if (result.grading)
-  {
-    writer->SetInputData(3, result.grading);
-  }
+  pattern::FileOptions drawn = optionsOf(request, options.surface, result.unit);
+  pattern::FairCache fair;
+  const double fabricWidth = drawn.fabric.width;
+  drawn.fair = &fair;
+  drawn.grading = result.grading.get();
+  pattern::PatternSource source;
+  const Status read = request.any()
+    ? pattern::readPattern(*result.flat, result.wires.get(), result.cut.get(), source)
+    : Status();
   for (const PatternFile& file : request.files)
   {
-    const VtkMessages messages;
-    writer->SetFabricWidth(file.onCloth ? fabricWidth : 0.0);
-    const std::string problem = writePattern(writer, file, files);
+    drawn.format = file.format;
+    drawn.fabric.width = file.onCloth ? fabricWidth : 0.0;
+    pattern::Pattern drawing;
+    const std::string problem = files.add(file.path, [&](const std::string& path) {
+      struct Ending
+      {
+        Status status;
+      };
+      const Status status = read.ok() ? flattening::withinMemory([&] {
+        return Ending{ pattern::writePattern(path, source, drawn, drawing) };
+      }).status
+                                      : read;
+      return status.ok() ? std::string() : refusalOf(status, path);
+    });
     if (!problem.empty())
     {
       std::string& failed = failures[problem];
       failed += (failed.empty() ? "" : ", ") + file.path;
       continue;
     }
-    for (int k = 0; k < writer->GetNumberOfWarnings(); ++k)
+    for (const pattern::PatternPiece& piece : drawing.pieces)
     {
-      warnings.insert(writer->GetWarning(k));
-    }
-    for (int k = 0; k < writer->GetNumberOfNotes(); ++k)
-    {
-      notes.emplace(writer->GetNote(k), writer->GetNoteKind(k));
+      warnings.insert(piece.warnings.begin(), piece.warnings.end());
+      for (const pattern::PatternNote& note : piece.notes)
+      {
+        notes.emplace(note.text, note.kind);
+      }
     }
     names.push_back(file.path);
-    if (file.onCloth)
+    if (file.onCloth && drawing.fabric)
     {
       result.layWidth = fabricWidth;
-      result.layLength = writer->GetFabricLength();
-      result.layEfficiency = writer->GetFabricEfficiency();
+      result.layLength = drawing.fabric->length;
+      result.layEfficiency = drawing.fabric->efficiency;
     }
   }
   for (const auto& [problem, failed] : failures)

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Fairing/FairBorders.h"
+#include "Formats/PatternFile.h"
 #include "Formats/PatternOptionTable.h"
+#include "Input/CurvedSurface.h"
+#include "Input/DataSet.h"
+#include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
-
-class vtkFeatureCurveAlgorithm;
 
 namespace CLI
 {
@@ -25,7 +29,7 @@ class OutputFiles;
 struct PatternFile
 {
   std::string path;
-  int format;           ///< of vtkPatternWriter
+  flattening::pattern::FileFormat format;
   bool onCloth = false; ///< its pieces are laid on cloth
 };
 
@@ -46,9 +50,9 @@ void addDrawing(CLI::App& app, PatternRequest& request);
 void addNesting(CLI::App& app, PatternRequest& request);
 
 /// Before the surface is flattened: refuses options for curves that are not there.
-/// \param filter which has the curves, and may propose others
-void checkCurveNames(const PatternRequest& request, const std::string& surface,
-  vtkFeatureCurveAlgorithm* filter, Flattening& result);
+/// \param curves of the surface, beside which others may be proposed
+void checkCurveNames(const Options& options, const flattening::DataSet& surface,
+  flattening::CurveInput curves, const flattening::OptionStructures& settings, Flattening& result);
 
 /// Adds the files of a pattern. Throws InputError where one cannot be drawn. What was done goes
 /// into the result, and is printed where it is news: not what was done unasked, and if quiet only

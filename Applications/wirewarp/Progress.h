@@ -1,33 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vtkAlgorithm.h>
-#include <vtkCommand.h>
+#include "Base/Execution.h"
 
 #include <chrono>
 
 namespace wirewarp
 {
-/// Shows on stderr, while it lives, how far a filter has come: on a terminal as one line that
-/// renews itself, else as a line every ten seconds. Short runs show nothing.
+/// Shows on stderr, while it lives, how far a run has come: on a terminal as one line that renews
+/// itself, else as a line every ten seconds. Short runs show nothing.
 class Progress
 {
 public:
-  Progress(vtkAlgorithm* filter, bool quiet);
+  explicit Progress(bool quiet);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  /// A run that is shown. \param threads 0: as many as there are cores
+  flattening::Execution execution(int threads);
+
 private:
   using Clock = std::chrono::steady_clock;
-  void show();
+  void show(double fraction, const char* phase);
 
-  vtkAlgorithm* Filter;
-  unsigned long Observer = 0;
+  bool Quiet;
   bool Terminal;
   bool Shown = false;
   Clock::time_point Begin = Clock::now();
   Clock::time_point Next;
+};
+
+/// While it lives, Ctrl+C ends a search, and pressed once more the program.
+class Interruption
+{
+public:
+  Interruption();
+  ~Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+
+  static bool pressed();
+  static void forget();
+
+private:
+  void (*Before)(int);
 };
 
 /// Of the wall clock.

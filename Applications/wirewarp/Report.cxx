@@ -8,21 +8,15 @@
 #include "TextFile.h"
 #include "Units.h"
 
-#include <vtkAbstractArray.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
-#include <vtkMath.h>
-#include <vtkSmartPointer.h>
-
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -44,19 +38,20 @@ enum class Kind
 };
 
 /// A key of the report and the column of a table that it has.
-struct Column
+struct ReportColumn
 {
   const char* key;
   const char* name;
   Kind kind;
 };
-using Columns = std::vector<Column>;
+using ReportColumns = std::vector<ReportColumn>;
 
-const Columns pieceColumns{ { "piece", "Piece", Kind::Integer }, { "name", "Name", Kind::Text },
-  { "status", "Status", Kind::Text }, { "id_kind", "StatusIdKind", Kind::Text },
-  { "size", "SizeInWords", Kind::Text }, { "ease", "EaseInWords", Kind::Text },
-  { "triangles", "Triangles", Kind::Integer }, { "vertices", "Vertices", Kind::Integer },
-  { "wire_patches", "WirePatches", Kind::Integer }, { "wire_nodes", "WireNodes", Kind::Integer },
+const ReportColumns pieceColumns{ { "piece", "Piece", Kind::Integer },
+  { "name", "Name", Kind::Text }, { "status", "Status", Kind::Text },
+  { "id_kind", "StatusIdKind", Kind::Text }, { "size", "SizeInWords", Kind::Text },
+  { "ease", "EaseInWords", Kind::Text }, { "triangles", "Triangles", Kind::Integer },
+  { "vertices", "Vertices", Kind::Integer }, { "wire_patches", "WirePatches", Kind::Integer },
+  { "wire_nodes", "WireNodes", Kind::Integer },
   { "free_wire_nodes", "FreeWireNodes", Kind::Integer },
   { "constraints", "Constraints", Kind::Integer }, { "iterations", "Iterations", Kind::Integer },
   { "objective", "Objective", Kind::Number },
@@ -78,7 +73,7 @@ const Columns pieceColumns{ { "piece", "Piece", Kind::Integer }, { "name", "Name
   { "forecast_cut_to", "ForecastCutTo", Kind::Integer } };
 
 /// Of threads, with a material; an infinite limit is null.
-const Columns clothColumns{ { "strain_warp_rms", "StrainWarpRms", Kind::Number },
+const ReportColumns clothColumns{ { "strain_warp_rms", "StrainWarpRms", Kind::Number },
   { "strain_weft_rms", "StrainWeftRms", Kind::Number }, { "shear_rms", "ShearRms", Kind::Number },
   { "share_out_of_limit", "ShareOutOfLimit", Kind::Number },
   { "share_over_5_percent", "ShareOver5Percent", Kind::Number },
@@ -86,27 +81,27 @@ const Columns clothColumns{ { "strain_warp_rms", "StrainWarpRms", Kind::Number }
   { "grain_angle", "GrainAngle", Kind::Number }, { "grain_curve", "GrainCurve", Kind::Text },
   { "one_way", "OneWay", Kind::Truth } };
 
-const Columns sewnThreadColumns{ { "strain_warp_rms", "StrainWarpRms", Kind::Number },
+const ReportColumns sewnThreadColumns{ { "strain_warp_rms", "StrainWarpRms", Kind::Number },
   { "strain_weft_rms", "StrainWeftRms", Kind::Number }, { "shear_rms", "ShearRms", Kind::Number } };
 
-const Columns curveColumns{ { "name", "Name", Kind::Text }, { "type", "Type", Kind::Text },
+const ReportColumns curveColumns{ { "name", "Name", Kind::Text }, { "type", "Type", Kind::Text },
   { "length_3d", "RestLength", Kind::Number }, { "length_2d", "FlatLength", Kind::Number },
   { "error", "LengthError", Kind::Number }, { "tolerance", "Tolerance", Kind::Number },
   { "closed_length", "ClosedLength", Kind::Number }, { "sensitivity", "Sensitivity", Kind::Number },
   { "released", "Released", Kind::Truth } };
 
-const Columns angleColumns{ { "phase", "Phase", Kind::Text },
+const ReportColumns angleColumns{ { "phase", "Phase", Kind::Text },
   { "objective", "Objective", Kind::Number }, { "closure", "Closure", Kind::Number },
   { "optimality", "Optimality", Kind::Number }, { "step", "Step", Kind::Number } };
 
-const Columns isometricColumns{ { "exact", "Exact", Kind::Truth },
+const ReportColumns isometricColumns{ { "exact", "Exact", Kind::Truth },
   { "energy", "Energy", Kind::Number }, { "length_error", "LengthError", Kind::Number },
   { "optimality", "Optimality", Kind::Number }, { "move", "Move", Kind::Number } };
 
-const Columns leftOutColumns{ { "reason", "Reason", Kind::Text }, { "cell", "Cell", Kind::Integer },
-  { "triangles", "Triangles", Kind::Integer } };
+const ReportColumns leftOutColumns{ { "reason", "Reason", Kind::Text },
+  { "cell", "Cell", Kind::Integer }, { "triangles", "Triangles", Kind::Integer } };
 
-const Columns sewnColumns{ { "pieces", "Pieces", Kind::Integer },
+const ReportColumns sewnColumns{ { "pieces", "Pieces", Kind::Integer },
   { "triangles", "Triangles", Kind::Integer }, { "size", "Size", Kind::Number },
   { "distance_mean", "DistanceMean", Kind::Number },
   { "distance_rms", "DistanceRms", Kind::Number }, { "distance_p95", "DistanceP95", Kind::Number },
@@ -123,26 +118,27 @@ const Columns sewnColumns{ { "pieces", "Pieces", Kind::Integer },
   { "several_shapes", "SeveralShapes", Kind::Truth }, { "iterations", "Iterations", Kind::Integer },
   { "converged", "Converged", Kind::Truth } };
 
-const Columns suggestionColumns{ { "type", "Type", Kind::Text }, { "name", "Name", Kind::Text },
-  { "length", "Length", Kind::Number }, { "gain", "Gain", Kind::Number },
-  { "E_area_before", "AreaErrorBefore", Kind::Number },
+const ReportColumns suggestionColumns{ { "type", "Type", Kind::Text },
+  { "name", "Name", Kind::Text }, { "length", "Length", Kind::Number },
+  { "gain", "Gain", Kind::Number }, { "E_area_before", "AreaErrorBefore", Kind::Number },
   { "E_area_after", "AreaErrorAfter", Kind::Number },
   { "strain_p95_before", "StrainBefore", Kind::Number },
   { "strain_p95_after", "StrainAfter", Kind::Number },
   { "gain_predicted", "PredictedGain", Kind::Number }, { "opening", "Opening", Kind::Number },
   { "mirror_of", "MirrorOf", Kind::Text } };
 
-const Columns leftOutLineColumns = []() {
-  Columns columns(suggestionColumns.begin(), suggestionColumns.begin() + 8);
+const ReportColumns leftOutLineColumns = []() {
+  ReportColumns columns(suggestionColumns.begin(), suggestionColumns.begin() + 8);
   columns.push_back({ "sound", "Sound", Kind::Truth });
   return columns;
 }();
 
-const Columns keyPriceColumns{ { "trial", "Trial", Kind::Text }, { "price", "Price", Kind::Number },
-  { "E_area", "AreaError", Kind::Number }, { "strain_p95", "StrainP95", Kind::Number },
-  { "status", "Status", Kind::Text }, { "released", "Released", Kind::Text } };
+const ReportColumns keyPriceColumns{ { "trial", "Trial", Kind::Text },
+  { "price", "Price", Kind::Number }, { "E_area", "AreaError", Kind::Number },
+  { "strain_p95", "StrainP95", Kind::Number }, { "status", "Status", Kind::Text },
+  { "released", "Released", Kind::Text } };
 
-Json valueOf(vtkTable* table, vtkIdType row, const Column& column)
+Json valueOf(const Table& table, std::size_t row, const ReportColumn& column)
 {
   switch (column.kind)
   {
@@ -157,10 +153,10 @@ Json valueOf(vtkTable* table, vtkIdType row, const Column& column)
   }
 }
 
-Json rowOf(vtkTable* table, vtkIdType row, const Columns& columns)
+Json rowOf(const Table& table, std::size_t row, const ReportColumns& columns)
 {
   Json object = Json::object();
-  for (const Column& column : columns)
+  for (const ReportColumn& column : columns)
   {
     object[column.key] = valueOf(table, row, column);
   }
@@ -179,58 +175,51 @@ struct SewnBanks
 };
 
 /// Per point the piece of one of its triangles; pieces share no points.
-std::vector<long long> pieceOfPoint(vtkPolyData* flat)
+std::vector<long long> pieceOfPoint(const DataSet& flat)
 {
-  std::vector<long long> pieces(flat->GetNumberOfPoints(), 0);
-  vtkDataArray* const pieceOfCell = flat->GetCellData()->GetArray("PieceId");
-  vtkIdType count = 0;
-  const vtkIdType* ids = nullptr;
-  for (vtkIdType cell = 0; pieceOfCell && cell < flat->GetNumberOfCells(); ++cell)
+  std::vector<long long> pieces(flat.points->size(), 0);
+  const flattening::Column* const pieceOfCell = findColumn(flat.cellArrays, "PieceId");
+  for (std::size_t k = 0; pieceOfCell && k < flat.faces.size(); ++k)
   {
-    flat->GetCellPoints(cell, count, ids);
-    for (vtkIdType k = 0; k < count; ++k)
+    for (const std::int64_t* id = flat.faces.begin(k); id != flat.faces.end(k); ++id)
     {
-      pieces[ids[k]] = static_cast<long long>(pieceOfCell->GetTuple1(cell));
+      pieces[static_cast<std::size_t>(*id)] =
+        static_cast<long long>(pieceOfCell->number(flat.firstFace() + k));
     }
   }
   return pieces;
 }
 
-double distance(vtkPolyData* flat, vtkIdType a, vtkIdType b)
+double distance(const DataSet& flat, std::size_t a, std::size_t b)
 {
-  std::array<double, 3> p{};
-  std::array<double, 3> q{};
-  flat->GetPoint(a, p.data());
-  flat->GetPoint(b, q.data());
-  return std::sqrt(vtkMath::Distance2BetweenPoints(p.data(), q.data()));
+  return ((*flat.points)[a] - (*flat.points)[b]).norm();
 }
 
 /// One entry a curve and pair of pieces, in the order of the curves.
 std::vector<SewnBanks> sewnBanks(const Flattening& result)
 {
-  vtkDataArray* const pairs =
-    result.flat ? result.flat->GetFieldData()->GetArray("SeamPairs") : nullptr;
-  if (!pairs || pairs->GetNumberOfComponents() != 5)
+  const flattening::Column* const pairs =
+    result.flat ? findColumn(result.flat->fieldArrays, "SeamPairs") : nullptr;
+  if (!pairs || pairs->isText() || pairs->components != 5)
   {
     return {};
   }
-  const std::vector<long long> pieces = pieceOfPoint(result.flat);
+  const std::vector<long long> pieces = pieceOfPoint(*result.flat);
   std::map<std::array<long long, 3>, SewnBanks> found;
-  for (vtkIdType row = 0; row < pairs->GetNumberOfTuples(); ++row)
+  for (std::size_t row = 0; row < pairs->rows(); ++row)
   {
-    std::array<double, 5> ids{};
-    pairs->GetTuple(row, ids.data());
-    const auto point = [&ids](int k) { return static_cast<vtkIdType>(ids[k]); };
+    const auto point = [&](int k) { return static_cast<std::size_t>(pairs->number(row, k)); };
+    const auto curve = static_cast<std::size_t>(std::max(0.0, pairs->number(row, 4)));
     std::array<long long, 2> sides{ pieces[point(0)], pieces[point(2)] };
-    std::array<double, 2> lengths{ distance(result.flat, point(0), point(1)),
-      distance(result.flat, point(2), point(3)) };
+    std::array<double, 2> lengths{ distance(*result.flat, point(0), point(1)),
+      distance(*result.flat, point(2), point(3)) };
     if (sides[1] < sides[0])
     {
       std::swap(sides[0], sides[1]);
       std::swap(lengths[0], lengths[1]);
     }
-    SewnBanks& banks = found[{ point(4), sides[0], sides[1] }];
-    banks.curve = textIn(result.curveTable, point(4), "Name");
+    SewnBanks& banks = found[{ static_cast<long long>(curve), sides[0], sides[1] }];
+    banks.curve = textIn(result.curveTable, curve, "Name");
     banks.pieces = sides;
     ++banks.edges;
     banks.lengths[0] += lengths[0];
@@ -267,10 +256,10 @@ Json mirrorReport(const Flattening& result)
   return nullptr;
 }
 
-Json rowsOf(vtkTable* table, const Columns& columns)
+Json rowReports(const Table& table, const ReportColumns& columns)
 {
   Json rows = Json::array();
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  for (std::size_t row = 0; row < rowsOf(table); ++row)
   {
     rows.push_back(rowOf(table, row, columns));
   }
@@ -278,26 +267,34 @@ Json rowsOf(vtkTable* table, const Columns& columns)
 }
 
 /// The table that rows of a report were made of.
-void addColumn(const Json& rows, const Column& column, vtkTable* table)
+void addColumn(const Json& rows, const ReportColumn& column, Table& table)
 {
-  const bool text = column.kind == Kind::Text;
-  const vtkSmartPointer<vtkAbstractArray> array =
-    vtk::TakeSmartPointer(vtkAbstractArray::CreateArray(text ? VTK_STRING : VTK_DOUBLE));
-  array->SetName(column.name);
+  std::vector<std::string> texts;
+  std::vector<double> numbers;
   for (const Json& row : rows)
   {
     const Json& value = row.at(column.key);
-    array->InsertVariantValue(array->GetNumberOfValues(),
-      text ? vtkVariant(value.get<std::string>())
-        : value.is_null()
-        ? vtkVariant(vtkMath::Inf())
-        : vtkVariant(value.is_boolean() ? (value.get<bool>() ? 1.0 : 0.0) : value.get<double>()));
+    if (column.kind == Kind::Text)
+    {
+      texts.push_back(value.get<std::string>());
+      continue;
+    }
+    numbers.push_back(value.is_null() ? std::numeric_limits<double>::infinity()
+        : value.is_boolean()          ? (value.get<bool>() ? 1.0 : 0.0)
+                                      : value.get<double>());
   }
-  table->AddColumn(array);
+  if (column.kind == Kind::Text)
+  {
+    setColumn(table, { column.name, std::move(texts) });
+  }
+  else
+  {
+    setColumn(table, { column.name, std::move(numbers) });
+  }
 }
 
 /// Curves to release, the best first, and what that would bring; null where there is none.
-Json releaseAdvice(const PieceTables& tables, vtkIdType piece)
+Json releaseAdvice(const PieceTables& tables, std::size_t piece)
 {
   const std::string first = textIn(tables.pieces, piece, "ReleaseFirst");
   if (first.empty())
@@ -306,10 +303,10 @@ Json releaseAdvice(const PieceTables& tables, vtkIdType piece)
   }
   const double objective = numberIn(tables.pieces, piece, "ObjectiveWithoutFirst");
   Json ranking = Json::array();
-  vtkTable* const trials = tables.releaseTrials;
-  for (vtkIdType row = 0; row < trials->GetNumberOfRows(); ++row)
+  const Table& trials = tables.releaseTrials;
+  for (std::size_t row = 0; row < rowsOf(trials); ++row)
   {
-    if (integerIn(trials, row, "Piece") == piece)
+    if (integerIn(trials, row, "Piece") == static_cast<long long>(piece))
     {
       const bool tried = integerIn(trials, row, "Tried") != 0;
       const auto without = [&](const char* name) {
@@ -339,9 +336,9 @@ Json seamReports(const Flattening& result)
 }
 
 /// Adds the rows of a table to a list of their pieces.
-void addLists(vtkTable* table, const Columns& columns, const char* key, Json& pieces)
+void addLists(const Table& table, const ReportColumns& columns, const char* key, Json& pieces)
 {
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  for (std::size_t row = 0; row < rowsOf(table); ++row)
   {
     const auto piece = static_cast<std::size_t>(integerIn(table, row, "Piece"));
     pieces.at(piece)[key].push_back(rowOf(table, row, columns));
@@ -359,7 +356,7 @@ Json remedyReports(const std::vector<Remedy>& remedies)
 }
 
 /// How a piece ended.
-Json pieceStatus(const PieceTables& tables, vtkIdType piece)
+Json pieceStatus(const PieceTables& tables, std::size_t piece)
 {
   const std::vector<Remedy> remedies = remediesOf(tables, piece);
   Json ids = Json::array();
@@ -374,10 +371,10 @@ Json pieceStatus(const PieceTables& tables, vtkIdType piece)
 
 Json pieceReports(const PieceTables& tables)
 {
-  vtkTable* const table = tables.pieces;
-  const bool cloth = table->GetColumnByName("StrainWarpRms") != nullptr;
-  Json pieces = rowsOf(table, pieceColumns);
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  const Table& table = tables.pieces;
+  const bool cloth = findColumn(table, "StrainWarpRms") != nullptr;
+  Json pieces = rowReports(table, pieceColumns);
+  for (std::size_t row = 0; row < rowsOf(table); ++row)
   {
     Json& piece = pieces[static_cast<std::size_t>(row)];
     piece.update(pieceStatus(tables, row));
@@ -403,9 +400,9 @@ Json warningReports(const Flattening& result)
 Json sizeReports(const Flattening& result)
 {
   Json sizes = Json::array();
-  vtkTable* const table = result.tables.pieces;
+  const Table& table = result.tables.pieces;
   const double millimetres = millimetresOf(result.unit);
-  for (vtkIdType piece = 0; piece < table->GetNumberOfRows(); ++piece)
+  for (std::size_t piece = 0; piece < rowsOf(table); ++piece)
   {
     sizes.push_back({ { "width_mm", millimetres * numberIn(table, piece, "FlatWidth") },
       { "height_mm", millimetres * numberIn(table, piece, "FlatHeight") },
@@ -420,12 +417,12 @@ Json sizeReports(const Flattening& result)
 /// How the surface was moved, and its pieces before; null where it was not.
 Json flattenableReport(const Options& options, const Flattening& result)
 {
-  vtkTable* const measures = result.shiftMeasures;
-  if (measures->GetNumberOfRows() == 0)
+  const Table& measures = result.shiftMeasures;
+  if (rowsOf(measures) == 0)
   {
     return nullptr;
   }
-  const auto number = [measures](const char* name) { return numberIn(measures, 0, name); };
+  const auto number = [&measures](const char* name) { return numberIn(measures, 0, name); };
   return { { "bound", options.reshaping.number("Bound") }, { "bound_met", number("BoundMet") != 0 },
     { "keep", options.reshaping.list("KeptCurves") },
     { "keep_boundary", options.reshaping.flag("KeepBoundary") },
@@ -452,11 +449,11 @@ Json layReport(const Flattening& result)
 }
 
 /// One row per piece, or all that is sewn together; none where nothing was sewn.
-Json resewnReports(const Options& options, vtkTable* table)
+Json resewnReports(const Options& options, const Table& table)
 {
-  const bool cloth = table->GetColumnByName("StrainWarpRms") != nullptr;
-  Json rows = rowsOf(table, sewnColumns);
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  const bool cloth = findColumn(table, "StrainWarpRms") != nullptr;
+  Json rows = rowReports(table, sewnColumns);
+  for (std::size_t row = 0; row < rowsOf(table); ++row)
   {
     Json& shape = rows[static_cast<std::size_t>(row)];
     shape["test"] = options.resewing.text("Test");
@@ -503,13 +500,13 @@ std::string makeReport(const Options& options, const Flattening& result)
     { "unit_stated", result.unitStated },
     { "curve_distance_mm", result.curveDistance * millimetresOf(result.unit) },
     { "pieces", pieceReports(result.tables) }, { "sizes", sizeReports(result) },
-    { "left_out", rowsOf(result.leftOutPieces, leftOutColumns) },
-    { "curves", rowsOf(result.curveTable, curveColumns) }, { "seams", seamReports(result) },
-    { "suggestions", rowsOf(suggestedCuts(result), suggestionColumns) },
+    { "left_out", rowReports(result.leftOutPieces, leftOutColumns) },
+    { "curves", rowReports(result.curveTable, curveColumns) }, { "seams", seamReports(result) },
+    { "suggestions", rowReports(suggestedCuts(result), suggestionColumns) },
     { "flattenable", flattenableReport(options, result) },
-    { "suggestions_left_out", rowsOf(result.leftOutLines, leftOutLineColumns) },
+    { "suggestions_left_out", rowReports(result.leftOutLines, leftOutLineColumns) },
     { "suggestions_mirror", mirrorReport(result) },
-    { "key_prices", rowsOf(result.keyPrices, keyPriceColumns) },
+    { "key_prices", rowReports(result.keyPrices, keyPriceColumns) },
     { "resewn", resewnReports(options, result.sewnShapes) },
     { "seconds",
       { { "read", result.secondsRead }, { "core", result.seconds[3] },
@@ -533,8 +530,8 @@ void takeReport(const std::string& text, Flattening& result)
 {
   const Json report = Json::parse(text);
   const Json& pieces = report.at("pieces");
-  vtkTable* const table = result.tables.pieces;
-  for (const Column& column : pieceColumns)
+  Table& table = result.tables.pieces;
+  for (const ReportColumn& column : pieceColumns)
   {
     addColumn(pieces, column, table);
   }
@@ -554,12 +551,12 @@ void takeReport(const std::string& text, Flattening& result)
   addColumn(sizes, { "height_mm", "FlatHeight", Kind::Number }, table);
   if (!cloths.empty() && cloths.front().is_object())
   {
-    for (const Column& column : clothColumns)
+    for (const ReportColumn& column : clothColumns)
     {
       addColumn(cloths, column, table);
     }
   }
-  for (const Column& column : curveColumns)
+  for (const ReportColumn& column : curveColumns)
   {
     addColumn(report.at("curves"), column, result.curveTable);
   }
@@ -649,14 +646,17 @@ Flattening readResult(const Options& options)
   {
     result.unitNote = unitTaken(options.surface, { result.unit });
   }
-  result.flat = readVtk(within(options, "flat.vtp"));
-  result.wires = readVtk(within(options, "wires.vtp"));
-  result.cut = readVtk(within(options, "cut.vtp"));
+  const auto read = [](const std::string& file) {
+    return std::make_shared<const DataSet>(readVtk(file));
+  };
+  result.flat = read(within(options, "flat.vtp"));
+  result.wires = read(within(options, "wires.vtp"));
+  result.cut = read(within(options, "cut.vtp"));
   const std::string sewn = within(options, "sewn.vtp");
   std::error_code ignored;
   if (options.command != "sew" && std::filesystem::exists(sewn, ignored))
   {
-    result.sewn = readVtk(sewn);
+    result.sewn = read(sewn);
   }
   return result;
 }

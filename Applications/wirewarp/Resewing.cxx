@@ -2,19 +2,24 @@
 #include "Resewing.h"
 
 #include "Flattening.h"
+#include "Input/ClothInput.h"
+#include "Input/MappedSurface.h"
+#include "Input/StatusWords.h"
 #include "Options.h"
+#include "Options/OptionStructures.h"
 #include "Progress.h"
 #include "ReadSurface.h"
+#include "Report/FlatteningData.h"
+#include "Report/SewingReport.h"
+#include "Sewing/PieceSewing.h"
 #include "TableOptions.h"
-#include "VtkMessages.h"
 
-#include <vtkIdTypeArray.h>
-#include <vtkMakeFlattenable.h>
-#include <vtkNew.h>
-#include <vtkSewnShape.h>
-
+#include <algorithm>
 #include <iomanip>
+#include <memory>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace wirewarp
 {
@@ -29,43 +34,74 @@ void sewAgain(const Options& options, Flattening& result)
   {
     return;
   }
-  const vtkNew<vtkSewnShape> sewn;
-  sewn->SetInputData(result.flat);
-  sewn->SetDesignData(result.cut);
-  sewn->SetOptions(options.resewing);
-  sewn->SetMaterial(options.values.text("Material").c_str());
-  if (!options.body.empty())
+  flattening::OptionStructures structures;
+  takeOptions(options.resewing, flattening::OptionOwner::Sewing, structures);
+  flattening::SewingOptions& sewing = structures.sewing;
+  const std::string material = options.values.text("Material");
+  if (!material.empty())
   {
-    sewn->SetBodyData(readSurface(options.body).surface);
+    sewing.material = flattening::readCloth(material, "").material;
   }
+  const flattening::LoadedBody body = loadedBody(options.body);
+  sewing.body = body.get();
+  const DataSet& design = *result.cut;
+  const flattening::SewnInput input =
+    flattening::makeSewnInput(flattening::loadMappedSurface(design, result.flat.get(), nullptr),
+      findColumn(result.flat->fieldArrays, "SeamPairs"));
+  flattening::Status status = input.outcome.ok() ? body.outcome : input.outcome;
+  flattening::SewingResult sewn;
+  if (!status.refused())
   {
-    const VtkMessages messages;
-    const Progress progress(sewn, options.quiet);
-    sewn->Update();
+    Progress progress(options.quiet);
+    sewn = flattening::sewPieces(
+      input.cut, input.map.positions, sewing, progress.execution(options.threads));
+    status = flattening::inInput(sewn.status, input.map.surface.input.cellOfTriangle);
   }
-  if (sewn->IsRefused() || (sewn->GetStatusCode() != vtkSewnShape::OK && result.exitCode == Done))
+  if (status.refused() || (!status.ok() && result.exitCode == Done))
   {
-    result.exitCode = sewn->IsRefused() ? InputRefused : Flawed;
-    result.status = sewn->GetStatusName();
-    result.remedies = remediesOf(sewn);
-    result.message = messageOf(sewn->GetStatusDefect(), result.remedies);
-    result.idKind = sewn->GetStatusIdKind();
-    vtkIdTypeArray* const ids = sewn->GetStatusIds();
-    result.ids.assign(ids->GetPointer(0), ids->GetPointer(ids->GetNumberOfValues()));
+    result.conclude(status);
   }
   if (result.refused())
   {
-    result.flat = result.wires = result.cut = result.curves = nullptr;
-    result.flattenable = result.flattenableCurves = result.flatBefore = nullptr;
-    result.tables = result.tablesBefore = PieceTables();
-    result.curveTable = result.leftOutPieces = result.leftOutLines = noTable();
-    result.shiftMeasures = noTable();
+    Flattening refused;
+    refused.conclude(status);
+    refused.unit = result.unit;
+    refused.unitStated = result.unitStated;
+    refused.unitNote = result.unitNote;
+    refused.curveDistance = result.curveDistance;
+    refused.warnings = result.warnings;
+    refused.notes = result.notes;
+    refused.secondsRead = result.secondsRead;
+    refused.savedReport = result.savedReport;
+    refused.seconds = result.seconds;
+    result = std::move(refused);
     return;
   }
-  result.sewn = sewn->GetOutput(0);
-  result.sewnShapes = sewn->GetShapes();
-  const std::vector<std::string> warnings = textsOf(sewn->GetStatusWarnings());
+  const flattening::SewnArrays arrays = flattening::sewnArrays(*design.points, input, sewn);
+  std::vector<std::string> warnings;
+  const flattening::SurfaceArrays kept(design, warnings);
+  DataSet data;
+  data.points = std::make_shared<const Points3>(arrays.points);
+  for (const flattening::Triangle& t : input.map.surface.input.triangles)
+  {
+    data.faces.add(t);
+  }
+  data.pointArrays = kept.points;
+  data.pointArrays.erase(std::remove_if(data.pointArrays.begin(), data.pointArrays.end(),
+                           [](const flattening::Column& column) {
+                             return column.role == flattening::ArrayRole::Normals;
+                           }),
+    data.pointArrays.end());
+  setColumn(data.pointArrays, arrays.distance);
+  data.cellArrays = copiedRows(kept.cells, input.map.surface.input.cellOfTriangle);
+  setColumn(data.cellArrays, { "vtkOriginalCellIds", input.map.surface.input.cellOfTriangle });
+  setColumns(data.cellArrays, arrays.cellArrays);
+  data.fieldArrays = arrays.fieldArrays;
+  setUnit(data, result.unitStated ? result.unit : std::string());
+  result.sewn = std::make_shared<const DataSet>(std::move(data));
+  result.sewnShapes = arrays.shapes;
   result.notes.insert(result.notes.end(), warnings.begin(), warnings.end());
+  result.notes.insert(result.notes.end(), arrays.warnings.begin(), arrays.warnings.end());
 }
 
 std::string resewingTable(bool product, const Flattening& result)
@@ -74,10 +110,10 @@ std::string resewingTable(bool product, const Flattening& result)
   {
     return "";
   }
-  const vtkIdType shapes = result.sewnShapes->GetNumberOfRows();
+  const std::size_t shapes = rowsOf(result.sewnShapes);
   std::ostringstream text;
   text << std::setprecision(2) << '\n';
-  for (vtkIdType row = 0; row < shapes; ++row)
+  for (std::size_t row = 0; row < shapes; ++row)
   {
     const auto number = [&](const char* name) { return numberIn(result.sewnShapes, row, name); };
     const auto percent = [&](const char* name) { return 100.0 * number(name); };
@@ -100,47 +136,20 @@ void addReshaping(CLI::App& app, flattening::OptionValues& values)
   addOptions(app, { "Moving the Surface", { "Thickness" } }, values);
 }
 
-vtkSmartPointer<vtkFlatPieceAlgorithm> makeReshapingFilter(const flattening::OptionValues& values)
+flattening::LoadedBody loadedBody(const std::string& file)
 {
-  const auto filter = vtkSmartPointer<vtkMakeFlattenable>::New();
-  filter->SetOptions(values);
-  for (const std::string& curve : values.list("KeptCurves"))
-  {
-    filter->AddKeptCurve(curve);
-  }
-  return filter;
-}
-
-void setBody(const std::string& body, vtkFlatPieceAlgorithm* filter)
-{
-  auto* const reshaping = vtkMakeFlattenable::SafeDownCast(filter);
-  if (reshaping && !body.empty())
-  {
-    reshaping->SetBodyData(readSurface(body).surface);
-  }
-}
-
-void takeReshaped(vtkFlatPieceAlgorithm* filter, Flattening& result)
-{
-  if (auto* const reshaping = vtkMakeFlattenable::SafeDownCast(filter))
-  {
-    result.flattenable = filter->GetOutput(5);
-    result.flattenableCurves = filter->GetOutput(6);
-    result.flatBefore = filter->GetOutput(7);
-    result.tablesBefore.pieces = vtkTable::SafeDownCast(filter->GetOutputDataObject(8));
-    result.shiftMeasures = vtkTable::SafeDownCast(filter->GetOutputDataObject(9));
-    result.shiftTrials = reshaping->GetTrials()->GetNumberOfRows();
-  }
+  return file.empty() ? flattening::LoadedBody()
+                      : flattening::loadBody(readTriangles(readSurface(file).surface));
 }
 
 std::string reshapingTable(const Flattening& result)
 {
-  vtkTable* const measures = result.shiftMeasures;
-  if (measures->GetNumberOfRows() == 0)
+  const Table& measures = result.shiftMeasures;
+  if (rowsOf(measures) == 0)
   {
     return "";
   }
-  const auto number = [measures](const char* name) { return numberIn(measures, 0, name); };
+  const auto number = [&measures](const char* name) { return numberIn(measures, 0, name); };
   std::ostringstream text;
   text << std::setprecision(3) << "\nsurface moved by " << number("ShiftMean") << ' ' << result.unit
        << " in the mean (" << 100.0 * number("RelativeShiftMean") << " % of its size), "

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Input/InputSurface.h"
 #include "Options/OptionTable.h"
-
-#include <vtkSmartPointer.h>
 
 #include <string>
 
@@ -11,8 +10,6 @@ namespace CLI
 {
 class App;
 }
-
-class vtkFlatPieceAlgorithm;
 
 namespace wirewarp
 {
@@ -30,19 +27,11 @@ void sewAgain(const Options& options, Flattening& result);
 /// where nothing was sewn.
 std::string resewingTable(bool product, const Flattening& result);
 
-struct Flattening;
-
 /// Adds the options of how the surface is moved.
 void addReshaping(CLI::App& app, flattening::OptionValues& values);
 
-/// The filter that moves the surface before it flattens it.
-vtkSmartPointer<vtkFlatPieceAlgorithm> makeReshapingFilter(const flattening::OptionValues& values);
-
-/// Gives it the body of this file, where it is one that moves the surface. Throws InputError.
-void setBody(const std::string& body, vtkFlatPieceAlgorithm* filter);
-
-/// Takes over what the filter has beside the flattening, where it is one that moves the surface.
-void takeReshaped(vtkFlatPieceAlgorithm* filter, Flattening& result);
+/// The body of a file; none of an empty name. Throws InputError.
+flattening::LoadedBody loadedBody(const std::string& file);
 
 /// How far the surface was moved for what; empty where it was not.
 std::string reshapingTable(const Flattening& result);

@@ -4,14 +4,13 @@
 #include "CurveList.h"
 #include "InputError.h"
 #include "Paths/PlaneSection.h"
+#include "Report/FlatteningData.h"
 #include "Surface/SurfacePreparation.h"
-#include "TriangleList.h"
-
-#include <vtkFlatteningAlgorithm.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
 
 #include <cmath>
+#include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace wirewarp
@@ -65,42 +64,30 @@ std::vector<Point3> planesOf(const SeamTemplate& seams, const Axes& axes)
 }
 }
 
-vtkSmartPointer<vtkPolyData> seamsOf(const SeamTemplate& seams, vtkPolyData* surface)
+DataSet seamsOf(const SeamTemplate& seams, const DataSet& surface)
 {
-  const vtkNew<vtkPolyData> healed;
-  vtkFlatteningAlgorithm::Heal(surface, healed);
-  const TriangleList list = listTriangles(healed->GetNumberOfCells() > 0 ? healed.Get() : surface);
-  flattening::Points3 points;
-  for (vtkIdType k = 0; list.points && k < list.points->GetNumberOfPoints(); ++k)
-  {
-    points.emplace_back(Eigen::Map<const Point3>(list.points->GetPoint(k)));
-  }
-  flattening::Triangles triangles;
-  for (const ListedTriangle& triangle : list.triangles)
-  {
-    const auto corner = [&triangle](std::size_t k) {
-      return static_cast<flattening::Index>(triangle.corners[k]);
-    };
-    triangles.push_back({ corner(0), corner(1), corner(2) });
-  }
-  const flattening::PreparedSurface prepared = flattening::prepareSurface(points, triangles);
+  DataSet healed;
+  const bool mended = !flattening::healData(surface, healed).empty();
+  const flattening::SurfaceTriangles read = flattening::readTriangles(mended ? healed : surface);
+  const flattening::PreparedSurface prepared =
+    flattening::prepareSurface(read.points, read.triangles);
   if (!prepared.status.ok())
   {
     throw InputError("--template: " + prepared.status.message);
   }
   const Axes axes = axesOf(prepared.mesh);
-  const vtkNew<vtkPoints> places;
-  places->SetDataTypeToDouble();
+  Points3 places;
   CurveList curves;
   for (const Point3& normal : planesOf(seams, axes))
   {
     for (const flattening::PlaneSection& section :
       flattening::planeSections(prepared.mesh, axes.center, normal))
     {
-      std::vector<vtkIdType> ids;
+      std::vector<std::int64_t> ids;
       for (const flattening::SurfacePoint& point : section.path.points)
       {
-        ids.push_back(places->InsertNextPoint(point.position.data()));
+        ids.push_back(static_cast<std::int64_t>(places.size()));
+        places.push_back(point.position);
       }
       ids.back() = section.closed ? ids.front() : ids.back();
       curves.add(ids, { *curveKindOf("seam"), seams.name == "gores" ? "gore" : "side" });
@@ -110,6 +97,6 @@ vtkSmartPointer<vtkPolyData> seamsOf(const SeamTemplate& seams, vtkPolyData* sur
   {
     throw InputError("--template " + seams.name + ": no plane meets the surface");
   }
-  return curves.polyData(places);
+  return curves.over(std::make_shared<const Points3>(std::move(places)));
 }
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
+#include "Input/DataSet.h"
 
 #include <string>
 
@@ -19,5 +18,5 @@ struct SeamTemplate
 /// Where planes cut a surface, as curves with names: the one that parts front and back, across the
 /// shorter of its sides that are level, or those through its upright axis. Throws InputError where
 /// the surface is not a manifold, or no plane meets it.
-vtkSmartPointer<vtkPolyData> seamsOf(const SeamTemplate& seams, vtkPolyData* surface);
+flattening::DataSet seamsOf(const SeamTemplate& seams, const flattening::DataSet& surface);
 }

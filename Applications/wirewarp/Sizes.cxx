@@ -1,34 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sizes.h"
 
+#include "Base/LengthUnit.h"
 #include "FlagWords.h"
 #include "Flattening.h"
+#include "Formats/PatternData.h"
+#include "Grading/SizeGrading.h"
 #include "InputError.h"
 #include "Options.h"
 #include "Progress.h"
+#include "Surface/SurfaceLocator.h"
+#include "Surface/SurfacePreparation.h"
 #include "TextFile.h"
-#include "VtkMessages.h"
-
-#include <vtkCell.h>
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
-#include <vtkCellData.h>
-#include <vtkFlatteningAlgorithm.h>
-#include <vtkGenericCell.h>
-#include <vtkNew.h>
-#include <vtkPatternGrading.h>
-#include <vtkPoints.h>
-#include <vtkStaticCellLocator.h>
-#include <vtkStringArray.h>
+#include "TriangleList.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace wirewarp
@@ -56,28 +50,28 @@ void refuse(Flattening& result, const std::string& status, const std::string& me
   result.message = message;
   result.secondsTotal = seconds;
 }
-
-int unitValue(const std::string& unit)
-{
-  return unit == "mm" ? vtkPatternGrading::MILLIMETRE
-    : unit == "m"     ? vtkPatternGrading::METRE
-    : unit == "inch"  ? vtkPatternGrading::INCH
-                      : vtkPatternGrading::CENTIMETRE;
-}
 }
 
 void gradeSizes(const Options& options, Flattening& result)
 {
   const auto start = std::chrono::steady_clock::now();
-  const vtkNew<vtkPatternGrading> grading;
-  grading->SetBaseSize(options.pattern.size);
-  grading->SetAlignmentCurve(options.sizes.alignment);
-  grading->SetUnit(unitValue(result.unit));
+  flattening::pattern::GradingOptions grading;
+  grading.base = options.pattern.size;
+  grading.alignment = options.sizes.alignment;
+  grading.unit = flattening::unitNamed(result.unit);
+  std::vector<flattening::pattern::PatternSize> sizes;
+  flattening::Status status;
+  const auto add = [&](const std::string& name, const Flattening& one) {
+    sizes.push_back({ name, {} });
+    status = status.ok()
+      ? flattening::pattern::readPattern(*one.flat, one.wires.get(), nullptr, sizes.back().source)
+      : status;
+  };
   for (const SizeSurface& size : options.sizes.all(options.pattern.size))
   {
     if (size.surface.empty())
     {
-      grading->AddSize(size.name, result.flat, result.wires);
+      add(size.name, result);
       continue;
     }
     const Flattening other = flattenOne(optionsOf(options, size.surface, result), options.surface);
@@ -98,17 +92,17 @@ void gradeSizes(const Options& options, Flattening& result)
           options.surface + " in " + result.unit + "; state one unit with --unit");
       return;
     }
-    grading->AddSize(size.name, other.flat, other.wires);
+    add(size.name, other);
   }
-  const VtkMessages messages;
-  grading->Update();
-  if (grading->IsRefused())
+  auto graded = std::make_shared<flattening::pattern::Grading>();
+  status = status.ok() ? flattening::pattern::gradeSizes(sizes, grading, *graded) : status;
+  if (!status.ok())
   {
     refuse(
-      result, grading->GetStatusName(), messageOf(grading->GetStatusDefect(), remediesOf(grading)));
+      result, flattening::statusName(status.code), messageOf(status.message, remediesOf(status)));
     return;
   }
-  result.grading = grading->GetOutput();
+  result.grading = graded;
   result.secondsTotal += secondsSince(start);
 }
 
@@ -171,123 +165,75 @@ void addSizes(
 
 namespace
 {
-std::array<double, 3> pointOf(vtkPolyData* data, vtkIdType p)
+/// The triangles of a surface with what finds the closest of them; without triangles where there
+/// are none, or a polygon has an id or a point that is refused.
+class LocatedTriangles
 {
-  std::array<double, 3> point{};
-  data->GetPoint(p, point.data());
-  return point;
+public:
+  explicit LocatedTriangles(const DataSet& surface)
+  {
+    flattening::Triangles triangles;
+    for (const ListedTriangle& triangle : listTriangles(surface).triangles)
+    {
+      const auto& [a, b, c] = triangle.corners;
+      triangles.push_back({ static_cast<flattening::Index>(a), static_cast<flattening::Index>(b),
+        static_cast<flattening::Index>(c) });
+    }
+    if (!triangles.empty())
+    {
+      this->Mesh = flattening::TriangleMesh(*surface.points, std::move(triangles));
+      this->Locator.emplace(this->Mesh);
+    }
+  }
+  bool any() const { return this->Locator.has_value(); }
+  const flattening::TriangleMesh& mesh() const { return this->Mesh; }
+  flattening::ClosestPoint closest(const flattening::Point3& x) const
+  {
+    return flattening::isUsable(x) ? this->Locator->closest(x) : flattening::ClosestPoint();
+  }
+
+private:
+  flattening::TriangleMesh Mesh;
+  std::optional<flattening::SurfaceLocator> Locator;
+};
 }
 
-/// Whether VTK's locators can be asked about a point: not where the filters refuse it, since VTK
-/// 9.6 ends the program where a coordinate is no number.
-bool canBeLocated(const std::array<double, 3>& point)
-{
-  constexpr double largest = 1e60; // beyond which the filters refuse coordinates
-  return std::all_of(point.begin(), point.end(),
-    [](double x) { return std::isfinite(x) && std::abs(x) <= largest; });
-}
-
-/// The triangles of a surface for VTK's locators, polygons divided as the filters do: a quad that
-/// is not flat has its middle elsewhere. Null where there are none, or a polygon has an id or a
-/// point that the filters refuse.
-vtkSmartPointer<vtkPolyData> locatedTriangles(vtkPolyData* surface)
-{
-  const VtkMessages messages; // of what the flattening refuses
-  auto triangles = vtkSmartPointer<vtkPolyData>::New();
-  vtkFlatteningAlgorithm::Triangulate(surface, triangles);
-  return triangles->GetNumberOfCells() > 0 ? triangles : nullptr;
-}
-}
-
-double largestDistance(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves)
+double largestDistance(const DataSet& surface, const std::vector<DataSet>& curves)
 {
   double largest = 0.0;
-  vtkSmartPointer<vtkPolyData> triangles;
-  vtkNew<vtkStaticCellLocator> locator;
-  for (vtkPolyData* data : curves)
+  std::optional<LocatedTriangles> triangles;
+  for (const DataSet& data : curves)
   {
-    if (!data->GetPoints() || data->GetPoints() == surface->GetPoints())
+    if (data.points == surface.points)
     {
       continue;
     }
     if (!triangles)
     {
-      triangles = locatedTriangles(surface);
-      if (!triangles)
-      {
-        return 0.0;
-      }
-      locator->SetDataSet(triangles);
-      locator->BuildLocator();
+      triangles.emplace(surface);
     }
-    const auto lines = vtk::TakeSmartPointer(data->GetLines()->NewIterator());
-    for (lines->GoToFirstCell(); !lines->IsDoneWithTraversal(); lines->GoToNextCell())
+    for (const std::int64_t id : triangles->any() ? data.lines.ids : std::vector<std::int64_t>())
     {
-      const vtkIdType* ids = nullptr;
-      vtkIdType count = 0;
-      lines->GetCurrentCell(count, ids);
-      for (vtkIdType k = 0; k < count; ++k)
+      if (id >= 0 && id < static_cast<std::int64_t>(data.points->size()))
       {
-        if (ids[k] < 0 || ids[k] >= data->GetNumberOfPoints())
-        {
-          continue;
-        }
-        const std::array<double, 3> x = pointOf(data, ids[k]);
-        std::array<double, 3> closest{};
-        vtkIdType cell = -1;
-        int part = 0;
-        double square = 0.0;
-        if (canBeLocated(x))
-        {
-          locator->FindClosestPoint(x.data(), closest.data(), cell, part, square);
-          largest = cell >= 0 ? std::max(largest, std::sqrt(square)) : largest;
-        }
+        largest = std::max(
+          largest, triangles->closest((*data.points)[static_cast<std::size_t>(id)]).distance);
       }
     }
   }
   return largest;
 }
 
-namespace
-{
-bool sameCells(vtkCellArray* one, vtkCellArray* other)
-{
-  if (one->GetNumberOfCells() != other->GetNumberOfCells())
-  {
-    return false;
-  }
-  const auto mine = vtk::TakeSmartPointer(one->NewIterator());
-  const auto theirs = vtk::TakeSmartPointer(other->NewIterator());
-  theirs->GoToFirstCell();
-  for (mine->GoToFirstCell(); !mine->IsDoneWithTraversal(); mine->GoToNextCell())
-  {
-    vtkIdType count = 0;
-    vtkIdType otherCount = 0;
-    const vtkIdType* ids = nullptr;
-    const vtkIdType* otherIds = nullptr;
-    mine->GetCurrentCell(count, ids);
-    theirs->GetCurrentCell(otherCount, otherIds);
-    if (!std::equal(ids, ids + count, otherIds, otherIds + otherCount))
-    {
-      return false;
-    }
-    theirs->GoToNextCell();
-  }
-  return true;
-}
-}
-
 void checkConnectivity(
-  vtkPolyData* base, const std::string& basePath, vtkPolyData* surface, const std::string& path)
+  const DataSet& base, const std::string& basePath, const DataSet& surface, const std::string& path)
 {
-  if (base->GetNumberOfPoints() == surface->GetNumberOfPoints() &&
-    sameCells(base->GetPolys(), surface->GetPolys()))
+  if (base.points->size() == surface.points->size() && base.faces == surface.faces)
   {
     return;
   }
-  const auto counts = [](vtkPolyData* data) {
-    return std::to_string(data->GetNumberOfPoints()) + " vertices and " +
-      std::to_string(data->GetNumberOfPolys()) + " faces";
+  const auto counts = [](const DataSet& data) {
+    return std::to_string(data.points->size()) + " vertices and " +
+      std::to_string(data.faces.size()) + " faces";
   };
   const std::string here = counts(surface);
   const std::string there = counts(base);
@@ -297,72 +243,48 @@ void checkConnectivity(
       "; sizes are one mesh with its vertices in other places");
 }
 
-vtkSmartPointer<vtkPolyData> movedCurves(vtkPolyData* curves, vtkPolyData* from, vtkPolyData* to)
+DataSet movedCurves(const DataSet& curves, const DataSet& from, const DataSet& to)
 {
-  auto moved = vtkSmartPointer<vtkPolyData>::New();
-  moved->ShallowCopy(curves);
-  if (!curves->GetPoints() || curves->GetPoints() == from->GetPoints())
+  DataSet moved = curves;
+  if (curves.points == from.points)
   {
-    moved->SetPoints(to->GetPoints());
+    moved.points = to.points;
     return moved;
   }
-  const vtkSmartPointer<vtkPolyData> faces = locatedTriangles(from);
-  if (!faces)
+  const LocatedTriangles faces(from);
+  if (!faces.any())
   {
     return moved; // the base's own flattening says what is wrong with it
   }
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(faces);
-  locator->BuildLocator();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkGenericCell> cell;
-  for (vtkIdType p = 0; p < curves->GetNumberOfPoints(); ++p)
+  flattening::Points3 points = *curves.points;
+  for (flattening::Point3& point : points)
   {
-    std::array<double, 3> x = pointOf(curves, p);
-    std::array<double, 3> closest{};
-    vtkIdType id = -1;
-    int part = 0;
-    double square = 0.0;
-    if (canBeLocated(x))
+    const flattening::ClosestPoint closest = faces.closest(point);
+    if (closest.triangle == flattening::none)
     {
-      locator->FindClosestPoint(x.data(), closest.data(), cell, id, part, square);
+      continue; // the flattening says what is wrong with it
     }
-    std::array<double, 3> parameters{};
-    std::vector<double> weights(static_cast<std::size_t>(cell->GetNumberOfPoints()));
-    if (id < 0 ||
-      cell->EvaluatePosition(
-        closest.data(), x.data(), part, parameters.data(), square, weights.data()) < 0)
+    const flattening::Triangle& corners = faces.mesh().triangle(closest.triangle);
+    point.setZero();
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      points->InsertNextPoint(x.data()); // the flattening says what is wrong with the face
-      continue;
+      point += closest.weights[k] * (*to.points)[static_cast<std::size_t>(corners[k])];
     }
-    std::array<double, 3> place{};
-    for (vtkIdType k = 0; k < cell->GetNumberOfPoints(); ++k)
-    {
-      std::array<double, 3> corner{};
-      to->GetPoint(cell->GetPointId(k), corner.data());
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        place[c] += weights[static_cast<std::size_t>(k)] * corner[c];
-      }
-    }
-    points->InsertNextPoint(place.data());
   }
-  moved->SetPoints(points);
+  moved.points = std::make_shared<const flattening::Points3>(std::move(points));
   return moved;
 }
 
-std::string notesOfNumberNames(vtkPolyData* surface, vtkPolyData* curves)
+std::string notesOfNumberNames(const DataSet& surface, const DataSet& curves)
 {
-  auto* names = vtkStringArray::SafeDownCast(curves->GetCellData()->GetAbstractArray("CurveName"));
-  if (!names || curves->GetPoints() != surface->GetPoints())
+  const flattening::Column* const names = findColumn(curves.cellArrays, "CurveName");
+  if (!names || !names->isText() || curves.points != surface.points)
   {
     return "";
   }
-  for (vtkIdType k = 0; k < names->GetNumberOfValues(); ++k)
+  for (std::size_t k = 0; k < names->rows(); ++k)
   {
-    const std::string name = names->GetValue(k);
+    const std::string name = names->text(k);
     if (!name.empty() && name.find_first_not_of("0123456789") == std::string::npos)
     {
       return "the name of a curve is " + inQuotes(name) +

@@ -5,19 +5,14 @@
 #include "PlainText.h"
 #include "Units.h"
 
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkNew.h>
-#include <vtkStringArray.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace wirewarp
@@ -62,14 +57,14 @@ std::string layOut(const std::vector<Row>& rows, std::size_t left)
 }
 
 /// Pieces are counted from 1 wherever somebody reads of them, as on the pattern.
-std::string nameOf(vtkIdType piece)
+std::string nameOf(std::size_t piece)
 {
   return std::to_string(piece + 1);
 }
 
-std::string sizeInMillimetres(const Flattening& result, vtkIdType piece)
+std::string sizeInMillimetres(const Flattening& result, std::size_t piece)
 {
-  vtkTable* const table = result.tables.pieces;
+  const Table& table = result.tables.pieces;
   const double millimetres = millimetresOf(result.unit);
   return format("%.0f", millimetres * numberIn(table, piece, "FlatWidth")) + "x" +
     format("%.0f", millimetres * numberIn(table, piece, "FlatHeight"));
@@ -82,10 +77,10 @@ std::string curveTypeName(double type)
 }
 
 /// The row of the first curve to release in a piece; past the last where there is none.
-vtkIdType firstRelease(vtkTable* trials, vtkIdType piece)
+std::size_t firstRelease(const Table& trials, std::size_t piece)
 {
-  vtkIdType row = 0;
-  while (row < trials->GetNumberOfRows() && integerIn(trials, row, "Piece") != piece)
+  std::size_t row = 0;
+  while (row < rowsOf(trials) && integerIn(trials, row, "Piece") != static_cast<long long>(piece))
   {
     ++row;
   }
@@ -93,10 +88,10 @@ vtkIdType firstRelease(vtkTable* trials, vtkIdType piece)
 }
 
 /// What the trial of a release would better, in the measure of the scheme; empty where nothing.
-std::string gain(const PieceTables& tables, vtkIdType piece, vtkIdType row)
+std::string gain(const PieceTables& tables, std::size_t piece, std::size_t row)
 {
   // Schemes that choose the wires' angles alone are judged by them.
-  const bool whole = tables.isometricIterations->GetNumberOfRows() > 0;
+  const bool whole = rowsOf(tables.isometricIterations) > 0;
   const char* const measure = whole ? "E_area" : "the objective";
   const char* const column = whole ? "AreaError" : "Objective";
   const double now = numberIn(tables.pieces, piece, column);
@@ -114,14 +109,14 @@ std::string gain(const PieceTables& tables, vtkIdType piece, vtkIdType row)
 
 std::string pieceTable(const Flattening& result)
 {
-  vtkTable* const table = result.tables.pieces;
-  const vtkIdType pieces = table->GetNumberOfRows();
+  const Table& table = result.tables.pieces;
+  const std::size_t pieces = rowsOf(table);
   const std::string optimized = format("%.3f", result.seconds[0]);
   const std::string all = format("%.3f", result.seconds[3]);
   std::vector<Row> rows{ { "piece", "triangles", "size [mm]", "wire-patches", "E_len x1e3",
     "E_len max", "E_len all", "E_ang x1e3", "E_h", "E_r", "E_area", "strain p95", "flips",
     "overlaps", "iterations", "T_opt [s]", "T_all [s]", "status" } };
-  for (vtkIdType piece = 0; piece < pieces; ++piece)
+  for (std::size_t piece = 0; piece < pieces; ++piece)
   {
     const std::string name = plainText(textIn(table, piece, "Name"));
     rows.push_back({ nameOf(piece) + (name.empty() ? "" : " " + name),
@@ -140,7 +135,7 @@ std::string pieceTable(const Flattening& result)
       std::to_string(integerIn(table, piece, "Iterations")), pieces == 1 ? optimized : "-",
       pieces == 1 ? all : "-", textIn(table, piece, "Status") });
   }
-  for (vtkIdType row = 0; row < result.leftOutPieces->GetNumberOfRows(); ++row)
+  for (std::size_t row = 0; row < rowsOf(result.leftOutPieces); ++row)
   {
     Row leftOut(rows.front().size(), "-");
     leftOut[1] = std::to_string(integerIn(result.leftOutPieces, row, "Triangles"));
@@ -184,9 +179,9 @@ std::string fitVerdict(double strain, double bound)
 
 std::string verdicts(const Flattening& result)
 {
-  vtkTable* const table = result.tables.pieces;
+  const Table& table = result.tables.pieces;
   std::string text;
-  for (vtkIdType piece = 0; piece < table->GetNumberOfRows(); ++piece)
+  for (std::size_t piece = 0; piece < rowsOf(table); ++piece)
   {
     const std::string name = plainText(textIn(table, piece, "Name"));
     text += "piece " + nameOf(piece) + (name.empty() ? "" : " " + name) + ": " +
@@ -198,10 +193,10 @@ std::string verdicts(const Flattening& result)
 
 std::string curveTable(const Flattening& result)
 {
-  vtkTable* const table = result.curveTable;
+  const Table& table = result.curveTable;
   std::vector<Row> rows{ { "curve", "length", "flat length", "largest error", "tolerance",
     "type" } };
-  for (vtkIdType curve = 0; curve < table->GetNumberOfRows(); ++curve)
+  for (std::size_t curve = 0; curve < rowsOf(table); ++curve)
   {
     rows.push_back({ plainText(textIn(table, curve, "Name")),
       format("%.10g", numberIn(table, curve, "RestLength")),
@@ -217,7 +212,7 @@ std::string curveTable(const Flattening& result)
 std::string curveDistance(const Flattening& result)
 {
   // Coordinates as files have them, with seven figures, are on the surface.
-  if (!result.cut || result.curveDistance <= 1e-6 * result.cut->GetLength())
+  if (!result.cut || result.curveDistance <= 1e-6 * diagonalOf(*result.cut))
   {
     return "";
   }
@@ -228,12 +223,12 @@ std::string curveDistance(const Flattening& result)
 
 std::string releaseAdvice(const Flattening& result)
 {
-  vtkTable* const trials = result.tables.releaseTrials;
+  const Table& trials = result.tables.releaseTrials;
   std::string text;
-  for (vtkIdType piece = 0; piece < result.tables.pieces->GetNumberOfRows(); ++piece)
+  for (std::size_t piece = 0; piece < rowsOf(result.tables.pieces); ++piece)
   {
-    const vtkIdType row = firstRelease(trials, piece);
-    if (row == trials->GetNumberOfRows() || integerIn(trials, row, "Tried") == 0)
+    const std::size_t row = firstRelease(trials, piece);
+    if (row == rowsOf(trials) || integerIn(trials, row, "Tried") == 0)
     {
       continue;
     }
@@ -283,9 +278,9 @@ std::string writeErrors(const Flattening& result)
 
 std::string fallbacks(const Flattening& result)
 {
-  vtkTable* const table = result.tables.pieces;
+  const Table& table = result.tables.pieces;
   std::string text;
-  for (vtkIdType piece = 0; piece < table->GetNumberOfRows(); ++piece)
+  for (std::size_t piece = 0; piece < rowsOf(table); ++piece)
   {
     if (!textIn(table, piece, "Fallbacks").empty())
     {
@@ -297,9 +292,9 @@ std::string fallbacks(const Flattening& result)
 
 std::string pieceWarnings(const Flattening& result, const std::string& where)
 {
-  vtkTable* const table = result.tables.pieces;
+  const Table& table = result.tables.pieces;
   std::string text;
-  for (vtkIdType piece = 0; piece < table->GetNumberOfRows(); ++piece)
+  for (std::size_t piece = 0; piece < rowsOf(table); ++piece)
   {
     if (textIn(table, piece, "Status") != "Ok")
     {
@@ -312,63 +307,49 @@ std::string pieceWarnings(const Flattening& result, const std::string& where)
   return text.empty() ? "wirewarp: warning: " + plainText(where + result.message) + '\n' : text;
 }
 
-vtkSmartPointer<vtkTable> suggestedCuts(const Flattening& result)
+Table suggestedCuts(const Flattening& result)
 {
-  auto table = noTable();
-  if (!result.curves || result.curves->GetNumberOfCells() == 0)
+  if (!result.curves || result.curves->lines.size() == 0)
   {
-    return table;
+    return {};
   }
-  const vtkIdType count = result.curves->GetNumberOfCells();
-  vtkCellData* const cells = result.curves->GetCellData();
-  const auto at = [cells](const char* array, vtkIdType row) {
-    return cells->GetArray(array)->GetComponent(row, 0);
-  };
-  vtkIdType first = 0;
-  while (first < count && at("Rank", first) < 0.0)
+  const Table& cells = result.curves->cellArrays;
+  const std::size_t count = result.curves->lines.size();
+  std::size_t first = 0;
+  while (first < count && numberIn(cells, first, "Rank") < 0.0)
   {
     ++first;
   }
-  auto* const curves = vtkStringArray::SafeDownCast(cells->GetAbstractArray("CurveName"));
-  const vtkNew<vtkStringArray> types;
-  const vtkNew<vtkStringArray> names;
-  const vtkNew<vtkStringArray> images;
-  types->SetName("Type");
-  names->SetName("Name");
-  images->SetName("MirrorOf");
-  for (vtkIdType row = first; row < count; ++row)
+  std::vector<std::int64_t> rows;
+  std::vector<std::string> types;
+  std::vector<std::string> images;
+  for (std::size_t row = first; row < count; ++row)
   {
-    const auto mirrorOf = static_cast<vtkIdType>(at("MirrorOf", row));
-    types->InsertNextValue(curveTypeName(at("CurveType", row)));
-    names->InsertNextValue(curves->GetValue(row));
-    images->InsertNextValue(mirrorOf > 0 ? curves->GetValue(first + mirrorOf - 1) : "");
+    const long long mirrorOf = integerIn(cells, row, "MirrorOf");
+    rows.push_back(static_cast<std::int64_t>(row));
+    types.push_back(curveTypeName(numberIn(cells, row, "CurveType")));
+    images.push_back(mirrorOf > 0
+        ? textIn(cells, first + static_cast<std::size_t>(mirrorOf) - 1, "CurveName")
+        : "");
   }
-  for (vtkStringArray* const column : { types.Get(), names.Get(), images.Get() })
+  Table table = flattening::copiedRows(cells, rows);
+  for (flattening::Column& column : table)
   {
-    table->AddColumn(column);
+    column.name = column.name == "CurveName" ? "Name" : column.name;
   }
-  for (const char* const name : { "Length", "PredictedGain", "Gain", "Opening", "AreaErrorBefore",
-         "AreaErrorAfter", "StrainBefore", "StrainAfter" })
-  {
-    const vtkNew<vtkDoubleArray> column;
-    column->SetName(name);
-    for (vtkIdType row = first; row < count; ++row)
-    {
-      column->InsertNextValue(at(name, row));
-    }
-    table->AddColumn(column);
-  }
+  setColumn(table, { "Type", std::move(types) });
+  setColumn(table, { "MirrorOf", std::move(images) });
   return table;
 }
 
 std::vector<double> mirrorNumbers(const Flattening& result, const char* array)
 {
+  const flattening::Column* const values =
+    result.curves ? findColumn(result.curves->fieldArrays, array) : nullptr;
   std::vector<double> numbers;
-  vtkDataArray* const values =
-    result.curves ? result.curves->GetFieldData()->GetArray(array) : nullptr;
-  for (vtkIdType k = 0; values && k < values->GetNumberOfTuples(); ++k)
+  for (std::size_t k = 0; values && k < values->rows(); ++k)
   {
-    numbers.push_back(values->GetComponent(k, 0));
+    numbers.push_back(values->number(k));
   }
   return numbers;
 }
@@ -409,13 +390,13 @@ std::string known(double value)
 }
 
 /// Rows of proposals, or of lines that were left out, under a head.
-std::string tableOf(const char* head, vtkTable* lines)
+std::string tableOf(const char* head, const Table& lines)
 {
   std::vector<Row> rows{ { head, "length", "gain", "E_area", "strain_p95", "" } };
-  for (vtkIdType row = 0; row < lines->GetNumberOfRows(); ++row)
+  for (std::size_t row = 0; row < rowsOf(lines); ++row)
   {
-    const auto at = [lines, row](const char* name) { return known(numberIn(lines, row, name)); };
-    const bool breaks = lines->GetColumnByName("Sound") && integerIn(lines, row, "Sound") == 0;
+    const auto at = [&lines, row](const char* name) { return known(numberIn(lines, row, name)); };
+    const bool breaks = findColumn(lines, "Sound") && integerIn(lines, row, "Sound") == 0;
     rows.push_back({ plainText(textIn(lines, row, "Name")), at("Length"), at("Gain"),
       at("AreaErrorBefore") + " -> " + at("AreaErrorAfter"),
       at("StrainBefore") + " -> " + at("StrainAfter"),
@@ -432,10 +413,10 @@ std::string percent(double strain)
 }
 
 /// What was proposed, for people.
-std::string shortList(vtkTable* cuts, vtkTable* leftOut, const std::string& unit)
+std::string shortList(const Table& cuts, const Table& leftOut, const std::string& unit)
 {
   std::string text;
-  for (vtkIdType row = 0; row < cuts->GetNumberOfRows(); ++row)
+  for (std::size_t row = 0; row < rowsOf(cuts); ++row)
   {
     text += plainText(textIn(cuts, row, "Name")) + ": " + known(numberIn(cuts, row, "Length")) +
       ' ' + unit + " long, strain " + percent(numberIn(cuts, row, "StrainBefore")) + " -> " +
@@ -444,7 +425,7 @@ std::string shortList(vtkTable* cuts, vtkTable* leftOut, const std::string& unit
   for (const bool sound : { true, false })
   {
     std::string names;
-    for (vtkIdType row = 0; row < leftOut->GetNumberOfRows(); ++row)
+    for (std::size_t row = 0; row < rowsOf(leftOut); ++row)
     {
       if ((integerIn(leftOut, row, "Sound") != 0) == sound)
       {
@@ -467,8 +448,8 @@ std::string suggestionTable(const Flattening& result, bool numbers)
   {
     return "";
   }
-  const vtkSmartPointer<vtkTable> cuts = suggestedCuts(result);
-  const bool none = cuts->GetNumberOfRows() == 0;
+  const Table cuts = suggestedCuts(result);
+  const bool none = rowsOf(cuts) == 0;
   const std::string mirror = none ? "" : mirrorLine(result);
   return (none ? "nothing is proposed\n" : "") +
     (numbers ? tableOf("proposed", cuts) + mirror + tableOf("left out", result.leftOutLines)
@@ -477,11 +458,11 @@ std::string suggestionTable(const Flattening& result, bool numbers)
 
 std::string keyPriceTable(const Flattening& result)
 {
-  vtkTable* const table = result.keyPrices;
+  const Table& table = result.keyPrices;
   std::vector<Row> rows{ { "trial", "price", "E_area", "strain_p95", "status" } };
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  for (std::size_t row = 0; row < rowsOf(table); ++row)
   {
-    const auto at = [table, row](const char* name) {
+    const auto at = [&table, row](const char* name) {
       const double value = numberIn(table, row, name);
       return std::isnan(value) ? std::string() : format("%.5f", value);
     };

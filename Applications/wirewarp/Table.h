@@ -3,9 +3,6 @@
 
 #include "Flattening.h"
 
-#include <vtkSmartPointer.h>
-#include <vtkTable.h>
-
 #include <string>
 #include <vector>
 
@@ -49,7 +46,7 @@ std::string pieceWarnings(const Flattening& result, const std::string& where = "
 /// The proposals of `wirewarp cut`, of vtkFeatureCurveSuggestion's curves: the columns of its lines
 /// that are left out, PredictedGain, Opening and MirrorOf (the name of another); no rows for other
 /// commands.
-vtkSmartPointer<vtkTable> suggestedCuts(const Flattening& result);
+Table suggestedCuts(const Flattening& result);
 
 /// The numbers of MirrorPlane or MirrorAxis; none where there is no such mirror.
 std::vector<double> mirrorNumbers(const Flattening& result, const char* array);

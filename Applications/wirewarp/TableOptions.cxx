@@ -3,14 +3,7 @@
 
 #include "Options.h"
 #include "PlainText.h"
-#include "Resewing.h"
 #include "TextFile.h"
-
-#include <vtkFeatureCurveSuggestion.h>
-#include <vtkKeyCurvePrices.h>
-#include <vtkLeastSquaresConformalFilter.h>
-#include <vtkNew.h>
-#include <vtkWireWarpingFilter.h>
 
 #include <CLI/CLI.hpp>
 
@@ -384,8 +377,8 @@ void addMethods(CLI::App& app, Options& options)
           options.values.set(property, word);
           options.values.markGiven(property);
         };
-        choose("Scheme", vtkWireWarpingFilter::GLOBAL);
-        choose("Interior", vtkWireWarpingFilter::LAPLACIAN);
+        choose("Scheme", static_cast<double>(flattening::Scheme::Global));
+        choose("Interior", static_cast<double>(flattening::InteriorMethod::Laplacian));
       },
       "The paper's method: --scheme global --interior laplacian. newton finds the minimum that the "
       "paper defines; --solver sequential approaches it by the paper's steps, where they converge")
@@ -393,55 +386,70 @@ void addMethods(CLI::App& app, Options& options)
     ->group("Method");
 }
 
-vtkSmartPointer<vtkFlatPieceAlgorithm> makeFilter(const Options& options)
+void takeOptions(const flattening::OptionValues& values, flattening::OptionOwner owner,
+  flattening::OptionStructures& structures)
 {
-  vtkSmartPointer<vtkFlatPieceAlgorithm> filter;
-  if (options.command == "reshape")
+  for (const flattening::Option* const option : optionsOf(owner))
   {
-    filter = makeReshapingFilter(options.reshaping);
-  }
-  else if (options.command == "prices")
-  {
-    filter = vtkSmartPointer<vtkKeyCurvePrices>::New();
-  }
-  else if (options.command == "cut" || options.command == "make")
-  {
-    const auto suggestion = vtkSmartPointer<vtkFeatureCurveSuggestion>::New();
-    const flattening::Option& prefer =
-      *findOption(flattening::OptionOwner::Suggestion, "Preferences");
-    for (const std::string& entry : options.values.list(prefer.property))
+    const flattening::Option* const given = values.find(option->property);
+    if (given && given->owner == option->owner && option->set)
     {
-      const auto [curve, weight] = namedNumber(entry, prefer);
-      suggestion->AddPreference(curve, weight);
+      option->set(structures, values[option->property]);
     }
-    filter = suggestion;
   }
-  else if (options.values.text("Scheme") == "lscm")
-  {
-    filter = vtkSmartPointer<vtkLeastSquaresConformalFilter>::New();
-  }
-  else
-  {
-    filter = vtkSmartPointer<vtkWireWarpingFilter>::New();
-  }
-  return filter;
 }
 
-void setOptions(const Options& options, vtkFlatPieceAlgorithm* filter)
+flattening::OptionStructures structuresOf(const Options& options)
 {
-  filter->SetOptions(options.values);
-  const flattening::Option& tolerances =
-    *findOption(flattening::OptionOwner::Warping, "CurveTolerances");
-  for (const std::string& entry : options.values.list(tolerances.property))
+  using flattening::OptionOwner;
+  flattening::OptionStructures structures;
+  const bool reshapes = options.command == "reshape";
+  const bool cuts = options.command == "cut" || options.command == "make";
+  if (reshapes)
   {
-    const auto [curve, tolerance] = namedNumber(entry, tolerances);
-    filter->AddCurveTolerance(curve, tolerance);
+    takeOptions(options.reshaping, OptionOwner::Reshaping, structures);
+  }
+  takeOptions(options.values,
+    reshapes ? OptionOwner::Reshaping
+      : cuts ? OptionOwner::Suggestion
+             : OptionOwner::Warping,
+    structures);
+  const flattening::Option& prefer =
+    *findOption(flattening::OptionOwner::Suggestion, "Preferences");
+  for (const std::string& entry : options.values.list(prefer.property))
+  {
+    const auto [curve, weight] = namedNumber(entry, prefer);
+    structures.search.preferences.push_back({ curve, weight });
+  }
+  if (options.values.text("Scheme") == "lscm")
+  {
+    structures.flattening.scheme = flattening::Scheme::LeastSquaresConformal;
   }
   for (const std::string& entry : options.values.list("CurveEases"))
   {
     const EaseRequest ease = easeRequest(entry);
-    vtkWireWarpingFilter::SafeDownCast(filter)->AddCurveEase(ease.curve, ease.piece, ease.fraction);
+    structures.flattening.eases.push_back({ ease.curve, ease.piece, ease.fraction });
   }
+  return structures;
+}
+
+std::map<std::string, double> tolerancesOf(const Options& options)
+{
+  const flattening::Option& option =
+    *findOption(flattening::OptionOwner::Warping, "CurveTolerances");
+  std::map<std::string, double> tolerances;
+  for (const std::string& entry : options.values.list(option.property))
+  {
+    const auto [curve, tolerance] = namedNumber(entry, option);
+    tolerances[curve] = tolerance;
+  }
+  return tolerances;
+}
+
+std::array<std::int64_t, 2> pinsOf(const Options& options)
+{
+  const auto& pins = std::get<std::vector<double>>(options.values["Pins"]);
+  return { static_cast<std::int64_t>(pins[0]), static_cast<std::int64_t>(pins[1]) };
 }
 
 namespace

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "Options.h"
+#include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
-
-#include <vtkFlatPieceAlgorithm.h>
-#include <vtkSmartPointer.h>
 
 #include <CLI/CLI.hpp>
 
+#include <array>
+#include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -59,10 +60,16 @@ bool splitNameAndNumber(const std::string& text, std::string& name, double& valu
 /// Adds the options of how surfaces are flattened.
 void addMethods(CLI::App& app, Options& options);
 
-/// The filter that does what the options say, without their values.
-vtkSmartPointer<vtkFlatPieceAlgorithm> makeFilter(const Options& options);
+/// Core's options, without the cloth.
+flattening::OptionStructures structuresOf(const Options& options);
 
-void setOptions(const Options& options, vtkFlatPieceAlgorithm* filter);
+/// Of values of another class of options those that both have.
+void takeOptions(const flattening::OptionValues& values, flattening::OptionOwner owner,
+  flattening::OptionStructures& structures);
+
+/// --tolerance by names of curves, and --pins.
+std::map<std::string, double> tolerancesOf(const Options& options);
+std::array<std::int64_t, 2> pinsOf(const Options& options);
 
 /// Adds the options of how cuts are proposed.
 void addCutting(CLI::App& app, Options& options);

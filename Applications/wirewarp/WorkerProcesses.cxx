@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WorkerProcesses.h"
 
+#ifndef _WIN32
 #include "DieWithParent.h"
 #include "GuardedProcess.h"
 
@@ -8,6 +9,7 @@
 #include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#endif
 
 #include <cerrno>
 #include <cstdio>
@@ -18,6 +20,21 @@
 #include <string_view>
 #include <vector>
 
+#ifdef _WIN32
+namespace wirewarp
+{
+// Processes cannot be copied there: one after the other in this one.
+void runInProcesses(std::size_t count, std::size_t,
+  const std::function<std::string(std::size_t)>& job,
+  const std::function<void(std::size_t, const std::optional<std::string>&)>& done)
+{
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    done(k, job(k));
+  }
+}
+}
+#else
 namespace wirewarp
 {
 namespace
@@ -137,3 +154,4 @@ void runInProcesses(std::size_t count, std::size_t workers, const Job& job,
   }
 }
 }
+#endif

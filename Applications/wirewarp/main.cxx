@@ -11,9 +11,9 @@
 #include "Resewing.h"
 #include "Table.h"
 
-#include <vtkSMPTools.h>
-
+#ifndef _WIN32
 #include <unistd.h>
+#endif
 
 #include <cerrno>
 #include <csignal>
@@ -49,7 +49,7 @@ void finishOutput()
 /// there for a thread that tries for ever to get its own.
 [[noreturn]] void leave(int exitCode)
 {
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__) || defined(_WIN32)
   std::exit(exitCode); // which looks for leaks
 #else
   std::quick_exit(exitCode);
@@ -114,10 +114,6 @@ int run(const Options& options)
   {
     return runBatch(options);
   }
-  if (options.threads > 0)
-  {
-    vtkSMPTools::Initialize(options.threads);
-  }
   checkPicture(options.picture);
   const FilesOfFlattening written = flattenToFiles(options);
   if (written.result.refused())
@@ -148,7 +144,9 @@ int run(const Options& options)
 int main(int argc, char** argv)
 {
   // Then a file beyond the limit of the shell fails like one on a full disk.
+#ifdef SIGXFSZ
   std::signal(SIGXFSZ, SIG_IGN);
+#endif
   int exitCode = Done;
   try
   {

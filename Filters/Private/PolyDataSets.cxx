@@ -3,7 +3,6 @@
 
 #include "AttributeArrays.h"
 #include "SurfaceInput.h"
-#include "SurfaceOutput.h"
 
 #include "vtkBitArray.h"
 #include "vtkCellArray.h"
@@ -15,7 +14,9 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkTypeInt64Array.h"
 
+#include <algorithm>
 #include <array>
 #include <type_traits>
 
@@ -25,6 +26,29 @@ namespace bridge
 {
 namespace
 {
+template <class Points>
+vtkSmartPointer<vtkPoints> makeDoublePoints(const Points& points)
+{
+  auto result = vtkSmartPointer<vtkPoints>::New();
+  result->SetDataTypeToDouble();
+  result->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
+  auto* out = static_cast<double*>(result->GetVoidPointer(0));
+  for (const auto& p : points)
+  {
+    *out++ = p[0];
+    *out++ = p[1];
+    if constexpr (Points::value_type::RowsAtCompileTime == 3)
+    {
+      *out++ = p[2];
+    }
+    else
+    {
+      *out++ = 0.0;
+    }
+  }
+  return result;
+}
+
 CellList cellsOf(vtkCellArray* cells)
 {
   CellList list;
@@ -182,23 +206,36 @@ void fill(vtkPolyData* output, const DataSet& data)
   setRoles(data.cellArrays, output->GetCellData());
 }
 
-MappedSurface loadMappedSurface(vtkPolyData* surface, vtkPolyData* flat, vtkPolyData* edges)
+vtkSmartPointer<vtkPoints> makePoints(const Points3& points)
 {
-  MappedSurface refused;
-  refused.outcome = checkCells(surface);
-  if (refused.outcome.ok() && edges && !edges->GetLines()->IsValid())
-  {
-    refused.outcome = { StatusCode::InvalidPointId,
-      "the lines of the edges do not fit the list of their points", {}, { Remedy::WriteAgain } };
-  }
-  if (!refused.outcome.ok())
-  {
-    return refused;
-  }
-  const DataSet inPlane = flat ? geometryOf(flat) : DataSet();
-  const DataSet lines = edges ? geometryOf(edges) : DataSet();
-  return flattening::loadMappedSurface(
-    geometryOf(surface), flat ? &inPlane : nullptr, edges ? &lines : nullptr);
+  return makeDoublePoints(points);
 }
+
+vtkSmartPointer<vtkPoints> makePoints(const Points2& points)
+{
+  return makeDoublePoints(points);
+}
+
+vtkSmartPointer<vtkCellArray> makeTriangles(const Triangles& triangles)
+{
+  const vtkIdType count = static_cast<vtkIdType>(triangles.size());
+  vtkNew<vtkTypeInt64Array> offsets;
+  offsets->SetNumberOfValues(count + 1);
+  for (vtkIdType t = 0; t <= count; ++t)
+  {
+    offsets->SetValue(t, 3 * t);
+  }
+  vtkNew<vtkTypeInt64Array> corners;
+  corners->SetNumberOfValues(3 * count);
+  vtkTypeInt64* out = corners->GetPointer(0);
+  for (const Triangle& t : triangles)
+  {
+    out = std::copy(t.begin(), t.end(), out);
+  }
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  result->SetData(offsets, corners);
+  return result;
+}
+
 }
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "Input/DataSet.h"
-#include "Input/MappedSurface.h"
+#include "vtkSmartPointer.h"
 
+class vtkCellArray;
 class vtkFieldData;
+class vtkPoints;
 class vtkPolyData;
 
 namespace flattening
@@ -23,7 +25,11 @@ Columns columnsOf(vtkFieldData* arrays);
 /// Gives an empty output what a data set holds.
 void fill(vtkPolyData* output, const DataSet& data);
 
-/// As the function of Core; data sets may be null.
-MappedSurface loadMappedSurface(vtkPolyData* surface, vtkPolyData* flat, vtkPolyData* edges);
+/// VTK points of double precision.
+vtkSmartPointer<vtkPoints> makePoints(const Points3& points);
+/// The same in the plane z = 0.
+vtkSmartPointer<vtkPoints> makePoints(const Points2& points);
+
+vtkSmartPointer<vtkCellArray> makeTriangles(const Triangles& triangles);
 }
 }

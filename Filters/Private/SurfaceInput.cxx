@@ -39,5 +39,24 @@ LoadedBody loadBody(vtkPolyData* body)
 {
   return body ? flattening::loadBody(readTriangles(body)) : LoadedBody();
 }
+
+MappedSurface loadMappedSurface(vtkPolyData* surface, vtkPolyData* flat, vtkPolyData* edges)
+{
+  MappedSurface refused;
+  refused.outcome = checkCells(surface);
+  if (refused.outcome.ok() && edges && !edges->GetLines()->IsValid())
+  {
+    refused.outcome = { StatusCode::InvalidPointId,
+      "the lines of the edges do not fit the list of their points", {}, { Remedy::WriteAgain } };
+  }
+  if (!refused.outcome.ok())
+  {
+    return refused;
+  }
+  const DataSet inPlane = flat ? geometryOf(flat) : DataSet();
+  const DataSet lines = edges ? geometryOf(edges) : DataSet();
+  return flattening::loadMappedSurface(
+    geometryOf(surface), flat ? &inPlane : nullptr, edges ? &lines : nullptr);
+}
 }
 }

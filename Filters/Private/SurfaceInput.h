@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Input/DataSet.h"
+#include "Input/MappedSurface.h"
 #include "Surface/SurfacePreparation.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -25,6 +26,9 @@ LoadedSurface loadSurface(vtkPolyData* surface, CoincidentPoints coincident, Def
 
 /// Reads a body; null: there is none.
 LoadedBody loadBody(vtkPolyData* body);
+
+/// As the function of Core; data sets may be null.
+MappedSurface loadMappedSurface(vtkPolyData* surface, vtkPolyData* flat, vtkPolyData* edges);
 
 /// Calls visit(k, count, ids) for each cell of an array, k counting from 0.
 template <class Visit>

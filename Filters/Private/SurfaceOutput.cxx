@@ -10,7 +10,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <numeric>
@@ -21,29 +20,6 @@ namespace bridge
 {
 namespace
 {
-template <class Points>
-vtkSmartPointer<vtkPoints> makeDoublePoints(const Points& points)
-{
-  auto result = vtkSmartPointer<vtkPoints>::New();
-  result->SetDataTypeToDouble();
-  result->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
-  auto* out = static_cast<double*>(result->GetVoidPointer(0));
-  for (const auto& p : points)
-  {
-    *out++ = p[0];
-    *out++ = p[1];
-    if constexpr (Points::value_type::RowsAtCompileTime == 3)
-    {
-      *out++ = p[2];
-    }
-    else
-    {
-      *out++ = 0.0;
-    }
-  }
-  return result;
-}
-
 void copyPointData(const CurvedPolyData& source, const Indices& originalVertex, vtkPolyData* output)
 {
   vtkPointData* from = source.pointArrays;
@@ -88,37 +64,6 @@ void writeSurface(const CurvedPolyData& source, const Triangles& triangles,
   copyCellData(source.cellArrays, cellOfTriangle, output);
   output->GetFieldData()->PassData(source.fieldData);
 }
-}
-
-vtkSmartPointer<vtkPoints> makePoints(const Points3& points)
-{
-  return makeDoublePoints(points);
-}
-
-vtkSmartPointer<vtkPoints> makePoints(const Points2& points)
-{
-  return makeDoublePoints(points);
-}
-
-vtkSmartPointer<vtkCellArray> makeTriangles(const Triangles& triangles)
-{
-  const vtkIdType count = static_cast<vtkIdType>(triangles.size());
-  vtkNew<vtkTypeInt64Array> offsets;
-  offsets->SetNumberOfValues(count + 1);
-  for (vtkIdType t = 0; t <= count; ++t)
-  {
-    offsets->SetValue(t, 3 * t);
-  }
-  vtkNew<vtkTypeInt64Array> corners;
-  corners->SetNumberOfValues(3 * count);
-  vtkTypeInt64* out = corners->GetPointer(0);
-  for (const Triangle& t : triangles)
-  {
-    out = std::copy(t.begin(), t.end(), out);
-  }
-  auto result = vtkSmartPointer<vtkCellArray>::New();
-  result->SetData(offsets, corners);
-  return result;
 }
 
 void copyCellData(

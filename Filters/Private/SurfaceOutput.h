@@ -2,25 +2,18 @@
 #pragma once
 
 #include "CurvedPolyData.h"
+#include "PolyDataSets.h"
 #include "Report/FlatteningArrays.h"
 
 #include <cstdint>
 #include <vector>
 
-class vtkCellArray;
 class vtkPoints;
 
 namespace flattening
 {
 namespace bridge
 {
-/// VTK points of double precision.
-vtkSmartPointer<vtkPoints> makePoints(const Points3& points);
-/// The same in the plane z = 0.
-vtkSmartPointer<vtkPoints> makePoints(const Points2& points);
-
-vtkSmartPointer<vtkCellArray> makeTriangles(const Triangles& triangles);
-
 /// Copies the data of the cell that each triangle is of, and adds `vtkOriginalCellIds`.
 void copyCellData(
   vtkCellData* input, const std::vector<std::int64_t>& cellOfTriangle, vtkPolyData* output);

@@ -2,15 +2,14 @@
 #include "vtkFeatureCurveReader.h"
 
 #include "InputError.h"
+#include "PolyDataOutput.h"
 #include "ReadCurves.h"
 #include "TextFile.h"
 #include "VtkMessages.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkFeatureCurveReader);
@@ -56,11 +55,12 @@ int vtkFeatureCurveReader::RequestData(vtkInformation* vtkNotUsed(request),
       checkedFileSize(path);
       throw InputError(path, "ids of points need the surface that has them; give it as input 0");
     }
-    vtkNew<vtkPolyData> none; // without boundary
-    none->SetPoints(vtkNew<vtkPoints>());
-    const CurveContents contents = readCurves(path, surface ? surface : none.Get());
+    const DataSet ids = surface ? dataSetOf(surface) : DataSet();
+    const CurveContents contents = readCurves(path, ids);
     this->Note = contents.note;
-    vtkPolyData::GetData(outputVector, 0)->ShallowCopy(contents.curves);
+    const bool same = contents.curves.points == ids.points;
+    vtkPolyData::GetData(outputVector, 0)
+      ->ShallowCopy(polyDataOf(contents.curves, surface && same ? surface->GetPoints() : nullptr));
   });
   this->SetErrorCode(codeOf(path, this->ErrorMessage, this));
   if (!this->ErrorMessage.empty())

@@ -3,11 +3,11 @@
 
 #include "FaceSeams.h"
 #include "InputError.h"
+#include "PolyDataOutput.h"
 #include "ReadSurface.h"
 #include "TextFile.h"
 #include "VtkMessages.h"
 
-#include "vtkAppendPolyData.h"
 #include "vtkFlatteningAlgorithm.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -17,6 +17,9 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <variant>
+#include <vector>
 
 vtkStandardNewMacro(vtkSurfaceMeshReader);
 
@@ -27,19 +30,25 @@ bool isKnown(const std::string& extension)
   return extension == ".obj" || extension == ".ply" || extension == ".off";
 }
 
-/// Lines of the file and seams between its faces as one; either may be null.
-vtkSmartPointer<vtkPolyData> joined(vtkPolyData* lines, vtkPolyData* seams)
+/// Adds seams between faces to the lines of the file.
+void append(const flattening::DataSet& seams, flattening::DataSet& lines)
 {
-  if (!lines || !seams)
+  using flattening::findColumn;
+  for (std::size_t k = 0; k < seams.lines.size(); ++k)
   {
-    return lines ? lines : seams;
+    lines.lines.add(std::vector<std::int64_t>(seams.lines.begin(k), seams.lines.end(k)));
   }
-  vtkNew<vtkAppendPolyData> both;
-  both->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  both->AddInputData(lines);
-  both->AddInputData(seams);
-  both->Update();
-  return both->GetOutput();
+  for (flattening::Column& column : lines.cellArrays)
+  {
+    const flattening::Column* const more = findColumn(seams.cellArrays, column.name);
+    std::visit(
+      [&](auto& values) {
+        using Values = std::decay_t<decltype(values)>;
+        const Values added = more ? std::get<Values>(more->values) : Values(seams.lines.size());
+        values.insert(values.end(), added.begin(), added.end());
+      },
+      column.values);
+  }
 }
 }
 
@@ -82,17 +91,21 @@ int vtkSurfaceMeshReader::RequestData(vtkInformation* vtkNotUsed(request),
       throw InputError(
         path, "the extension is not .obj, .ply or .off; read other formats by VTK's readers");
     }
-    const SurfaceContents contents = readSurface(path);
-    const vtkSmartPointer<vtkPolyData> seams = this->SeamSource == SEAMS_NONE
-      ? nullptr
-      : seamsOf(contents.surface, contents.labels, static_cast<enum SeamSource>(this->SeamSource));
+    SurfaceContents contents = readSurface(path);
+    const vtkSmartPointer<vtkPolyData> read = polyDataOf(contents.surface);
     vtkPolyData* const surface = vtkPolyData::GetData(outputVector, 0);
-    surface->ShallowCopy(contents.surface);
+    surface->ShallowCopy(read);
     vtkFlatteningAlgorithm::SetLengthUnitOf(surface, contents.unit);
-    vtkPolyData* const curves = vtkPolyData::GetData(outputVector, 1);
-    if (const vtkSmartPointer<vtkPolyData> lines = joined(contents.curves, seams))
+    if (this->SeamSource != SEAMS_NONE)
     {
-      curves->ShallowCopy(lines);
+      append(
+        seamsOf(contents.surface, contents.labels, static_cast<enum SeamSource>(this->SeamSource)),
+        contents.curves);
+    }
+    vtkPolyData* const curves = vtkPolyData::GetData(outputVector, 1);
+    if (contents.curves.lines.size() > 0)
+    {
+      curves->ShallowCopy(polyDataOf(contents.curves, read->GetPoints()));
     }
     vtkFlatteningAlgorithm::SetLengthUnitOf(curves, contents.unit);
   });

@@ -12,7 +12,7 @@ namespace bridge
 {
 /// Reads the outputs of vtkWireWarpingFilter.
 /// \param wires, cut may be null
-flattening::Status readPattern(
+Status readPieces(
   vtkPolyData* flat, vtkPolyData* wires, vtkPolyData* cut, pattern::PatternSource& source);
 }
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "EditorWindow.h"
+#include "PolyDataOutput.h"
 #include "ReadCurves.h"
 #include "ReadSurface.h"
 
@@ -78,7 +79,8 @@ inline std::vector<TutorialCurve> tutorialCurves()
 /// The same curves, as the command reads them.
 inline figures::PolyData tutorialLines(vtkPolyData* surface)
 {
-  return wirewarp::readCurves(FLATTENING_TUTORIAL, surface).curves;
+  return wirewarp::polyDataOf(
+    wirewarp::readCurves(FLATTENING_TUTORIAL, wirewarp::dataSetOf(surface)).curves);
 }
 
 class PatternEditor : public testing::Test
@@ -94,7 +96,7 @@ protected:
     ASSERT_TRUE(QTest::qWaitForWindowExposed(this->window.get()));
     QApplication::setActiveWindow(this->window.get());
     ASSERT_TRUE(this->window->openSurface(shirt)) << this->window->message().toStdString();
-    this->surface = wirewarp::readSurface(shirt).surface;
+    this->surface = wirewarp::polyDataOf(wirewarp::readSurface(shirt).surface);
     QApplication::processEvents();
   }
 

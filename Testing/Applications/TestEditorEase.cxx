@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A seam that is eased in one of its pieces by the window's table of curves.
 #include "EditorSession.h"
+#include "PolyDataOutput.h"
 #include "ReadCurves.h"
 
 #include <vtkIdList.h>
@@ -153,7 +154,8 @@ TEST_F(EditorEase, AnEaseIsSavedWithItsCurveAndCanBeUndone)
   // Any program that reads the file gets the same.
   vtkNew<vtkWireWarpingFilter> filter;
   filter->SetInputData(this->surface);
-  filter->SetCurvesData(wirewarp::readCurves(path, this->surface).curves);
+  filter->SetCurvesData(
+    wirewarp::polyDataOf(wirewarp::readCurves(path, wirewarp::dataSetOf(this->surface)).curves));
   filter->Update();
   EXPECT_STREQ(filter->GetStatusName(), "Ok") << filter->GetStatusMessage();
   vtkPolyData* const wires = filter->GetOutput(1);

@@ -83,7 +83,8 @@ TEST_F(PatternEditor, ProposalsAreTakenOneByOneOrAllAndUndone)
 // infinite number the search says at which triangle.
 TEST_F(PatternEditor, AnArrayOfTheSurfaceCanSayWhereDistortionMatters)
 {
-  figures::PolyData weighted = wirewarp::readSurface(FLATTENING_DATA "/quarter_sphere.vtp").surface;
+  figures::PolyData weighted =
+    wirewarp::polyDataOf(wirewarp::readSurface(FLATTENING_DATA "/quarter_sphere.vtp").surface);
   const double infinite = std::numeric_limits<double>::infinity();
   for (const auto& [name, number] :
     { std::pair<const char*, double>{ "Seen", 1.0 }, { "Signed", -1.0 }, { "Infinite", infinite } })
@@ -367,7 +368,7 @@ TEST_F(PatternEditor, ASavedSurfaceIsTheOneThatWasOpened)
   const std::string path = testing::TempDir() + "saved_surface.vtp";
   ASSERT_TRUE(this->window->saveSurface(path)) << this->window->message().toStdString();
   EXPECT_TRUE(this->window->message().contains("saved_surface.vtp"));
-  const figures::PolyData saved = wirewarp::readSurface(path).surface;
+  const figures::PolyData saved = wirewarp::polyDataOf(wirewarp::readSurface(path).surface);
   ASSERT_EQ(saved->GetNumberOfPoints(), this->surface->GetNumberOfPoints());
   ASSERT_EQ(saved->GetNumberOfCells(), this->surface->GetNumberOfCells());
   for (vtkIdType k = 0; k < saved->GetNumberOfPoints(); ++k)

@@ -271,7 +271,7 @@ class Refusals(command.CommandTest):
             self.assertGreater(refused, 0 if name == "good.vtp" else -1)
 
     @unittest.skipUnless(os.geteuid() == 0, "another user, who runs nothing else, is needed to count processes")
-    def test_a_limit_of_threads_is_named(self):
+    def test_it_runs_with_the_threads_that_a_limit_leaves(self):
         def limit_processes(most):
             os.setgroups([])
             os.setgid(64999)
@@ -294,15 +294,10 @@ class Refusals(command.CommandTest):
         if run.returncode == 127:
             self.skipTest("the other user cannot read the libraries")
         self.assertEqual(run.returncode, 0, run.stderr)
-        refused = 0
         for most in (1, 2, 3):
             with self.subTest(most=most):
                 run = run_limited(most)
-                if run.returncode != 0:
-                    refused += 1
-                    self.assertIn("the limit of threads was met (pthread_create has failed", run.stderr)
-                    self.assertIn("ulimit -u", run.stderr)
-        self.assertGreater(refused, 0 if (os.cpu_count() or 1) > 1 else -1)
+                self.assertEqual(run.returncode, 0, run.stderr)
 
     def test_a_full_disk_leaves_no_part_of_a_file(self):
         def limit_files():

@@ -22,6 +22,8 @@ FILES = {
     "Filters/Private/Bridge.h": '#include "Mesh.h"\n#include "vtkFilter.h"\n',
     "Filters/vtkFilter.h": '#include "Bridge.h"\n',
     "Filters/vtkFilter.cxx": '#include "Bridge.h"\n#include "Mesh.h"\n',
+    "Applications/wirewarp/main.cxx": '#include "Mesh.h"\n#include <vtkPolyData.h>\n',
+    "Applications/wirewarp/Vtk/Picture.cxx": '#include <vtkPolyData.h>\n',
     "Applications/main.cxx": '#include "Mesh.h"\n#include "vtkFilter.h"\n',
     "Documentation/architecture.md":
         "<!-- paper-to-code -->\n| in the paper | in the code |\n|---|---|\n"
@@ -29,6 +31,7 @@ FILES = {
 }
 EXPECTED = {
     "core_includes_no_vtk": ["Filters/Core/Surface/Mesh.cxx:2"],
+    "the_command_needs_no_vtk": ["Applications/wirewarp/main.cxx:2"],
     "layers_are_one_way":
         ["Applications/main.cxx:1", "Filters/Private/Bridge.h:2", "Filters/vtkFilter.h:1"],
     "core_neither_prints_nor_throws": ["Filters/Core/Surface/Mesh.cxx:4"],

@@ -89,6 +89,17 @@ class Examples(unittest.TestCase):
         self.assertEqual(run.returncode, code, run.stdout + run.stderr)
         return run.stdout
 
+    def test_flatten_without_vtk(self):
+        places = "".join(f"v {x} {y} {0.1 * x * y}\n" for y in range(3) for x in range(3))
+        faces = "".join(f"f {a} {a + 1} {a + 4} {a + 3}\n" for a in (1, 2, 4, 5))
+        with open(os.path.join(self.folder, "a.obj"), "w", encoding="utf-8") as file:
+            file.write(f"# units: cm\n{places}{faces}")
+        with open(os.path.join(self.folder, "a.txt"), "w", encoding="utf-8") as file:
+            file.write("key middle 3 5\n")
+        output = self.run_example("flatten_without_vtk.py", "a.obj", "a.png", "--curves", "a.txt")
+        self.assertRegex(output, r"^piece 1: OK, area error \d")
+        self.assertGreater(len(colors_of(os.path.join(self.folder, "a.png"))), 10000)
+
     def test_flatten_and_plot(self):
         output = self.run_example("flatten_and_plot.py", data("wetsuit_upper_front"),
                                   data("wetsuit_upper_front_curves"), "map.png")

@@ -79,7 +79,11 @@ class Grading(unittest.TestCase):
             self.assertEqual(sf.grade(self.sizes, unit="cm").rules, centimetres)
 
     def test_sizes_with_broken_arrays_are_refused(self):
-        grading = sf.grade(self.sizes, unit="cm")
+        filter_ = sf.vtkPatternGrading()
+        filter_.SetUnit(2)
+        for name, size in self.sizes.items():
+            filter_.AddSize(name, size.to_polydata(), size.to_polydata("wires"))
+        filter_.Update()
 
         def break_points(nest):
             nest.SetPoints(vtkPoints())
@@ -96,7 +100,7 @@ class Grading(unittest.TestCase):
         for harm in (break_points, break_lines, break_field("BaseSize"), break_field("GrainDirection"),
                      break_field("RuleDelta"), shorten("RulePoint"), shorten("SizeName"), shorten("RuleDelta")):
             nest = vtkPolyData()
-            nest.DeepCopy(grading.nest)
+            nest.DeepCopy(filter_.GetOutput())
             harm(nest)
             writer = sf.vtkPatternWriter()
             writer.AddObserver("ErrorEvent", lambda *_: None)

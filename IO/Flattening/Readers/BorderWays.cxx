@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BorderWays.h"
 
-#include <vtkMath.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,22 +14,20 @@ constexpr double alike = 1e-6;
 }
 
 //------------------------------------------------------------------------------
-BorderWays::BorderWays(vtkPolyData* surface)
+BorderWays::BorderWays(const DataSet& surface)
 {
   const TriangleList list = listTriangles(surface);
   this->Points = list.points;
   this->Loops = boundaryLoops(list);
   for (std::size_t l = 0; l < this->Loops.size(); ++l)
   {
-    const std::vector<vtkIdType>& points = this->Loops[l].points;
+    const std::vector<std::int64_t>& points = this->Loops[l].points;
     std::vector<double>& arc = this->Arc.emplace_back(1, 0.0);
     for (std::size_t k = 0; k < points.size(); ++k)
     {
-      double from[3];
-      double to[3];
-      list.points->GetPoint(points[k], from);
-      list.points->GetPoint(points[(k + 1) % points.size()], to);
-      arc.push_back(arc.back() + std::sqrt(vtkMath::Distance2BetweenPoints(from, to)));
+      const Point3& from = list.point(points[k]);
+      const Point3& to = list.point(points[(k + 1) % points.size()]);
+      arc.push_back(arc.back() + (to - from).norm());
       const auto [place, isNew] = this->Places.emplace(points[k], Place{ l, k });
       place->second.unique = isNew;
     }
@@ -39,10 +35,10 @@ BorderWays::BorderWays(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-std::optional<std::vector<vtkIdType>> BorderWays::through(
-  const std::vector<vtkIdType>& points, std::string& fault) const
+std::optional<std::vector<std::int64_t>> BorderWays::through(
+  const std::vector<std::int64_t>& points, std::string& fault) const
 {
-  for (const vtkIdType point : points)
+  for (const std::int64_t point : points)
   {
     const auto found = this->Places.find(point);
     if (found == this->Places.end())
@@ -58,7 +54,7 @@ std::optional<std::vector<vtkIdType>> BorderWays::through(
       return std::nullopt;
     }
   }
-  std::vector<vtkIdType> way{ points.front() };
+  std::vector<std::int64_t> way{ points.front() };
   for (std::size_t k = 0; k + 1 < points.size(); ++k)
   {
     if (!this->add(points[k], points[k + 1], way, fault))
@@ -70,17 +66,16 @@ std::optional<std::vector<vtkIdType>> BorderWays::through(
 }
 
 //------------------------------------------------------------------------------
-vtkIdType BorderWays::nearest(const double place[3], double& distance) const
+std::int64_t BorderWays::nearest(const Point3& place, double& distance) const
 {
-  vtkIdType best = -1;
+  std::int64_t best = -1;
   double least = std::numeric_limits<double>::infinity();
   for (const BoundaryLoop& loop : this->Loops)
   {
-    for (const vtkIdType point : loop.points)
+    for (const std::int64_t point : loop.points)
     {
-      double x[3];
-      this->Points->GetPoint(point, x);
-      const double square = vtkMath::Distance2BetweenPoints(place, x);
+      const double square =
+        ((*this->Points)[static_cast<std::size_t>(point)] - place).squaredNorm();
       if (square < least)
       {
         least = square;
@@ -94,7 +89,7 @@ vtkIdType BorderWays::nearest(const double place[3], double& distance) const
 
 //------------------------------------------------------------------------------
 bool BorderWays::add(
-  vtkIdType from, vtkIdType to, std::vector<vtkIdType>& way, std::string& fault) const
+  std::int64_t from, std::int64_t to, std::vector<std::int64_t>& way, std::string& fault) const
 {
   const Place& start = this->Places.at(from);
   const Place& end = this->Places.at(to);
@@ -104,7 +99,7 @@ bool BorderWays::add(
     fault = both + " are on different boundaries; make an edge of each";
     return false;
   }
-  const std::vector<vtkIdType>& points = this->Loops[start.loop].points;
+  const std::vector<std::int64_t>& points = this->Loops[start.loop].points;
   const std::vector<double>& arc = this->Arc[start.loop];
   const double length = arc.back();
   double forward = arc[end.at] - arc[start.at];

@@ -3,14 +3,12 @@
 
 #include "BoundaryLoops.h"
 
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
-#include <vtkType.h>
-
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 namespace wirewarp
 {
@@ -18,16 +16,16 @@ namespace wirewarp
 class BorderWays
 {
 public:
-  explicit BorderWays(vtkPolyData* surface);
+  explicit BorderWays(const DataSet& surface);
 
   /// The points from each of some points on the boundary to the next, each time the shorter way
   /// round; of a point and itself the whole loop. None where there is no such way: then `fault`
   /// says why, and the way out.
-  std::optional<std::vector<vtkIdType>> through(
-    const std::vector<vtkIdType>& points, std::string& fault) const;
+  std::optional<std::vector<std::int64_t>> through(
+    const std::vector<std::int64_t>& points, std::string& fault) const;
 
   /// The point of the boundary that is nearest to a place, -1 where there is no boundary.
-  vtkIdType nearest(const double place[3], double& distance) const;
+  std::int64_t nearest(const Point3& place, double& distance) const;
 
 private:
   struct Place
@@ -37,11 +35,12 @@ private:
     bool unique = true;
   };
 
-  bool add(vtkIdType from, vtkIdType to, std::vector<vtkIdType>& way, std::string& fault) const;
+  bool add(
+    std::int64_t from, std::int64_t to, std::vector<std::int64_t>& way, std::string& fault) const;
 
-  vtkSmartPointer<vtkPoints> Points; ///< of the surface
+  std::shared_ptr<const Points3> Points; ///< of the surface
   std::vector<BoundaryLoop> Loops;
   std::vector<std::vector<double>> Arc; ///< of the points of each loop, and its length
-  std::unordered_map<vtkIdType, Place> Places;
+  std::unordered_map<std::int64_t, Place> Places;
 };
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoundaryLoops.h"
 
-#include <vtkBoundingBox.h>
-#include <vtkPoints.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -16,15 +16,13 @@ namespace wirewarp
 {
 namespace
 {
-using Place = std::array<double, 3>;
-
 struct Side
 {
-  vtkIdType to = 0;
-  vtkIdType polygon = 0;
+  std::int64_t to = 0;
+  std::int64_t polygon = 0;
 };
 
-std::uint64_t mixed(vtkIdType id)
+std::uint64_t mixed(std::int64_t id)
 {
   // The finalizer of SplitMix64.
   std::uint64_t z = static_cast<std::uint64_t>(id) + 0x9e3779b97f4a7c15U;
@@ -37,13 +35,13 @@ std::uint64_t mixed(vtkIdType id)
 /// them. Around any other each neighbour is entered as often as it is left.
 std::vector<char> pointsInQuestion(const TriangleList& list)
 {
-  std::vector<std::uint64_t> balance(static_cast<std::size_t>(list.points->GetNumberOfPoints()), 0);
+  std::vector<std::uint64_t> balance(list.points->size(), 0);
   for (const ListedTriangle& triangle : list.triangles)
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const vtkIdType from = triangle.corners[k];
-      const vtkIdType to = triangle.corners[(k + 1) % 3];
+      const std::int64_t from = triangle.corners[k];
+      const std::int64_t to = triangle.corners[(k + 1) % 3];
       balance[static_cast<std::size_t>(from)] += mixed(to);
       balance[static_cast<std::size_t>(to)] -= mixed(from);
     }
@@ -55,17 +53,17 @@ std::vector<char> pointsInQuestion(const TriangleList& list)
 }
 
 /// The sides of triangles that no other triangle shares, by the point that they start at.
-std::multimap<vtkIdType, Side> boundarySides(const TriangleList& list)
+std::multimap<std::int64_t, Side> boundarySides(const TriangleList& list)
 {
   const std::vector<char> questionable = pointsInQuestion(list);
-  std::map<std::pair<vtkIdType, vtkIdType>, int> uses;
+  std::map<std::pair<std::int64_t, std::int64_t>, int> uses;
   const auto forEachSide = [&](const auto& visit) {
     for (const ListedTriangle& triangle : list.triangles)
     {
       for (std::size_t k = 0; k < 3; ++k)
       {
-        const vtkIdType from = triangle.corners[k];
-        const vtkIdType to = triangle.corners[(k + 1) % 3];
+        const std::int64_t from = triangle.corners[k];
+        const std::int64_t to = triangle.corners[(k + 1) % 3];
         if (questionable[static_cast<std::size_t>(from)] != 0 &&
           questionable[static_cast<std::size_t>(to)] != 0)
         {
@@ -74,9 +72,10 @@ std::multimap<vtkIdType, Side> boundarySides(const TriangleList& list)
       }
     }
   };
-  forEachSide([&uses](vtkIdType from, vtkIdType to, vtkIdType) { ++uses[std::minmax(from, to)]; });
-  std::multimap<vtkIdType, Side> sides;
-  forEachSide([&](vtkIdType from, vtkIdType to, vtkIdType polygon) {
+  forEachSide(
+    [&uses](std::int64_t from, std::int64_t to, std::int64_t) { ++uses[std::minmax(from, to)]; });
+  std::multimap<std::int64_t, Side> sides;
+  forEachSide([&](std::int64_t from, std::int64_t to, std::int64_t polygon) {
     if (uses.at(std::minmax(from, to)) == 1)
     {
       sides.emplace(from, Side{ to, polygon });
@@ -85,16 +84,12 @@ std::multimap<vtkIdType, Side> boundarySides(const TriangleList& list)
   return sides;
 }
 
-double lengthOf(vtkPoints* points, const std::vector<vtkIdType>& loop)
+double lengthOf(const TriangleList& list, const std::vector<std::int64_t>& loop)
 {
   double length = 0.0;
   for (std::size_t k = 0; k < loop.size(); ++k)
   {
-    Place a;
-    Place b;
-    points->GetPoint(loop[k], a.data());
-    points->GetPoint(loop[(k + 1) % loop.size()], b.data());
-    length += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    length += (list.point(loop[k]) - list.point(loop[(k + 1) % loop.size()])).norm();
   }
   return length;
 }
@@ -104,11 +99,11 @@ class Parts
 {
 public:
   explicit Parts(const TriangleList& list)
-    : Parent(static_cast<std::size_t>(list.points->GetNumberOfPoints()))
+    : Parent(list.points->size())
   {
     for (std::size_t p = 0; p < this->Parent.size(); ++p)
     {
-      this->Parent[p] = static_cast<vtkIdType>(p);
+      this->Parent[p] = static_cast<std::int64_t>(p);
     }
     for (const ListedTriangle& triangle : list.triangles)
     {
@@ -116,11 +111,11 @@ public:
       this->join(triangle.corners[0], triangle.corners[2]);
     }
   }
-  vtkIdType of(vtkIdType point)
+  std::int64_t of(std::int64_t point)
   {
     for (;;)
     {
-      vtkIdType& parent = this->Parent[static_cast<std::size_t>(point)];
+      std::int64_t& parent = this->Parent[static_cast<std::size_t>(point)];
       if (parent == point)
       {
         return point;
@@ -131,20 +126,20 @@ public:
   }
 
 private:
-  void join(vtkIdType a, vtkIdType b)
+  void join(std::int64_t a, std::int64_t b)
   {
-    const vtkIdType first = this->of(a);
-    const vtkIdType second = this->of(b);
+    const std::int64_t first = this->of(a);
+    const std::int64_t second = this->of(b);
     this->Parent[static_cast<std::size_t>(std::max(first, second))] = std::min(first, second);
   }
 
-  std::vector<vtkIdType> Parent;
+  std::vector<std::int64_t> Parent;
 };
 
 void markOutermost(const TriangleList& list, std::vector<BoundaryLoop>& loops)
 {
   Parts parts(list);
-  std::unordered_map<vtkIdType, std::pair<double, std::size_t>> longest;
+  std::unordered_map<std::int64_t, std::pair<double, std::size_t>> longest;
   for (std::size_t k = 0; k < loops.size(); ++k)
   {
     const double length = loops[k].length;
@@ -164,12 +159,12 @@ void markOutermost(const TriangleList& list, std::vector<BoundaryLoop>& loops)
 //------------------------------------------------------------------------------
 std::vector<BoundaryLoop> boundaryLoops(const TriangleList& list)
 {
-  std::multimap<vtkIdType, Side> sides = boundarySides(list);
+  std::multimap<std::int64_t, Side> sides = boundarySides(list);
   std::vector<BoundaryLoop> loops;
   while (!sides.empty())
   {
     BoundaryLoop loop;
-    vtkBoundingBox box;
+    Eigen::AlignedBox3d box;
     loop.polygon = sides.begin()->second.polygon;
     // Where triangles are turned over against each other a way may end before it is closed.
     for (auto at = sides.begin(); at != sides.end(); at = sides.find(loop.points.back()))
@@ -178,15 +173,13 @@ std::vector<BoundaryLoop> boundaryLoops(const TriangleList& list)
       {
         loop.points.push_back(at->first);
       }
-      const vtkIdType next = at->second.to;
+      const std::int64_t next = at->second.to;
       sides.erase(at);
-      Place x;
-      list.points->GetPoint(loop.points.back(), x.data());
-      box.AddPoint(x.data());
+      box.extend(list.point(loop.points.back()));
       if (next == loop.points.front())
       {
-        loop.across = box.GetDiagonalLength();
-        loop.length = lengthOf(list.points, loop.points);
+        loop.across = box.diagonal().norm();
+        loop.length = lengthOf(list, loop.points);
         loops.push_back(loop);
         break;
       }
@@ -207,9 +200,9 @@ std::vector<BoundaryLoop> openings(const TriangleList& list)
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkIdType> boundaryPoints(const TriangleList& list)
+std::vector<std::int64_t> boundaryPoints(const TriangleList& list)
 {
-  std::set<vtkIdType> points;
+  std::set<std::int64_t> points;
   for (const auto& [from, side] : boundarySides(list))
   {
     points.insert(from);

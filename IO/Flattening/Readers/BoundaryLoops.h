@@ -3,14 +3,17 @@
 
 #include "TriangleList.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace wirewarp
 {
 /// A closed way along the boundary of a surface.
 struct BoundaryLoop
 {
-  std::vector<vtkIdType> points;
-  vtkIdType polygon = 0; ///< of one of the triangles at it
-  double across = 0.0;   ///< diagonal of its bounding box
+  std::vector<std::int64_t> points;
+  std::int64_t polygon = 0; ///< of one of the triangles at it
+  double across = 0.0;      ///< diagonal of its bounding box
   double length = 0.0;
   bool outermost = false; ///< the longest of its connected part of the surface
 };
@@ -22,5 +25,5 @@ std::vector<BoundaryLoop> boundaryLoops(const TriangleList& list);
 std::vector<BoundaryLoop> openings(const TriangleList& list);
 
 /// Points at sides of triangles that no other triangle shares, whichever way triangles turn.
-std::vector<vtkIdType> boundaryPoints(const TriangleList& list);
+std::vector<std::int64_t> boundaryPoints(const TriangleList& list);
 }

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoundaryWeld.h"
 
-#include <vtkIdList.h>
-#include <vtkMath.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkStaticPointLocator.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -19,63 +14,70 @@ namespace wirewarp
 {
 namespace
 {
-using Edge = std::pair<vtkIdType, vtkIdType>;
+using Edge = std::pair<std::int64_t, std::int64_t>;
 
-double distanceOf(vtkPoints* points, vtkIdType p, vtkIdType q)
+double distanceOf(const TriangleList& list, std::int64_t p, std::int64_t q)
 {
-  double x[3];
-  double y[3];
-  points->GetPoint(p, x);
-  points->GetPoint(q, y);
-  return std::sqrt(vtkMath::Distance2BetweenPoints(x, y));
+  return (list.point(p) - list.point(q)).norm();
 }
 
-/// Some of the points, to be found by their places.
+/// Some of the points, to be found by their places in a grid.
 class PlacedPoints
 {
 public:
-  PlacedPoints(vtkPoints* all, std::vector<vtkIdType> ids)
-    : All(all)
-    , Ids(std::move(ids))
+  /// \param farthest distance within which near() will look
+  PlacedPoints(const TriangleList& list, const std::vector<std::int64_t>& ids, double farthest)
+    : List(list)
+    , Width(farthest > 0.0 ? farthest : 1.0)
   {
-    vtkNew<vtkPoints> own;
-    own->SetDataTypeToDouble();
-    for (const vtkIdType p : this->Ids)
+    for (const std::int64_t p : ids)
     {
-      own->InsertNextPoint(all->GetPoint(p));
+      this->Cells[this->cellOf(list.point(p))].push_back(p);
     }
-    this->Own->SetPoints(own);
-    this->Locator->SetDataSet(this->Own);
-    this->Locator->BuildLocator();
   }
 
   /// Those within a distance of one of them, itself among them, in the order of their ids.
-  std::vector<std::pair<vtkIdType, double>> near(vtkIdType p, double distance) const
+  std::vector<std::pair<std::int64_t, double>> near(std::int64_t p, double distance) const
   {
-    vtkNew<vtkIdList> found;
-    this->Locator->FindPointsWithinRadius(distance, this->All->GetPoint(p), found);
-    std::vector<std::pair<vtkIdType, double>> points;
-    for (vtkIdType k = 0; k < found->GetNumberOfIds(); ++k)
+    std::vector<std::pair<std::int64_t, double>> points;
+    const Cell center = this->cellOf(this->List.point(p));
+    for (int k = 0; k < 27; ++k)
     {
-      const vtkIdType q = this->Ids[static_cast<std::size_t>(found->GetId(k))];
-      points.emplace_back(q, distanceOf(this->All, p, q));
+      const auto found = this->Cells.find(
+        { center[0] + k % 3 - 1, center[1] + k / 3 % 3 - 1, center[2] + k / 9 - 1 });
+      for (const std::int64_t q :
+        found == this->Cells.end() ? std::vector<std::int64_t>() : found->second)
+      {
+        const double away = distanceOf(this->List, p, q);
+        if (away <= distance)
+        {
+          points.emplace_back(q, away);
+        }
+      }
     }
     std::sort(points.begin(), points.end());
     return points;
   }
 
 private:
-  vtkPoints* All;
-  std::vector<vtkIdType> Ids;
-  vtkNew<vtkPolyData> Own;
-  vtkNew<vtkStaticPointLocator> Locator;
+  using Cell = std::array<double, 3>;
+
+  Cell cellOf(const Point3& x) const
+  {
+    return { std::floor(x[0] / this->Width), std::floor(x[1] / this->Width),
+      std::floor(x[2] / this->Width) };
+  }
+
+  const TriangleList& List;
+  double Width;
+  std::map<Cell, std::vector<std::int64_t>> Cells;
 };
 }
 
 //------------------------------------------------------------------------------
 WeldedPoints weldBoundary(TriangleList& list, double coincident, double distance)
 {
-  const std::vector<vtkIdType> boundary = boundaryPoints(list);
+  const std::vector<std::int64_t> boundary = boundaryPoints(list);
   WeldedPoints welded;
   if (boundary.empty())
   {
@@ -89,12 +91,12 @@ WeldedPoints weldBoundary(TriangleList& list, double coincident, double distance
       edges.insert(std::minmax(triangle.corners[k], triangle.corners[(k + 1) % 3]));
     }
   }
-  const PlacedPoints placed(list.points, boundary);
-  std::unordered_map<vtkIdType, vtkIdType> joined;
-  std::unordered_map<vtkIdType, std::vector<vtkIdType>> members; // of each point that is kept
-  for (const vtkIdType p : boundary)
+  const PlacedPoints placed(list, boundary, std::max(coincident, distance));
+  std::unordered_map<std::int64_t, std::int64_t> joined;
+  std::unordered_map<std::int64_t, std::vector<std::int64_t>> members; // of each point that is kept
+  for (const std::int64_t p : boundary)
   {
-    std::pair<double, vtkIdType> nearest{ std::numeric_limits<double>::infinity(), p };
+    std::pair<double, std::int64_t> nearest{ std::numeric_limits<double>::infinity(), p };
     for (const auto& [q, away] : placed.near(p, std::max(coincident, distance)))
     {
       const auto cluster = members.find(q);
@@ -102,8 +104,8 @@ WeldedPoints weldBoundary(TriangleList& list, double coincident, double distance
       {
         continue;
       }
-      const std::vector<vtkIdType>& points = cluster->second;
-      if (away <= coincident || std::none_of(points.begin(), points.end(), [&, p](vtkIdType m) {
+      const std::vector<std::int64_t>& points = cluster->second;
+      if (away <= coincident || std::none_of(points.begin(), points.end(), [&, p](std::int64_t m) {
             return edges.count(std::minmax(p, m)) > 0;
           }))
       {
@@ -119,7 +121,7 @@ WeldedPoints weldBoundary(TriangleList& list, double coincident, double distance
   }
   for (ListedTriangle& triangle : list.triangles)
   {
-    for (vtkIdType& corner : triangle.corners)
+    for (std::int64_t& corner : triangle.corners)
     {
       const auto to = joined.find(corner);
       corner = to == joined.end() ? corner : to->second;
@@ -134,15 +136,15 @@ UnjoinedBoundary unjoinedEdges(
   const TriangleList& list, const std::vector<BoundaryLoop>& loops, double coincident, double near)
 {
   std::set<Edge> edges;
-  std::map<vtkIdType, double> shortest; // edge at a point
+  std::map<std::int64_t, double> shortest; // edge at a point
   for (const BoundaryLoop& loop : loops)
   {
     for (std::size_t k = 0; k < loop.points.size(); ++k)
     {
       const Edge edge = std::minmax(loop.points[k], loop.points[(k + 1) % loop.points.size()]);
-      const double length = distanceOf(list.points, edge.first, edge.second);
+      const double length = distanceOf(list, edge.first, edge.second);
       edges.insert(edge);
-      for (const vtkIdType p : { edge.first, edge.second })
+      for (const std::int64_t p : { edge.first, edge.second })
       {
         const auto at = shortest.emplace(p, length).first;
         at->second = std::min(at->second, length);
@@ -154,13 +156,13 @@ UnjoinedBoundary unjoinedEdges(
   {
     return unjoined;
   }
-  std::vector<vtkIdType> ids;
+  std::vector<std::int64_t> ids;
   for (const auto& [p, length] : shortest)
   {
     ids.push_back(p);
   }
-  const PlacedPoints placed(list.points, ids);
-  std::map<vtkIdType, std::vector<std::pair<vtkIdType, double>>> partners;
+  const PlacedPoints placed(list, ids, std::max(coincident, near));
+  std::map<std::int64_t, std::vector<std::pair<std::int64_t, double>>> partners;
   for (const auto& [p, length] : shortest)
   {
     partners[p] = placed.near(p, std::max(coincident, std::min(near, 0.1 * length)));

@@ -19,8 +19,8 @@ WeldedPoints weldBoundary(TriangleList& list, double coincident, double distance
 struct UnjoinedEdges
 {
   std::size_t count = 0;
-  vtkIdType point = 0; ///< the first of their points
-  double gap = 0.0;    ///< largest distance of points that belong together
+  std::int64_t point = 0; ///< the first of their points
+  double gap = 0.0;       ///< largest distance of points that belong together
 };
 
 struct UnjoinedBoundary

@@ -3,11 +3,10 @@
 
 #include "TextFile.h"
 
-#include <vtkCellData.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
 
 namespace wirewarp
 {
@@ -61,35 +60,26 @@ CurveTitle curveTitle(std::string_view text)
 }
 
 //------------------------------------------------------------------------------
-CurveList::CurveList()
-{
-  this->Types->SetName("CurveType");
-  this->Shapes->SetName("KeyShape");
-  this->Names->SetName("CurveName");
-}
-
-//------------------------------------------------------------------------------
-void CurveList::add(const std::vector<vtkIdType>& ids, const CurveTitle& title)
+void CurveList::add(const std::vector<std::int64_t>& ids, const CurveTitle& title)
 {
   std::string name = title.name;
   std::replace(name.begin(), name.end(), '\0', ' '); // VTK ends a text there when it writes it
-  this->Lines->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-  this->Types->InsertNextValue(title.kind.type);
-  this->Shapes->InsertNextValue(title.kind.keyShape);
-  this->Names->InsertNextValue(name);
+  this->Lines.add(ids);
+  this->Types.push_back(title.kind.type);
+  this->Shapes.push_back(title.kind.keyShape);
+  this->Names.push_back(name);
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> CurveList::polyData(vtkPoints* points) const
+DataSet CurveList::over(std::shared_ptr<const Points3> points) const
 {
-  auto curves = vtkSmartPointer<vtkPolyData>::New();
-  curves->SetPoints(points);
-  curves->SetLines(this->Lines);
-  curves->GetCellData()->AddArray(this->Types);
-  curves->GetCellData()->AddArray(this->Names);
-  if (this->Shapes->GetNumberOfTuples() > 0 && this->Shapes->GetRange()[1] > 0.0)
+  DataSet curves;
+  curves.points = std::move(points);
+  curves.lines = this->Lines;
+  curves.cellArrays = { { "CurveType", this->Types }, { "CurveName", this->Names } };
+  if (std::any_of(this->Shapes.begin(), this->Shapes.end(), [](int shape) { return shape > 0; }))
   {
-    curves->GetCellData()->AddArray(this->Shapes);
+    curves.cellArrays.push_back({ "KeyShape", this->Shapes });
   }
   return curves;
 }

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vtkCellArray.h>
-#include <vtkIntArray.h>
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
+#include "Input/DataSet.h"
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +12,10 @@
 
 namespace wirewarp
 {
+using flattening::DataSet;
+using flattening::Point3;
+using flattening::Points3;
+
 /// What a word says a curve is: values of the cell arrays CurveType and KeyShape.
 struct CurveKind
 {
@@ -32,7 +33,7 @@ bool isEdgeWord(std::string_view word);
 /// Curves that were read, and what was left out of them; empty where nothing was.
 struct CurveContents
 {
-  vtkSmartPointer<vtkPolyData> curves;
+  DataSet curves;
   std::string note = {};
 };
 
@@ -51,17 +52,16 @@ CurveTitle curveTitle(std::string_view text);
 class CurveList
 {
 public:
-  CurveList();
-  void add(const std::vector<vtkIdType>& ids, const CurveTitle& title);
-  bool empty() const { return this->Lines->GetNumberOfCells() == 0; }
+  void add(const std::vector<std::int64_t>& ids, const CurveTitle& title);
+  bool empty() const { return this->Lines.size() == 0; }
   /// The curves over points, with the cell arrays CurveType, CurveName and, where one is straight,
   /// KeyShape.
-  vtkSmartPointer<vtkPolyData> polyData(vtkPoints* points) const;
+  DataSet over(std::shared_ptr<const Points3> points) const;
 
 private:
-  vtkNew<vtkCellArray> Lines;
-  vtkNew<vtkIntArray> Types;
-  vtkNew<vtkIntArray> Shapes;
-  vtkNew<vtkStringArray> Names;
+  flattening::CellList Lines;
+  std::vector<int> Types;
+  std::vector<int> Shapes;
+  std::vector<std::string> Names;
 };
 }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaceSeams.h"
 
-#include "CurveList.h"
 #include "InputError.h"
-
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +19,7 @@ constexpr int seamType = 3;
 /// A side of a face between two points, the smaller id first.
 struct FaceSide
 {
-  std::array<vtkIdType, 2> points{};
+  std::array<std::int64_t, 2> points{};
   std::size_t face = 0;
   std::array<std::size_t, 2> textures{}; ///< at these points, 0: none
 
@@ -31,24 +27,21 @@ struct FaceSide
 };
 
 /// The sides of all faces, those of one edge one after the other.
-std::vector<FaceSide> sidesOf(vtkPolyData* surface, const FaceLabels& labels)
+std::vector<FaceSide> sidesOf(const DataSet& surface, const FaceLabels& labels)
 {
   std::vector<FaceSide> sides;
   std::size_t corner = 0;
-  const auto faces = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
-  for (faces->GoToFirstCell(); !faces->IsDoneWithTraversal(); faces->GoToNextCell())
+  for (std::size_t face = 0; face < surface.faces.size(); ++face)
   {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    faces->GetCurrentCell(count, ids);
-    for (vtkIdType k = 0; k < count; ++k)
+    const std::int64_t* const ids = surface.faces.begin(face);
+    const std::int64_t count = surface.faces.end(face) - ids;
+    for (std::int64_t k = 0; k < count; ++k)
     {
-      const vtkIdType next = (k + 1) % count;
-      const auto texture = [&](vtkIdType at) {
+      const std::int64_t next = (k + 1) % count;
+      const auto texture = [&](std::int64_t at) {
         return labels.corners.empty() ? 0 : labels.corners[corner + static_cast<std::size_t>(at)];
       };
-      FaceSide side{ { ids[k], ids[next] }, static_cast<std::size_t>(faces->GetCurrentCellId()),
-        { texture(k), texture(next) } };
+      FaceSide side{ { ids[k], ids[next] }, face, { texture(k), texture(next) } };
       if (side.points[0] > side.points[1])
       {
         std::swap(side.points[0], side.points[1]);
@@ -95,15 +88,15 @@ bool isSeam(const FaceLabels& labels, SeamSource source, const FaceSide& a, cons
 class Chains
 {
 public:
-  void add(vtkIdType a, vtkIdType b)
+  void add(std::int64_t a, std::int64_t b)
   {
     this->Edges[a].push_back(b);
     this->Edges[b].push_back(a);
   }
 
-  std::vector<std::vector<vtkIdType>> take()
+  std::vector<std::vector<std::int64_t>> take()
   {
-    std::vector<std::vector<vtkIdType>> chains;
+    std::vector<std::vector<std::int64_t>> chains;
     for (auto& [point, ends] : this->Edges)
     {
       while (ends.size() != 2 && this->isLeft(point))
@@ -122,9 +115,9 @@ public:
   }
 
 private:
-  bool isLeft(vtkIdType point)
+  bool isLeft(std::int64_t point)
   {
-    std::vector<vtkIdType>& ends = this->Edges[point];
+    std::vector<std::int64_t>& ends = this->Edges[point];
     std::size_t& used = this->Used[point];
     while (used < ends.size() && this->Taken.count({ point, ends[used] }) > 0)
     {
@@ -133,13 +126,13 @@ private:
     return used < ends.size();
   }
 
-  std::vector<vtkIdType> walk(vtkIdType start)
+  std::vector<std::int64_t> walk(std::int64_t start)
   {
-    std::vector<vtkIdType> chain{ start };
+    std::vector<std::int64_t> chain{ start };
     do
     {
-      const vtkIdType from = chain.back();
-      const vtkIdType to = this->Edges[from][this->Used[from]];
+      const std::int64_t from = chain.back();
+      const std::int64_t to = this->Edges[from][this->Used[from]];
       this->Taken.insert({ from, to });
       this->Taken.insert({ to, from });
       chain.push_back(to);
@@ -147,10 +140,10 @@ private:
     return chain;
   }
 
-  std::map<vtkIdType, std::vector<vtkIdType>>
-    Edges;                                         ///< points by the points that they are joined to
-  std::unordered_map<vtkIdType, std::size_t> Used; ///< of these, from the first on
-  std::set<std::array<vtkIdType, 2>> Taken;
+  std::map<std::int64_t, std::vector<std::int64_t>>
+    Edges; ///< points by the points that they are joined to
+  std::unordered_map<std::int64_t, std::size_t> Used; ///< of these, from the first on
+  std::set<std::array<std::int64_t, 2>> Taken;
 };
 
 /// Where a list tells two faces at least apart.
@@ -199,8 +192,7 @@ std::vector<std::string> pieceNames(const FaceLabels& labels)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> seamsOf(
-  vtkPolyData* surface, const FaceLabels& labels, SeamSource source)
+DataSet seamsOf(const DataSet& surface, const FaceLabels& labels, SeamSource source)
 {
   checkLabels(labels, source);
   const std::vector<FaceSide> sides = sidesOf(surface, labels);
@@ -220,10 +212,10 @@ vtkSmartPointer<vtkPolyData> seamsOf(
   }
   CurveList curves;
   int number = 0;
-  for (const std::vector<vtkIdType>& chain : chains.take())
+  for (const std::vector<std::int64_t>& chain : chains.take())
   {
     curves.add(chain, { { seamType, 0 }, wordOf(source) + std::to_string(++number) });
   }
-  return curves.empty() ? nullptr : curves.polyData(surface->GetPoints());
+  return curves.over(surface.points);
 }
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
+#include "CurveList.h"
 
 #include <array>
 #include <string>
@@ -38,8 +37,7 @@ enum class SeamSource
 std::vector<std::string> pieceNames(const FaceLabels& labels);
 
 /// Seams (CurveType 3) along all such edges within the surface, from one junction or end to the
-/// next, over its points. The work grows with the number of faces. Null where there is no such
-/// edge. Throws InputError where the file says nothing of the kind.
-vtkSmartPointer<vtkPolyData> seamsOf(
-  vtkPolyData* surface, const FaceLabels& labels, SeamSource source);
+/// next, over its points. The work grows with the number of faces. Without lines where there is no
+/// such edge. Throws InputError where the file says nothing of the kind.
+DataSet seamsOf(const DataSet& surface, const FaceLabels& labels, SeamSource source);
 }

@@ -3,16 +3,13 @@
 
 #include "BoundaryLoops.h"
 
-#include <vtkCellData.h>
-#include <vtkConnectivityFilter.h>
-#include <vtkIdTypeArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyDataNormals.h>
-#include <vtkTriangle.h>
+#include "Base/Types.h"
 
+#include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
+#include <utility>
 
 namespace wirewarp
 {
@@ -21,68 +18,112 @@ namespace
 /// Degrees between triangles at the rim of a sheet; that of a square one has 90.
 constexpr double rimAngle = 60.0;
 
-double areaOf(const TriangleList& list, const ListedTriangle& triangle)
+Point3 twiceArea(const TriangleList& list, const ListedTriangle& triangle)
 {
-  std::array<std::array<double, 3>, 3> x;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    list.points->GetPoint(triangle.corners[k], x[k].data());
-  }
-  return vtkTriangle::TriangleArea(x[0].data(), x[1].data(), x[2].data());
+  const Point3& a = list.point(triangle.corners[0]);
+  return (list.point(triangle.corners[1]) - a).cross(list.point(triangle.corners[2]) - a);
 }
 
-/// Per triangle its region, of those that hang together by points.
-std::vector<vtkIdType> regionsOf(vtkPolyData* triangles, std::size_t count)
+/// Things that hang together, each known by the number of one of them.
+class Regions
 {
-  vtkNew<vtkConnectivityFilter> connectivity;
-  connectivity->SetInputData(triangles);
-  connectivity->SetExtractionModeToAllRegions();
-  connectivity->ColorRegionsOn();
-  connectivity->Update();
-  vtkCellData* const cells = connectivity->GetPolyDataOutput()->GetCellData();
-  vtkDataArray* const regions = cells->GetArray("RegionId");
-  vtkDataArray* const places = cells->GetArray("place");
-  std::vector<vtkIdType> result(count, -1);
-  for (vtkIdType cell = 0; cell < regions->GetNumberOfTuples(); ++cell)
+public:
+  explicit Regions(std::size_t count)
+    : Parent(count)
   {
-    result[static_cast<std::size_t>(places->GetComponent(cell, 0))] =
-      static_cast<vtkIdType>(regions->GetComponent(cell, 0));
+    std::iota(this->Parent.begin(), this->Parent.end(), std::size_t{ 0 });
   }
-  return result;
-}
+  std::size_t of(std::size_t k)
+  {
+    while (this->Parent[k] != k)
+    {
+      this->Parent[k] = this->Parent[this->Parent[k]];
+      k = this->Parent[k];
+    }
+    return k;
+  }
+  void join(std::size_t a, std::size_t b)
+  {
+    a = this->of(a);
+    b = this->of(b);
+    this->Parent[std::max(a, b)] = std::min(a, b);
+  }
+  std::vector<std::size_t> all()
+  {
+    std::vector<std::size_t> result(this->Parent.size());
+    for (std::size_t k = 0; k < result.size(); ++k)
+    {
+      result[k] = this->of(k);
+    }
+    return result;
+  }
 
-vtkSmartPointer<vtkPolyData> numbered(const TriangleList& list)
+private:
+  std::vector<std::size_t> Parent;
+};
+
+/// Per triangle its part, of those that hang together by points.
+std::vector<std::size_t> partsOf(const TriangleList& list)
 {
-  vtkNew<vtkPolyData> nothing;
-  TriangleList bare = list;
-  vtkSmartPointer<vtkPolyData> surface = withTriangles(nothing, bare);
-  vtkNew<vtkIdTypeArray> places;
-  places->SetName("place");
+  Regions parts(list.triangles.size());
+  std::map<std::int64_t, std::size_t> firstAt;
   for (std::size_t t = 0; t < list.triangles.size(); ++t)
   {
-    places->InsertNextValue(static_cast<vtkIdType>(t));
+    for (const std::int64_t corner : list.triangles[t].corners)
+    {
+      parts.join(firstAt.emplace(corner, t).first->second, t);
+    }
   }
-  surface->GetCellData()->AddArray(places);
-  return surface;
+  return parts.all();
+}
+
+/// Per triangle its side, of those that hang together by edges that are not sharp.
+std::vector<std::size_t> sidesOf(const TriangleList& list)
+{
+  struct Use
+  {
+    std::size_t triangle;
+    bool forwards;
+  };
+  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<Use>> edges;
+  for (std::size_t t = 0; t < list.triangles.size(); ++t)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const std::int64_t a = list.triangles[t].corners[k];
+      const std::int64_t b = list.triangles[t].corners[(k + 1) % 3];
+      edges[std::minmax(a, b)].push_back({ t, a < b });
+    }
+  }
+  Regions sides(list.triangles.size());
+  for (const auto& [edge, uses] : edges)
+  {
+    if (uses.size() != 2)
+    {
+      continue;
+    }
+    const Point3 a = twiceArea(list, list.triangles[uses[0].triangle]);
+    const Point3 b = twiceArea(list, list.triangles[uses[1].triangle]);
+    // Triangles may be turned over against each other.
+    const double turned = uses[0].forwards == uses[1].forwards ? -1.0 : 1.0;
+    if (turned * a.dot(b) > std::cos(rimAngle * flattening::degree) * a.norm() * b.norm())
+    {
+      sides.join(uses[0].triangle, uses[1].triangle);
+    }
+  }
+  return sides.all();
 }
 }
 
 //------------------------------------------------------------------------------
 std::string takeOuterSide(TriangleList& list)
 {
-  const vtkSmartPointer<vtkPolyData> whole = numbered(list);
   const std::size_t count = list.triangles.size();
-  const std::vector<vtkIdType> part = regionsOf(whole, count);
-  vtkNew<vtkPolyDataNormals> split;
-  split->SetInputData(whole);
-  split->SetFeatureAngle(rimAngle);
-  split->SplittingOn();
-  split->ConsistencyOn();
-  split->Update();
-  const std::vector<vtkIdType> side = regionsOf(split->GetOutput(), count);
+  const std::vector<std::size_t> part = partsOf(list);
+  const std::vector<std::size_t> side = sidesOf(list);
 
-  std::set<vtkIdType> open;
-  std::map<vtkIdType, vtkIdType> partOfPolygon;
+  std::set<std::size_t> open;
+  std::map<std::int64_t, std::size_t> partOfPolygon;
   for (std::size_t t = 0; t < count; ++t)
   {
     partOfPolygon[list.triangles[t].polygon] = part[t];
@@ -91,12 +132,12 @@ std::string takeOuterSide(TriangleList& list)
   {
     open.insert(partOfPolygon[loop.polygon]);
   }
-  std::map<vtkIdType, std::map<vtkIdType, double>> areas; // by part, by side
+  std::map<std::size_t, std::map<std::size_t, double>> areas; // by part, by side
   for (std::size_t t = 0; t < count; ++t)
   {
-    areas[part[t]][side[t]] += areaOf(list, list.triangles[t]);
+    areas[part[t]][side[t]] += twiceArea(list, list.triangles[t]).norm();
   }
-  std::map<vtkIdType, vtkIdType> outer;
+  std::map<std::size_t, std::size_t> outer;
   for (const auto& [region, sides] : areas)
   {
     for (const auto& [candidate, area] : sides)

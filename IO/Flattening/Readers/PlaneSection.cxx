@@ -12,12 +12,12 @@ namespace wirewarp
 {
 namespace
 {
-using Place = std::array<double, 3>;
-using Edge = std::pair<vtkIdType, vtkIdType>;
+using Place = Point3;
+using Edge = std::pair<std::int64_t, std::int64_t>;
 
 double distanceOf(const Place& a, const Place& b)
 {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  return (a - b).norm();
 }
 
 double lengthOf(const SectionLine& line)
@@ -63,30 +63,21 @@ public:
   }
 
 private:
-  Place placeOf(vtkIdType point) const
-  {
-    Place x{};
-    this->List.points->GetPoint(point, x.data());
-    return x;
-  }
+  const Place& placeOf(std::int64_t point) const { return this->List.point(point); }
 
-  bool isAbove(vtkIdType point) const
+  bool isAbove(std::int64_t point) const
   {
-    return this->placeOf(point)[this->Plane.axis] >= this->Plane.place;
+    return this->placeOf(point)[static_cast<Eigen::Index>(this->Plane.axis)] >= this->Plane.place;
   }
 
   /// Where an edge between both sides meets the plane.
   Place placeOf(const Edge& edge) const
   {
-    const Place a = this->placeOf(edge.first);
-    const Place b = this->placeOf(edge.second);
-    const std::size_t axis = this->Plane.axis;
+    const Place& a = this->placeOf(edge.first);
+    const Place& b = this->placeOf(edge.second);
+    const auto axis = static_cast<Eigen::Index>(this->Plane.axis);
     const double s = (this->Plane.place - a[axis]) / (b[axis] - a[axis]);
-    Place x{};
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      x[k] = a[k] + s * (b[k] - a[k]);
-    }
+    Place x = a + s * (b - a);
     x[axis] = this->Plane.place;
     return x;
   }
@@ -95,7 +86,8 @@ private:
   {
     return std::all_of(
       this->Plane.bounds.begin(), this->Plane.bounds.end(), [&](const SectionPlane::Bound& bound) {
-        const double middle = (a[bound.axis] + b[bound.axis]) / 2.0;
+        const auto axis = static_cast<Eigen::Index>(bound.axis);
+        const double middle = (a[axis] + b[axis]) / 2.0;
         return bound.above ? middle > bound.place : middle < bound.place;
       });
   }
@@ -105,8 +97,8 @@ private:
     std::vector<Edge> crossed;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const vtkIdType a = triangle.corners[k];
-      const vtkIdType b = triangle.corners[(k + 1) % 3];
+      const std::int64_t a = triangle.corners[k];
+      const std::int64_t b = triangle.corners[(k + 1) % 3];
       if (this->isAbove(a) != this->isAbove(b))
       {
         crossed.emplace_back(std::minmax(a, b));

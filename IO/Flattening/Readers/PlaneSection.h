@@ -3,7 +3,6 @@
 
 #include "TriangleList.h"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,7 +27,7 @@ struct SectionPlane
 /// "x=0", "z=120 y>0 x<30". None where the words are not of this form.
 std::optional<SectionPlane> sectionPlaneOf(std::string_view words);
 
-using SectionLine = std::vector<std::array<double, 3>>;
+using SectionLine = Points3;
 
 /// Where a plane cuts a surface, the longest line first; closed ones end where they begin. Vertices
 /// in the plane count as on its upper side.

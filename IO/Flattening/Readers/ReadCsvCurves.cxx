@@ -6,9 +6,7 @@
 #include "InputError.h"
 #include "TextFile.h"
 
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkType.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -101,7 +99,7 @@ struct RowTitle
 
 struct CsvReader
 {
-  CsvReader(const std::string& file, const std::string& text, vtkPolyData* owner)
+  CsvReader(const std::string& file, const std::string& text, const DataSet& owner)
     : path(file)
     , lines(text, false)
     , surface(owner)
@@ -110,14 +108,14 @@ struct CsvReader
 
   const std::string& path;
   LineReader lines;
-  vtkPolyData* surface;
+  const DataSet& surface;
   std::optional<BorderWays> ways = std::nullopt; ///< made where an edge asks for them
   char divider = ',';
   std::array<std::size_t, 5> column{}; ///< of name, type, x, y, z
 
-  vtkNew<vtkPoints> points;
+  Points3 points;
   CurveList curves;
-  std::vector<vtkIdType> ids;
+  std::vector<std::int64_t> ids;
   RowTitle title;
 
   [[noreturn]] void refuse(const std::string& text) const
@@ -207,20 +205,25 @@ struct CsvReader
   }
 
   /// The vertex of the boundary at a point of an edge.
-  vtkIdType borderVertex(const double x[3])
+  std::int64_t borderVertex(const Point3& x)
   {
     if (!this->ways)
     {
       this->ways.emplace(this->surface);
     }
     double distance = 0.0;
-    const vtkIdType vertex = this->ways->nearest(x, distance);
+    const std::int64_t vertex = this->ways->nearest(x, distance);
     if (vertex < 0)
     {
       this->refuse("edge " + inQuotes(this->title.curve.name) +
         ": the surface has no boundary; make the curve accessory");
     }
-    if (!(distance <= edgeTolerance * this->surface->GetLength()))
+    Eigen::AlignedBox3d box;
+    for (const Point3& point : *this->surface.points)
+    {
+      box.extend(point);
+    }
+    if (!(distance <= edgeTolerance * box.diagonal().norm()))
     {
       std::ostringstream text;
       text << "edge " << inQuotes(this->title.curve.name) << ": the point is " << distance
@@ -236,19 +239,20 @@ struct CsvReader
   void followBorder()
   {
     std::string fault;
-    const std::optional<std::vector<vtkIdType>> way = this->ways->through(this->ids, fault);
+    const std::optional<std::vector<std::int64_t>> way = this->ways->through(this->ids, fault);
     if (!way)
     {
       this->refuse("edge " + inQuotes(this->title.curve.name) + " above this line: " + fault);
     }
-    std::map<vtkIdType, vtkIdType> pointOf;
+    std::map<std::int64_t, std::int64_t> pointOf;
     this->ids.clear();
-    for (const vtkIdType vertex : *way)
+    for (const std::int64_t vertex : *way)
     {
-      const auto [known, isNew] = pointOf.emplace(vertex, this->points->GetNumberOfPoints());
+      const auto [known, isNew] =
+        pointOf.emplace(vertex, static_cast<std::int64_t>(this->points.size()));
       if (isNew)
       {
-        this->points->InsertNextPoint(this->surface->GetPoint(vertex));
+        this->points.push_back((*this->surface.points)[static_cast<std::size_t>(vertex)]);
       }
       this->ids.push_back(known->second);
     }
@@ -281,27 +285,31 @@ struct CsvReader
       this->endCurve();
       this->title = std::move(next);
     }
-    double x[3];
+    Point3 x;
     for (std::size_t k = 0; k < 3; ++k)
     {
       const std::string word = this->field(row, 2 + k);
-      if (!this->readNumber(word, x[k]))
+      if (!this->readNumber(word, x[static_cast<Eigen::Index>(k)]))
       {
         this->refuse(inQuotes(word) + " is not a coordinate; write a decimal number");
       }
     }
-    this->ids.push_back(
-      this->title.isEdge ? this->borderVertex(x) : this->points->InsertNextPoint(x));
+    if (this->title.isEdge)
+    {
+      this->ids.push_back(this->borderVertex(x));
+      return;
+    }
+    this->ids.push_back(static_cast<std::int64_t>(this->points.size()));
+    this->points.push_back(x);
   }
 };
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> readCsvCurves(const std::string& path, vtkPolyData* surface)
+DataSet readCsvCurves(const std::string& path, const DataSet& surface)
 {
   const std::string text = readWholeFile(path);
   CsvReader reader(path, text, surface);
-  reader.points->SetDataTypeToDouble();
   bool headed = false;
   std::string line;
   while (reader.lines.next(line))
@@ -326,6 +334,6 @@ vtkSmartPointer<vtkPolyData> readCsvCurves(const std::string& path, vtkPolyData*
   {
     throw InputError(path, "has no curve; write name,type,x,y,z and a point a line below");
   }
-  return reader.curves.polyData(reader.points);
+  return reader.curves.over(std::make_shared<const Points3>(std::move(reader.points)));
 }
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
+#include "CurveList.h"
 
 #include <string>
 
@@ -16,5 +15,5 @@ namespace wirewarp
 /// it (see CurveList.h). Coordinates are those of the surface. The points of an edge are vertices
 /// of the boundary, which it follows the shorter way from each to the next. Throws InputError with
 /// file and line.
-vtkSmartPointer<vtkPolyData> readCsvCurves(const std::string& path, vtkPolyData* surface);
+DataSet readCsvCurves(const std::string& path, const DataSet& surface);
 }

@@ -12,17 +12,15 @@
 #include "ReadVtk.h"
 #include "TextFile.h"
 #include "TriangleList.h"
-
-#include <vtkFlatteningAlgorithm.h>
-#include <vtkPoints.h>
-#include <vtkSmartPointer.h>
+#include "Units.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace wirewarp
@@ -51,9 +49,9 @@ struct CurveReader
 {
   std::string path;
   LineReader lines;
-  vtkPolyData* surface;
+  const DataSet& surface;
   std::optional<BorderWays> ways = std::nullopt; ///< made where an edge needs them
-  vtkSmartPointer<vtkPoints> points = nullptr;   ///< those of the surface and new ones, if any
+  std::shared_ptr<Points3> points = nullptr;     ///< those of the surface and new ones, if any
 
   [[noreturn]] void refuse(const std::string& text) const
   {
@@ -61,7 +59,7 @@ struct CurveReader
   }
 
   /// The point of the surface with an id, or a new one at coordinates.
-  vtkIdType pointOf(std::string_view word, const std::string& name, bool isEdge)
+  std::int64_t pointOf(std::string_view word, const std::string& name, bool isEdge)
   {
     long long id = 0;
     if (word.find(',') != std::string_view::npos)
@@ -73,21 +71,22 @@ struct CurveReader
       this->refuse(inQuotes(word) +
         " is not a vertex id; write TYPE NAME v0 v1 ... with whole numbers, or points as x,y,z");
     }
-    if (id < 0 || id >= this->surface->GetNumberOfPoints())
+    const auto count = static_cast<long long>(this->surface.points->size());
+    if (id < 0 || id >= count)
     {
       this->refuse("curve " + inQuotes(name) + ": vertex id " + std::to_string(id) +
-        " is out of range; the surface has " + std::to_string(this->surface->GetNumberOfPoints()) +
+        " is out of range; the surface has " + std::to_string(count) +
         " vertices and ids count from 0");
     }
     return id;
   }
 
-  vtkIdType pointAt(std::string_view word, const std::string& name, bool isEdge)
+  std::int64_t pointAt(std::string_view word, const std::string& name, bool isEdge)
   {
-    std::array<double, 3> x{};
+    Point3 x = Point3::Zero();
     std::string_view rest = word;
     bool read = true;
-    for (std::size_t k = 0; k < 3 && read; ++k)
+    for (Eigen::Index k = 0; k < 3 && read; ++k)
     {
       const std::size_t comma = rest.find(',');
       read = parseNumber(rest.substr(0, comma), x[k]) && (comma == rest.npos) == (k == 2);
@@ -102,7 +101,7 @@ struct CurveReader
       return this->addPoint(x);
     }
     double distance = 0.0;
-    const vtkIdType vertex = this->borders().nearest(x.data(), distance);
+    const std::int64_t vertex = this->borders().nearest(x, distance);
     if (vertex < 0)
     {
       this->refuse(
@@ -111,20 +110,19 @@ struct CurveReader
     return vertex;
   }
 
-  vtkIdType addPoint(const std::array<double, 3>& x)
+  std::int64_t addPoint(const Point3& x)
   {
     if (!this->points)
     {
-      this->points = vtkSmartPointer<vtkPoints>::New();
-      this->points->SetDataTypeToDouble();
-      this->points->DeepCopy(this->surface->GetPoints());
+      this->points = std::make_shared<Points3>(*this->surface.points);
     }
-    return this->points->InsertNextPoint(x.data());
+    this->points->push_back(x);
+    return static_cast<std::int64_t>(this->points->size()) - 1;
   }
 
-  std::vector<vtkIdType> readIds(std::string_view rest, const std::string& name, bool isEdge)
+  std::vector<std::int64_t> readIds(std::string_view rest, const std::string& name, bool isEdge)
   {
-    std::vector<vtkIdType> ids;
+    std::vector<std::int64_t> ids;
     for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest))
     {
       ids.push_back(this->pointOf(word, name, isEdge));
@@ -137,7 +135,7 @@ struct CurveReader
   }
 
   /// All around an opening, by its number.
-  std::vector<vtkIdType> readOpening(std::string_view rest, const std::string& name) const
+  std::vector<std::int64_t> readOpening(std::string_view rest, const std::string& name) const
   {
     const std::vector<BoundaryLoop> all = openings(listTriangles(this->surface));
     long long number = 0;
@@ -149,13 +147,13 @@ struct CurveReader
         ": there is no such opening; write opening N, N from 1 to " + std::to_string(all.size()) +
         " as wirewarp check lists them");
     }
-    std::vector<vtkIdType> ids = all[static_cast<std::size_t>(number - 1)].points;
+    std::vector<std::int64_t> ids = all[static_cast<std::size_t>(number - 1)].points;
     ids.push_back(ids.front());
     return ids;
   }
 
   /// The lines in which a plane cuts the surface.
-  std::vector<std::vector<vtkIdType>> readPlane(std::string_view rest, const std::string& name)
+  std::vector<std::vector<std::int64_t>> readPlane(std::string_view rest, const std::string& name)
   {
     const std::optional<SectionPlane> plane = sectionPlaneOf(rest);
     if (!plane)
@@ -163,11 +161,11 @@ struct CurveReader
       this->refuse("curve " + inQuotes(name) +
         ": write plane x=NUMBER (or y, z), and behind it where it runs, as y>NUMBER z<NUMBER");
     }
-    std::vector<std::vector<vtkIdType>> found;
+    std::vector<std::vector<std::int64_t>> found;
     for (const SectionLine& line : sectionOf(listTriangles(this->surface), *plane))
     {
-      std::vector<vtkIdType>& ids = found.emplace_back();
-      for (const std::array<double, 3>& x : line)
+      std::vector<std::int64_t>& ids = found.emplace_back();
+      for (const Point3& x : line)
       {
         ids.push_back(this->addPoint(x));
       }
@@ -193,10 +191,11 @@ struct CurveReader
     return *this->ways;
   }
 
-  std::vector<vtkIdType> alongBorder(const std::vector<vtkIdType>& ids, const std::string& name)
+  std::vector<std::int64_t> alongBorder(
+    const std::vector<std::int64_t>& ids, const std::string& name)
   {
     std::string fault;
-    const std::optional<std::vector<vtkIdType>> way = this->borders().through(ids, fault);
+    const std::optional<std::vector<std::int64_t>> way = this->borders().through(ids, fault);
     if (!way)
     {
       this->refuse("edge " + inQuotes(name) + ": " + fault);
@@ -205,7 +204,7 @@ struct CurveReader
   }
 };
 
-vtkSmartPointer<vtkPolyData> readCurveText(const std::string& path, vtkPolyData* surface)
+DataSet readCurveText(const std::string& path, const DataSet& surface)
 {
   const std::string text = readWholeFile(path);
   CurveList curves;
@@ -239,7 +238,7 @@ vtkSmartPointer<vtkPolyData> readCurveText(const std::string& path, vtkPolyData*
     const std::string_view form = takeWord(after);
     if (form == "plane" && !isEdge)
     {
-      for (const std::vector<vtkIdType>& ids : reader.readPlane(after, *name))
+      for (const std::vector<std::int64_t>& ids : reader.readPlane(after, *name))
       {
         curves.add(ids, { *kind, *name });
       }
@@ -250,26 +249,26 @@ vtkSmartPointer<vtkPolyData> readCurveText(const std::string& path, vtkPolyData*
       curves.add(reader.readOpening(after, *name), { *kind, *name });
       continue;
     }
-    const std::vector<vtkIdType> ids = reader.readIds(rest, *name, isEdge);
+    const std::vector<std::int64_t> ids = reader.readIds(rest, *name, isEdge);
     curves.add(isEdge ? reader.alongBorder(ids, *name) : ids, { *kind, *name });
   }
-  return curves.polyData(reader.points ? reader.points.Get() : surface->GetPoints());
+  return curves.over(reader.points ? reader.points : surface.points);
 }
 
-vtkSmartPointer<vtkPolyData> readObjCurves(const std::string& path)
+DataSet readObjCurves(const std::string& path)
 {
-  const ObjContents contents = readObj(path);
-  if (!contents.curves)
+  ObjContents contents = readObj(path);
+  if (contents.curves.lines.size() == 0)
   {
     throw InputError(path, "has no line element ('l'); save the feature curves as lines");
   }
-  vtkFlatteningAlgorithm::SetLengthUnitOf(contents.curves, contents.unit);
+  setUnit(contents.curves, contents.unit);
   return contents.curves;
 }
 }
 
 //------------------------------------------------------------------------------
-CurveContents readCurves(const std::string& path, vtkPolyData* surface)
+CurveContents readCurves(const std::string& path, const DataSet& surface)
 {
   const std::string extension = lowerCaseExtension(path);
   if (extension == ".obj")
@@ -294,11 +293,11 @@ CurveContents readCurves(const std::string& path, vtkPolyData* surface)
   {
     return { readCurveText(path, surface) };
   }
-  vtkSmartPointer<vtkPolyData> curves = readVtk(path);
-  if (curves->GetNumberOfLines() == 0)
+  DataSet curves = readVtk(path);
+  if (curves.lines.size() == 0)
   {
     throw InputError(path, "has no polyline; save the feature curves as line cells");
   }
-  return { curves };
+  return { std::move(curves) };
 }
 }

@@ -3,14 +3,12 @@
 
 #include "CurveList.h"
 
-#include <vtkPolyData.h>
-
 #include <string>
 
 namespace wirewarp
 {
 /// Reads feature curves from .vtp or .vtk (polylines with the cell arrays `CurveType` and
-/// `CurveName`, perhaps with a unit: vtkFlatteningAlgorithm::GetLengthUnitOf()), from the lines of
+/// `CurveName`, perhaps with a unit: unitOf()), from the lines of
 /// .obj (ReadObj.h), .csv (ReadCsvCurves.h) or .dxf (ReadDxfCurves.h), or else from text, one curve
 /// a line:
 ///
@@ -21,5 +19,5 @@ namespace wirewarp
 /// with 0-based vertex ids of the surface's file; a NAME with blanks stands in double quotes. Text
 /// curves come back as polylines on the surface's points. The note says what of the file is no
 /// curve that is read. Throws InputError.
-CurveContents readCurves(const std::string& path, vtkPolyData* surface);
+CurveContents readCurves(const std::string& path, const DataSet& surface);
 }

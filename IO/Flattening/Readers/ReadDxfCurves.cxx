@@ -4,10 +4,9 @@
 #include "InputError.h"
 #include "TextFile.h"
 
-#include <vtkMath.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkType.h>
+#include "Base/Types.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +24,7 @@ namespace wirewarp
 namespace
 {
 /// A point of a drawing.
-using DxfPlace = std::array<double, 3>;
+using DxfPlace = Point3;
 
 /// An entity of the section ENTITIES, or a VERTEX of one, with its groups in the order of the file.
 /// Group codes: AutoCAD's "DXF Reference".
@@ -61,16 +60,16 @@ constexpr double fineness = 1e-4;
 /// Halvings of a part of a curve at most.
 constexpr int mostHalvings = 10;
 
-const double turn = 2.0 * vtkMath::Pi();
+const double turn = 8.0 * std::atan(1.0);
 
 DxfPlace combined(const DxfPlace& a, double t, const DxfPlace& b)
 {
-  return { a[0] + t * b[0], a[1] + t * b[1], a[2] + t * b[2] };
+  return a + t * b;
 }
 
 double distance(const DxfPlace& a, const DxfPlace& b)
 {
-  return std::sqrt(vtkMath::Distance2BetweenPoints(a.data(), b.data()));
+  return (a - b).norm();
 }
 
 double sizeOf(const Places& places)
@@ -79,11 +78,8 @@ double sizeOf(const Places& places)
   DxfPlace high = low;
   for (const DxfPlace& place : places)
   {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      low[k] = std::min(low[k], place[k]);
-      high[k] = std::max(high[k], place[k]);
-    }
+    low = low.cwiseMin(place);
+    high = high.cwiseMax(place);
   }
   return distance(low, high);
 }
@@ -92,8 +88,8 @@ double distanceToChord(const DxfPlace& place, const DxfPlace& from, const DxfPla
 {
   const DxfPlace chord = combined(to, -1.0, from);
   const DxfPlace way = combined(place, -1.0, from);
-  const double square = vtkMath::Dot(chord.data(), chord.data());
-  const double t = square > 0.0 ? vtkMath::Dot(way.data(), chord.data()) / square : 0.0;
+  const double square = chord.squaredNorm();
+  const double t = square > 0.0 ? way.dot(chord) / square : 0.0;
   return distance(place, combined(from, std::clamp(t, 0.0, 1.0), chord));
 }
 
@@ -144,31 +140,31 @@ int quarters(double angle)
 /// The axes of the plane of an entity: of places in it, "object coordinates".
 struct Plane
 {
-  DxfPlace x{ 1.0, 0.0, 0.0 };
-  DxfPlace y{ 0.0, 1.0, 0.0 };
-  DxfPlace z{ 0.0, 0.0, 1.0 };
+  DxfPlace x = DxfPlace::UnitX();
+  DxfPlace y = DxfPlace::UnitY();
+  DxfPlace z = DxfPlace::UnitZ();
 
   explicit Plane(const DxfEntity& entity)
   {
     DxfPlace normal{ entity.number(210, 0.0), entity.number(220, 0.0), entity.number(230, 1.0) };
-    if (vtkMath::Normalize(normal.data()) == 0.0)
+    if (!(normal.norm() > 0.0))
     {
       return;
     }
+    normal.normalize();
     constexpr double nearZ = 1.0 / 64.0; // "arbitrary axis algorithm"
     const DxfPlace pole = std::abs(normal[0]) < nearZ && std::abs(normal[1]) < nearZ
-      ? DxfPlace{ 0.0, 1.0, 0.0 }
-      : DxfPlace{ 0.0, 0.0, 1.0 };
+      ? DxfPlace(DxfPlace::UnitY())
+      : DxfPlace(DxfPlace::UnitZ());
     this->z = normal;
-    vtkMath::Cross(pole.data(), this->z.data(), this->x.data());
-    vtkMath::Normalize(this->x.data());
-    vtkMath::Cross(this->z.data(), this->x.data(), this->y.data());
-    vtkMath::Normalize(this->y.data());
+    this->x = pole.cross(this->z).normalized();
+    this->y = this->z.cross(this->x).normalized();
   }
 
   DxfPlace inSpace(const DxfPlace& place) const
   {
-    const DxfPlace flat = combined(combined({}, place[0], this->x), place[1], this->y);
+    const DxfPlace flat =
+      combined(combined(DxfPlace::Zero(), place[0], this->x), place[1], this->y);
     return combined(flat, place[2], this->z);
   }
 };
@@ -253,7 +249,7 @@ DxfCourse lightPolyline(const DxfEntity& entity)
   {
     if (code == 10)
     {
-      vertices.push_back({ { value, 0.0, elevation }, 0.0 });
+      vertices.emplace_back(DxfPlace(value, 0.0, elevation), 0.0);
     }
     else if (code == 20 && !vertices.empty())
     {
@@ -286,7 +282,7 @@ DxfCourse polyline(const DxfEntity& entity)
 DxfCourse ellipticArc(const DxfPlace& center, const DxfPlace& x, const DxfPlace& y, double begin,
   double end, const DxfEntity& entity)
 {
-  const double size = 2.0 * std::max(vtkMath::Norm(x.data()), vtkMath::Norm(y.data()));
+  const double size = 2.0 * std::max(x.norm(), y.norm());
   if (!(size > 0.0))
   {
     return { {}, false, "has no radius; draw it again" };
@@ -313,8 +309,8 @@ DxfCourse circularArc(const DxfEntity& entity)
   }
   const bool whole = entity.kind == "CIRCLE";
   const double degree = turn / 360.0;
-  return ellipticArc(plane.inSpace(centers.front()), combined({}, radius, plane.x),
-    combined({}, radius, plane.y), whole ? 0.0 : degree * entity.number(50, 0.0),
+  return ellipticArc(plane.inSpace(centers.front()), combined(DxfPlace::Zero(), radius, plane.x),
+    combined(DxfPlace::Zero(), radius, plane.y), whole ? 0.0 : degree * entity.number(50, 0.0),
     whole ? turn : degree * entity.number(51, 360.0), entity);
 }
 
@@ -327,10 +323,10 @@ DxfCourse ellipse(const DxfEntity& entity)
   {
     return { {}, false, "has no center or no axis; draw it again" };
   }
-  DxfPlace minor{};
-  vtkMath::Cross(plane.z.data(), axes.front().data(), minor.data());
-  return ellipticArc(centers.front(), axes.front(), combined({}, entity.number(40, 1.0), minor),
-    entity.number(41, 0.0), entity.number(42, turn), entity);
+  const DxfPlace minor = plane.z.cross(axes.front());
+  return ellipticArc(centers.front(), axes.front(),
+    combined(DxfPlace::Zero(), entity.number(40, 1.0), minor), entity.number(41, 0.0),
+    entity.number(42, turn), entity);
 }
 
 /// A B-spline in homogeneous coordinates.
@@ -469,11 +465,11 @@ std::vector<DxfPlace> DxfEntity::places(int code) const
   {
     if (other == code)
     {
-      places.push_back({ value, 0.0, 0.0 });
+      places.emplace_back(value, 0.0, 0.0);
     }
     else if ((other == code + 10 || other == code + 20) && !places.empty())
     {
-      places.back()[static_cast<std::size_t>(other / 10 - 1)] = value;
+      places.back()[other / 10 - 1] = value;
     }
   }
   return places;
@@ -530,8 +526,8 @@ struct DxfReader
   const std::string& path;
   LineReader lines;
 
-  vtkNew<vtkPoints> points;
-  std::map<DxfPlace, vtkIdType> pointAt;
+  Points3 points;
+  std::map<std::array<double, 3>, std::int64_t> pointAt;
   CurveList curves;
   DxfEntity entity;
   DxfEntity polyline; ///< whose vertices are on their way
@@ -565,14 +561,15 @@ struct DxfReader
     {
       return;
     }
-    std::vector<vtkIdType> ids;
+    std::vector<std::int64_t> ids;
     for (const DxfPlace& place : course.places)
     {
       const auto [known, added] =
-        this->pointAt.emplace(place, this->points->GetNumberOfPoints()); // so that lines join
+        this->pointAt.emplace(std::array<double, 3>{ place.x(), place.y(), place.z() },
+          static_cast<std::int64_t>(this->points.size())); // so that lines join
       if (added)
       {
-        this->points->InsertNextPoint(place.data());
+        this->points.push_back(place);
       }
       ids.push_back(known->second);
     }
@@ -699,7 +696,6 @@ CurveContents readDxfCurves(const std::string& path)
 {
   const std::string text = readWholeFile(path);
   DxfReader reader(path, text);
-  reader.points->SetDataTypeToDouble();
   reader.read();
   const std::string unread = reader.listUnread();
   if (reader.curves.empty())
@@ -708,7 +704,7 @@ CurveContents readDxfCurves(const std::string& path)
       std::string("has no ") + curveEntities + " among its entities" +
         (unread.empty() ? "" : ", but " + unread) + "; draw the feature curves so");
   }
-  return { reader.curves.polyData(reader.points),
+  return { reader.curves.over(std::make_shared<const Points3>(std::move(reader.points))),
     unread.empty()
       ? ""
       : "not read: " + unread + "; explode blocks, and draw feature curves as " + curveEntities };

@@ -6,15 +6,10 @@
 #include "TextFile.h"
 #include "Units.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkStringArray.h>
-
 #include <algorithm>
 #include <array>
 #include <map>
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -27,8 +22,8 @@ struct ObjReader
 {
   std::string path;
   LineReader lines;
-  vtkPoints* points;
-  std::vector<vtkIdType> ids;
+  Points3 points = {};
+  std::vector<std::int64_t> ids = {};
   FaceLabels labels = {};
   std::map<std::string, std::size_t> numbers = { { std::string(), 0 } }; ///< of names
   std::size_t object = 0;
@@ -40,9 +35,9 @@ struct ObjReader
     throw InputError(this->path, this->lines.number(), text);
   }
 
-  void readPoint(std::string_view rest) const
+  void readPoint(std::string_view rest)
   {
-    double x[3];
+    Point3 x;
     for (double& coordinate : x)
     {
       const std::string_view word = takeWord(rest);
@@ -55,7 +50,7 @@ struct ObjReader
         this->refuse(inQuotes(word) + " is not a coordinate; write a decimal number");
       }
     }
-    this->points->InsertNextPoint(x);
+    this->points.push_back(x);
   }
 
   void readTexture(std::string_view rest)
@@ -118,14 +113,14 @@ struct ObjReader
       {
         this->refuse(inQuotes(word) + " is not a vertex id; write v, v/vt, v//vn or v/vt/vn");
       }
-      const vtkIdType count = this->points->GetNumberOfPoints();
+      const auto count = static_cast<std::int64_t>(this->points.size());
       if (id == 0 || id > count || id < -count)
       {
         this->refuse("vertex id " + std::to_string(id) + " is out of range; " +
           std::to_string(count) +
           " vertices stand above this line and ids count from 1, or from -1 backwards");
       }
-      this->ids.push_back(static_cast<vtkIdType>(id > 0 ? id - 1 : count + id));
+      this->ids.push_back(static_cast<std::int64_t>(id > 0 ? id - 1 : count + id));
     }
   }
 };
@@ -135,14 +130,12 @@ struct ObjReader
 ObjContents readObj(const std::string& path)
 {
   const std::string text = readWholeFile(path);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> polygons;
+  DataSet surface;
   CurveList curves;
   CurveTitle title;
   std::string unit;
 
-  ObjReader reader{ path, LineReader(text), points, {} };
+  ObjReader reader{ path, LineReader(text) };
   std::string line;
   while (reader.lines.next(line))
   {
@@ -159,7 +152,7 @@ ObjContents readObj(const std::string& path)
       {
         reader.refuse("a face needs three vertices; the file may be truncated");
       }
-      polygons->InsertNextCell(static_cast<vtkIdType>(reader.ids.size()), reader.ids.data());
+      surface.faces.add(reader.ids);
       reader.labelFace(rest);
     }
     else if (keyword == "vt")
@@ -189,26 +182,18 @@ ObjContents readObj(const std::string& path)
       unit = unitInComment(line);
     }
   }
-  if (points->GetNumberOfPoints() == 0)
+  if (reader.points.empty())
   {
     throw InputError(path, "has no vertex ('v' line); it may be no OBJ file or be truncated");
   }
 
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(points);
-  surface->SetPolys(polygons);
-  const std::vector<std::string> names = pieceNames(reader.labels);
+  surface.points = std::make_shared<const Points3>(std::move(reader.points));
+  std::vector<std::string> names = pieceNames(reader.labels);
   if (!names.empty())
   {
-    vtkNew<vtkStringArray> array;
-    array->SetName("PieceName");
-    for (const std::string& name : names)
-    {
-      array->InsertNextValue(name);
-    }
-    surface->GetCellData()->AddArray(array);
+    surface.cellArrays.push_back({ "PieceName", std::move(names) });
   }
-  return { surface, curves.empty() ? nullptr : curves.polyData(points), unit,
-    std::move(reader.labels) };
+  DataSet lines = curves.over(surface.points);
+  return { std::move(surface), std::move(lines), unit, std::move(reader.labels) };
 }
 }

@@ -3,9 +3,6 @@
 
 #include "FaceSeams.h"
 
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
-
 #include <string>
 
 namespace wirewarp
@@ -14,9 +11,9 @@ namespace wirewarp
 struct ObjContents
 {
   /// Its faces, where pieceNames() has names with the cell array `PieceName`.
-  vtkSmartPointer<vtkPolyData> surface;
-  vtkSmartPointer<vtkPolyData> curves; ///< its line elements; null where there is none
-  std::string unit;                    ///< that a comment states, as in Units.h; empty: none
+  DataSet surface;
+  DataSet curves;   ///< its line elements
+  std::string unit; ///< that a comment states, as in Units.h; empty: none
   FaceLabels labels;
 };
 

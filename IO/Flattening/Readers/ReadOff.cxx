@@ -4,12 +4,10 @@
 #include "InputError.h"
 #include "TextFile.h"
 
-#include <vtkCellArray.h>
-#include <vtkPoints.h>
-
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -112,9 +110,9 @@ struct OffReader
     }
   }
 
-  void readPoint(vtkPoints* points)
+  void readPoint(Points3& points)
   {
-    double x[3];
+    Point3 x;
     for (double& coordinate : x)
     {
       const std::string_view found = this->word();
@@ -123,7 +121,7 @@ struct OffReader
         this->refuse(inQuotes(found) + " is not a coordinate; write three decimal numbers");
       }
     }
-    points->InsertNextPoint(x);
+    points.push_back(x);
     for (int k = 0; !this->byLine && k < this->extra; ++k)
     {
       this->word();
@@ -134,23 +132,23 @@ struct OffReader
     }
   }
 
-  void readFace(vtkCellArray* polygons, long long points)
+  void readFace(flattening::CellList& polygons, long long points)
   {
     const long long corners = this->count();
     if (corners < 3)
     {
       this->refuse("a face needs three vertices");
     }
-    std::vector<vtkIdType> ids;
+    std::vector<std::int64_t> ids;
     for (long long k = 0; k < corners; ++k)
     {
       ids.push_back(this->integer(points, "a vertex id below " + std::to_string(points)));
     }
     this->skipLine(); // its color
-    polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    polygons.add(ids);
   }
 
-  vtkSmartPointer<vtkPolyData> read()
+  DataSet read()
   {
     this->readKind();
     const long long vertices = this->count();
@@ -161,16 +159,15 @@ struct OffReader
       const bool alone = !this->skipLine();
       this->rest = std::string_view(this->line).substr(0, alone ? 0 : this->line.find('#'));
     }
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
+    Points3 points;
     for (long long k = 0; k < vertices; ++k)
     {
       this->readPoint(points);
     }
-    vtkNew<vtkCellArray> polygons;
+    DataSet surface;
     for (long long k = 0; k < faces; ++k)
     {
-      this->readFace(polygons, vertices);
+      this->readFace(surface.faces, vertices);
     }
     while (!this->byLine && this->nextLine())
     {
@@ -179,16 +176,14 @@ struct OffReader
         this->refuse("more follows than its head counts");
       }
     }
-    auto surface = vtkSmartPointer<vtkPolyData>::New();
-    surface->SetPoints(points);
-    surface->SetPolys(polygons);
+    surface.points = std::make_shared<const Points3>(std::move(points));
     return surface;
   }
 };
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> readOff(const std::string& path)
+DataSet readOff(const std::string& path)
 {
   const std::string text = readWholeFile(path);
   try

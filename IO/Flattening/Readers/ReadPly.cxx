@@ -4,17 +4,16 @@
 #include "InputError.h"
 #include "TextFile.h"
 
-#include <vtkCellArray.h>
-#include <vtkPoints.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace wirewarp
@@ -409,23 +408,22 @@ std::size_t findProperty(const std::string& path, const PlyElement& element, con
 }
 
 void readVertices(
-  const std::string& path, const PlyElement& element, ElementReader& reader, vtkPoints* points)
+  const std::string& path, const PlyElement& element, ElementReader& reader, Points3& points)
 {
   const std::array<std::size_t, 3> place{ findProperty(path, element, "x", false),
     findProperty(path, element, "y", false), findProperty(path, element, "z", false) };
   for (long long k = 0; k < element.count; ++k)
   {
     reader.read(element, k);
-    points->InsertNextPoint(
-      reader.scalar(place[0]), reader.scalar(place[1]), reader.scalar(place[2]));
+    points.emplace_back(reader.scalar(place[0]), reader.scalar(place[1]), reader.scalar(place[2]));
   }
 }
 
 /// A vertex id, -1 for what is none.
-vtkIdType idOf(double value)
+std::int64_t idOf(double value)
 {
   const bool valid = value >= 0.0 && value < 4e9 && value == std::floor(value);
-  return valid ? static_cast<vtkIdType>(value) : -1;
+  return valid ? static_cast<std::int64_t>(value) : -1;
 }
 
 std::size_t findIndices(const std::string& path, const PlyElement& element)
@@ -433,11 +431,11 @@ std::size_t findIndices(const std::string& path, const PlyElement& element)
   return findProperty(path, element, "vertex_indices", true, "vertex_index");
 }
 
-void readFaces(
-  const std::string& path, const PlyElement& element, ElementReader& reader, vtkCellArray* polygons)
+void readFaces(const std::string& path, const PlyElement& element, ElementReader& reader,
+  flattening::CellList& polygons)
 {
   const std::size_t place = findIndices(path, element);
-  std::vector<vtkIdType> ids;
+  std::vector<std::int64_t> ids;
   for (long long k = 0; k < element.count; ++k)
   {
     reader.read(element, k);
@@ -452,24 +450,24 @@ void readFaces(
         "face " + std::to_string(k) + " has " + std::to_string(ids.size()) +
           " vertices; remove it or give it three");
     }
-    polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    polygons.add(ids);
   }
 }
 
 /// Strips of triangles, one list or several: -1 ends a strip, every other triangle is turned, and
 /// those with a corner twice only lead on.
-void readStrips(
-  const std::string& path, const PlyElement& element, ElementReader& reader, vtkCellArray* polygons)
+void readStrips(const std::string& path, const PlyElement& element, ElementReader& reader,
+  flattening::CellList& polygons)
 {
   const std::size_t place = findIndices(path, element);
   for (long long k = 0; k < element.count; ++k)
   {
     reader.read(element, k);
-    std::array<vtkIdType, 3> corners{};
+    std::array<std::int64_t, 3> corners{};
     std::size_t length = 0; // of the strip so far
     for (const double value : reader.list(place))
     {
-      const vtkIdType id = idOf(value);
+      const std::int64_t id = idOf(value);
       if (value == -1.0)
       {
         length = 0;
@@ -484,26 +482,24 @@ void readStrips(
       const auto& [a, b, c] = corners;
       if (++length > 2 && a != b && b != c && c != a)
       {
-        const std::array<vtkIdType, 3> turned{ b, a, c };
-        polygons->InsertNextCell(3, length % 2 == 1 ? corners.data() : turned.data());
+        const std::array<std::int64_t, 3> turned{ b, a, c };
+        polygons.add(length % 2 == 1 ? corners : turned);
       }
     }
   }
 }
 
-void checkIds(const std::string& path, vtkCellArray* polygons, vtkIdType pointCount)
+void checkIds(
+  const std::string& path, const flattening::CellList& polygons, std::int64_t pointCount)
 {
-  vtkIdType size = 0;
-  const vtkIdType* ids = nullptr;
-  for (vtkIdType cell = 0; cell < polygons->GetNumberOfCells(); ++cell)
+  for (std::size_t cell = 0; cell < polygons.size(); ++cell)
   {
-    polygons->GetCellAtId(cell, size, ids);
-    for (vtkIdType k = 0; k < size; ++k)
+    for (const auto* id = polygons.begin(cell); id != polygons.end(cell); ++id)
     {
-      if (ids[k] < 0 || ids[k] >= pointCount)
+      if (*id < 0 || *id >= pointCount)
       {
         throw InputError(path,
-          "face " + std::to_string(cell) + " names vertex " + std::to_string(ids[k]) + " of " +
+          "face " + std::to_string(cell) + " names vertex " + std::to_string(*id) + " of " +
             std::to_string(pointCount) + "; ids count from 0");
       }
     }
@@ -512,16 +508,15 @@ void checkIds(const std::string& path, vtkCellArray* polygons, vtkIdType pointCo
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> readPly(const std::string& path)
+DataSet readPly(const std::string& path)
 {
   const std::string bytes = readWholeFile(path);
   const PlyHeader header = parsePlyHeader(path, bytes);
   ValueReader values(std::string_view(bytes).substr(header.size), header.encoding);
   ElementReader reader(path, values);
 
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> polygons;
+  Points3 points;
+  DataSet surface;
   for (const PlyElement& element : header.elements)
   {
     if (element.name == "vertex")
@@ -530,11 +525,11 @@ vtkSmartPointer<vtkPolyData> readPly(const std::string& path)
     }
     else if (element.name == "face")
     {
-      readFaces(path, element, reader, polygons);
+      readFaces(path, element, reader, surface.faces);
     }
     else if (element.name == "tristrips")
     {
-      readStrips(path, element, reader, polygons);
+      readStrips(path, element, reader, surface.faces);
     }
     else if (!element.properties.empty())
     {
@@ -544,11 +539,9 @@ vtkSmartPointer<vtkPolyData> readPly(const std::string& path)
       }
     }
   }
-  checkIds(path, polygons, points->GetNumberOfPoints());
+  checkIds(path, surface.faces, static_cast<std::int64_t>(points.size()));
 
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(points);
-  surface->SetPolys(polygons);
+  surface.points = std::make_shared<const Points3>(std::move(points));
   return surface;
 }
 }

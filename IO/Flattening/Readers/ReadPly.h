@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
+#include "CurveList.h"
 
 #include <string>
 
@@ -12,5 +11,5 @@ namespace wirewarp
 /// `vertex_indices` (or `vertex_index`) of the elements `face` and `tristrips`; everything else is
 /// passed over.
 /// Coordinates keep the file's precision, `double` too. Throws InputError.
-vtkSmartPointer<vtkPolyData> readPly(const std::string& path);
+DataSet readPly(const std::string& path);
 }

@@ -5,10 +5,10 @@
 #include "ReadObj.h"
 #include "ReadOff.h"
 #include "ReadPly.h"
+#include "ReadStl.h"
 #include "ReadVtk.h"
 #include "TextFile.h"
-
-#include <vtkFlatteningAlgorithm.h>
+#include "Units.h"
 
 #include <utility>
 
@@ -18,27 +18,32 @@ namespace wirewarp
 SurfaceContents readSurface(const std::string& path)
 {
   const std::string extension = lowerCaseExtension(path);
-  if (extension == ".vtp" || extension == ".vtk" || extension == ".stl")
+  if (extension == ".vtp" || extension == ".vtk")
   {
-    SurfaceContents contents{ readVtk(path), nullptr };
-    contents.unit = vtkFlatteningAlgorithm::GetLengthUnitOf(contents.surface);
+    SurfaceContents contents{ readVtk(path), {} };
+    contents.unit = unitOf(contents.surface);
     return contents;
   }
   if (extension == ".obj")
   {
     ObjContents contents = readObj(path);
-    return { contents.surface, contents.curves, contents.unit, std::move(contents.labels) };
+    return { std::move(contents.surface), std::move(contents.curves), contents.unit,
+      std::move(contents.labels) };
   }
   if (extension == ".gltf" || extension == ".glb")
   {
     // The format knows metres only, and no points that triangles of two textures share.
-    SurfaceContents contents{ readVtk(path), nullptr, "m" };
+    SurfaceContents contents{ readVtk(path), {}, "m" };
     contents.doubled = true;
     return contents;
   }
   if (extension == ".off")
   {
-    return { readOff(path), nullptr };
+    return { readOff(path), {} };
+  }
+  if (extension == ".stl")
+  {
+    return { readStl(path), {} };
   }
   if (extension == ".3mf")
   {
@@ -46,7 +51,7 @@ SurfaceContents readSurface(const std::string& path)
   }
   if (extension == ".ply")
   {
-    return { readPly(path), nullptr };
+    return { readPly(path), {} };
   }
   checkedFileSize(path); // a folder or a file that is not there has no format
   throw InputError(path,

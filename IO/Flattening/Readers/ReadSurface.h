@@ -3,20 +3,17 @@
 
 #include "FaceSeams.h"
 
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
-
 #include <string>
 
 namespace wirewarp
 {
 struct SurfaceContents
 {
-  vtkSmartPointer<vtkPolyData> surface; ///< of .vtp and .vtk with the polylines among its cells
-  vtkSmartPointer<vtkPolyData> curves;  ///< of .obj, over the same points; null where there is none
-  std::string unit = {};                ///< that the file states, as in Units.h; empty: none
-  FaceLabels labels = {};               ///< of the faces of .obj
-  bool doubled = false; ///< the format doubles points along texture seams, which are to be joined
+  DataSet surface;        ///< of .vtp and .vtk with the polylines among its cells
+  DataSet curves;         ///< of .obj, over the same points
+  std::string unit = {};  ///< that the file states, as in Units.h; empty: none
+  FaceLabels labels = {}; ///< of the faces of .obj
+  bool doubled = false;   ///< the format doubles points along texture seams, which are to be joined
 };
 
 /// Reads a surface by its extension: .vtp .vtk .obj .ply .stl .off .gltf .glb. Throws InputError.

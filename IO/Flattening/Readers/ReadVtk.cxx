@@ -4,6 +4,7 @@
 #include "GuardedProcess.h"
 #include "InputError.h"
 #include "PolyDataBytes.h"
+#include "PolyDataSets.h"
 #include "TextFile.h"
 #include "VtkMessages.h"
 
@@ -56,7 +57,7 @@ std::string failure(const ProcessAnswer& answer, const ProcessLimits& limits)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> readVtk(const std::string& path)
+DataSet readVtk(const std::string& path)
 {
   const ProcessLimits limits = limitsFor(checkedFileSize(path));
   ProcessAnswer result;
@@ -80,7 +81,7 @@ vtkSmartPointer<vtkPolyData> readVtk(const std::string& path)
   try
   {
     const VtkMessages messages; // of data that a reader has damaged
-    return unpackPolyData(content);
+    return flattening::bridge::dataSetOf(unpackPolyData(content));
   }
   catch (const std::runtime_error& error)
   {

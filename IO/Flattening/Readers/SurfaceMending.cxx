@@ -4,14 +4,8 @@
 #include "BoundaryWeld.h"
 #include "InputError.h"
 #include "OuterSide.h"
+#include "Surface/PolygonTriangulation.h"
 #include "TriangleList.h"
-#include "VtkMessages.h"
-
-#include <vtkBoundingBox.h>
-#include <vtkCellArray.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkTriangleFilter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,15 +39,18 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 /// The largest side of the box around the triangles.
 double sizeOf(const TriangleList& list)
 {
-  vtkBoundingBox box;
-  for (const ListedTriangle& triangle : list.triangles)
+  return boxOf(list).sizes().maxCoeff();
+}
+
+/// The diagonal of the box around all points.
+double lengthOf(const Points3& points)
+{
+  Eigen::AlignedBox3d box;
+  for (const Point3& point : points)
   {
-    for (const vtkIdType corner : triangle.corners)
-    {
-      box.AddPoint(list.points->GetPoint(corner));
-    }
+    box.extend(point);
   }
-  return box.GetMaxLength();
+  return box.diagonal().norm();
 }
 
 /// The next larger number of two digits.
@@ -89,25 +86,17 @@ void weld(
 std::vector<ListedTriangle> cover(const TriangleList& list, const BoundaryLoop& loop)
 {
   // Against the boundary, which has the surface on its left.
-  const std::vector<vtkIdType> ids(loop.points.rbegin(), loop.points.rend());
-  vtkNew<vtkCellArray> polygon;
-  polygon->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-  vtkNew<vtkPolyData> alone;
-  alone->SetPoints(list.points);
-  alone->SetPolys(polygon);
-  vtkNew<vtkTriangleFilter> filter;
+  const flattening::Indices corners(loop.points.rbegin(), loop.points.rend());
+  const flattening::Triangles divided = flattening::triangulatePolygon(*list.points, corners);
+  std::vector<ListedTriangle> triangles;
+  if (flattening::isTriangulationOf(divided, *list.points, corners))
   {
-    const VtkMessages messages; // of polygons that it cannot divide
-    filter->SetInputData(alone);
-    filter->Update();
+    for (const flattening::Triangle& t : divided)
+    {
+      triangles.push_back({ { t[0], t[1], t[2] }, loop.polygon });
+    }
   }
-  TriangleList triangles = listTriangles(filter->GetOutput());
-  for (ListedTriangle& triangle : triangles.triangles)
-  {
-    triangle.polygon = loop.polygon;
-  }
-  const bool whole = triangles.triangles.size() + 2 == ids.size();
-  return whole ? triangles.triangles : std::vector<ListedTriangle>();
+  return triangles;
 }
 
 void fillHoles(TriangleList& list, double across, std::vector<std::string>& notes)
@@ -179,10 +168,10 @@ void noteOpenings(const TriangleList& list, double diagonal, double size, double
 /// Points of triangles that hang together by coordinates alone, as STL has them, are joined anyway.
 bool isSoup(const TriangleList& list)
 {
-  std::vector<char> used(static_cast<std::size_t>(list.points->GetNumberOfPoints()), 0);
+  std::vector<char> used(list.points->size(), 0);
   for (const ListedTriangle& triangle : list.triangles)
   {
-    for (const vtkIdType corner : triangle.corners)
+    for (const std::int64_t corner : triangle.corners)
     {
       used[static_cast<std::size_t>(corner)] = 1;
     }
@@ -193,7 +182,7 @@ bool isSoup(const TriangleList& list)
 }
 
 //------------------------------------------------------------------------------
-MendedSurface mendSurface(vtkPolyData* surface, const MendingRequest& request)
+MendedSurface mendSurface(const DataSet& surface, const MendingRequest& request)
 {
   MendedSurface mended{ surface, {} };
   TriangleList list = listTriangles(surface);
@@ -230,7 +219,7 @@ MendedSurface mendSurface(vtkPolyData* surface, const MendingRequest& request)
     mended.surface = withTriangles(surface, list);
   }
   joinSoup();
-  noteOpenings(list, surface->GetLength(), size, request.millimetres, mended.notes);
+  noteOpenings(list, lengthOf(*surface.points), size, request.millimetres, mended.notes);
   return mended;
 }
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
+#include "CurveList.h"
 
 #include <optional>
 #include <string>
@@ -23,11 +22,11 @@ struct MendingRequest
 
 struct MendedSurface
 {
-  vtkSmartPointer<vtkPolyData> surface; ///< with the points of the input, by their ids
+  DataSet surface; ///< with the points of the input, by their ids
   /// A line for each mend, and for what looks like a defect, with the option that mends it.
   std::vector<std::string> notes;
 };
 
 /// Throws InputError where a length of the request does not fit the surface.
-MendedSurface mendSurface(vtkPolyData* surface, const MendingRequest& request);
+MendedSurface mendSurface(const DataSet& surface, const MendingRequest& request);
 }

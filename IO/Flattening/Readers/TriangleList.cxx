@@ -1,65 +1,65 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleList.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
-#include <vtkFlatteningAlgorithm.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
+#include "Surface/SurfacePreparation.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
 
 namespace wirewarp
 {
 //------------------------------------------------------------------------------
-TriangleList listTriangles(vtkPolyData* surface)
+TriangleList listTriangles(const DataSet& surface)
 {
   TriangleList list;
-  list.points = surface->GetPoints();
-  vtkNew<vtkPolyData> divided;
-  vtkFlatteningAlgorithm::Triangulate(surface, divided);
-  vtkDataArray* const origin = divided->GetCellData()->GetArray("vtkOriginalCellIds");
-  const vtkIdType before = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-  list.triangles.reserve(static_cast<std::size_t>(divided->GetNumberOfPolys()));
-  const auto cells = vtk::TakeSmartPointer(divided->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  list.points = surface.points;
+  const flattening::SurfaceTriangles read = flattening::readTriangles(surface);
+  const auto exists = [&read](flattening::Index p) {
+    return p >= 0 && p < static_cast<flattening::Index>(read.points.size()) &&
+      flattening::isUsable(read.points[static_cast<std::size_t>(p)]);
+  };
+  for (std::size_t t = 0; t < read.triangles.size(); ++t)
   {
-    const vtkIdType* ids = nullptr;
-    vtkIdType count = 0;
-    cells->GetCurrentCell(count, ids);
-    const auto cell = static_cast<vtkIdType>(origin->GetComponent(cells->GetCurrentCellId(), 0));
-    list.triangles.push_back({ { ids[0], ids[1], ids[2] }, cell - before });
+    const flattening::Triangle& corners = read.triangles[t];
+    if (!std::all_of(corners.begin(), corners.end(), exists))
+    {
+      return { surface.points, {} };
+    }
+    list.triangles.push_back({ { corners[0], corners[1], corners[2] },
+      read.cellOfTriangle[t] - static_cast<std::int64_t>(surface.firstFace()) });
   }
   return list;
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> withTriangles(vtkPolyData* surface, const TriangleList& list)
+Eigen::AlignedBox3d boxOf(const TriangleList& list)
 {
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(list.points);
-  result->GetPointData()->ShallowCopy(surface->GetPointData());
-  result->GetFieldData()->ShallowCopy(surface->GetFieldData());
-  result->SetVerts(surface->GetVerts());
-  result->SetLines(surface->GetLines());
-  vtkNew<vtkCellArray> polygons;
-  const vtkIdType before = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-  vtkCellData* const from = surface->GetCellData();
-  vtkCellData* const to = result->GetCellData();
-  to->CopyAllOn();
-  to->CopyAllocate(from, before + static_cast<vtkIdType>(list.triangles.size()));
-  for (vtkIdType cell = 0; cell < before; ++cell)
-  {
-    to->CopyData(from, cell, cell);
-  }
+  Eigen::AlignedBox3d box;
   for (const ListedTriangle& triangle : list.triangles)
   {
-    const vtkIdType cell = before + polygons->InsertNextCell(3, triangle.corners.data());
-    to->CopyData(from, before + triangle.polygon, cell);
+    for (const std::int64_t corner : triangle.corners)
+    {
+      box.extend(list.point(corner));
+    }
   }
-  result->SetPolys(polygons);
+  return box;
+}
+
+//------------------------------------------------------------------------------
+DataSet withTriangles(const DataSet& surface, const TriangleList& list)
+{
+  DataSet result = surface;
+  result.faces = {};
+  result.strips = {};
+  std::vector<std::int64_t> rows(surface.firstFace());
+  std::iota(rows.begin(), rows.end(), std::int64_t{ 0 });
+  for (const ListedTriangle& triangle : list.triangles)
+  {
+    result.faces.add(triangle.corners);
+    rows.push_back(static_cast<std::int64_t>(surface.firstFace()) + triangle.polygon);
+  }
+  result.cellArrays = flattening::copiedRows(surface.cellArrays, rows);
   return result;
 }
 }

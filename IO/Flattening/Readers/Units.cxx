@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Units.h"
 
+#include "Base/LengthUnit.h"
 #include "TriangleList.h"
-
-#include <vtkBoundingBox.h>
-#include <vtkPoints.h>
-#include <vtkType.h>
 
 #include <algorithm>
 #include <array>
@@ -98,24 +95,42 @@ double millimetresOf(const std::string& unit)
 }
 
 //------------------------------------------------------------------------------
-LikelyUnit likelyUnit(vtkPolyData* surface)
+std::string unitOf(const DataSet& data)
+{
+  const flattening::Column* const stated = flattening::findColumn(data.fieldArrays, "LengthUnit");
+  const flattening::Unit unit = stated && stated->isText() && stated->rows() > 0
+    ? flattening::unitNamed(stated->text(0))
+    : flattening::Unit::Unspecified;
+  return unit == flattening::Unit::Unspecified ? std::string() : flattening::unitName(unit);
+}
+
+//------------------------------------------------------------------------------
+void setUnit(DataSet& data, const std::string& unit)
+{
+  const flattening::Unit known = flattening::unitNamed(unit);
+  data.fieldArrays.erase(
+    std::remove_if(data.fieldArrays.begin(), data.fieldArrays.end(),
+      [](const flattening::Column& column) { return column.name == "LengthUnit"; }),
+    data.fieldArrays.end());
+  if (known != flattening::Unit::Unspecified)
+  {
+    data.fieldArrays.push_back(
+      { "LengthUnit", std::vector<std::string>{ flattening::unitName(known) } });
+  }
+}
+
+//------------------------------------------------------------------------------
+LikelyUnit likelyUnit(const DataSet& surface)
 {
   constexpr double usual = 800.0; // mm
   const TriangleList list = listTriangles(surface);
-  vtkBoundingBox box;
-  for (const ListedTriangle& triangle : list.triangles)
-  {
-    for (const vtkIdType corner : triangle.corners)
-    {
-      box.AddPoint(list.points->GetPoint(corner));
-    }
-  }
+  const Eigen::AlignedBox3d box = boxOf(list);
   LikelyUnit likely;
-  if (!box.IsValid() || !(box.GetMaxLength() > 0.0))
+  if (box.isEmpty() || !(box.sizes().maxCoeff() > 0.0))
   {
     return likely;
   }
-  likely.size = box.GetMaxLength();
+  likely.size = box.sizes().maxCoeff();
   const auto offBy = [&likely](const char* unit) {
     return std::abs(std::log(likely.size * millimetresOf(unit) / usual));
   };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "CurveList.h"
+
 #include <string>
 #include <string_view>
-
-class vtkPolyData;
 
 namespace wirewarp
 {
@@ -19,6 +19,11 @@ std::string unitInComment(std::string_view comment);
 /// Of one of the units that are named above.
 double millimetresOf(const std::string& unit);
 
+/// What the field array `LengthUnit` of a data set states; empty: nothing.
+std::string unitOf(const DataSet& data);
+/// States the unit; an empty one is taken away.
+void setUnit(DataSet& data, const std::string& unit);
+
 /// The unit that is taken where none is stated.
 struct LikelyUnit
 {
@@ -27,7 +32,7 @@ struct LikelyUnit
 };
 
 /// The unit in which a surface is nearest to the size of what people wear and sit on: mm, cm or m.
-LikelyUnit likelyUnit(vtkPolyData* surface);
+LikelyUnit likelyUnit(const DataSet& surface);
 
 /// "states no unit: cm is taken, in which it is 74.5 cm large", behind the name of a surface.
 std::string describe(const LikelyUnit& taken);

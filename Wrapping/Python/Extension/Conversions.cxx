@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Conversions.h"
 
+#include "Base/ThreadedLoop.h"
 #include "Base/Types.h"
 #include "Flattening/FlatteningOptions.h"
 #include "Input/ClothInput.h"
@@ -8,100 +9,17 @@
 #include "Input/InputSurface.h"
 #include "Input/StatusWords.h"
 
-#ifdef __linux__
-#include <sched.h>
-#endif
-#ifndef _WIN32
-#include <sys/resource.h>
-#endif
+#include <pybind11/stl.h>
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <cmath>
-#include <mutex>
-#include <system_error>
-#include <thread>
 #include <variant>
 
 namespace flattening::python
 {
 namespace
 {
-/// How many threads a loop may have. A thread for whose own data there is no memory ends the
-/// process in the C library: under a limit of memory there is one.
-unsigned int threadCount()
-{
-#ifndef _WIN32
-  rlimit memory{};
-  if (getrlimit(RLIMIT_AS, &memory) != 0 || memory.rlim_cur != RLIM_INFINITY)
-  {
-    return 1;
-  }
-#endif
-#ifdef __linux__
-  cpu_set_t allowed;
-  if (sched_getaffinity(0, sizeof(allowed), &allowed) == 0)
-  {
-    return static_cast<unsigned int>(CPU_COUNT(&allowed));
-  }
-#endif
-  return std::max(1u, std::thread::hardware_concurrency());
-}
-
-/// Threads of a loop live no longer than it, so that a process can fork in between.
-void runParallel(Index count, const std::function<void(Index, Index)>& body)
-{
-  // Below, starting a thread takes longer than most bodies.
-  constexpr Index leastRange = 64;
-  const Index ranges = std::min<Index>(static_cast<Index>(4 * threadCount()), count / leastRange);
-  if (ranges < 2 || threadCount() < 2)
-  {
-    body(0, count);
-    return;
-  }
-  std::atomic<Index> next{ 0 };
-  std::exception_ptr raised;
-  std::mutex lock;
-  const auto work = [&] {
-    for (Index k = next++; k < ranges; k = next++)
-    {
-      const auto at = [&](Index range) {
-        return static_cast<Index>(std::int64_t{ count } * range / ranges);
-      };
-      try
-      {
-        body(at(k), at(k + 1));
-      }
-      catch (...)
-      {
-        const std::lock_guard<std::mutex> guard(lock);
-        raised = std::current_exception();
-      }
-    }
-  };
-  std::vector<std::thread> threads;
-  try
-  {
-    threads.reserve(threadCount());
-    while (threads.size() + 1 < threadCount())
-    {
-      threads.emplace_back(work);
-    }
-  }
-  catch (const std::system_error&) // the system has no more: those that run do all
-  {
-  }
-  work();
-  for (std::thread& thread : threads)
-  {
-    thread.join();
-  }
-  if (raised)
-  {
-    std::rethrow_exception(raised);
-  }
-}
-
 Points2 points2Of(const Numbers& values)
 {
   Points2 points(static_cast<std::size_t>(values.shape(0)));
@@ -193,6 +111,104 @@ py::dict dictOf(Columns columns)
       std::move(column.values));
   }
   return dict;
+}
+
+py::array rowsOf(const Triangles& triangles)
+{
+  std::vector<std::array<std::int64_t, 3>> rows;
+  rows.reserve(triangles.size());
+  for (const Triangle& t : triangles)
+  {
+    rows.push_back({ t[0], t[1], t[2] });
+  }
+  return arrayOf<std::int64_t>(std::move(rows));
+}
+
+namespace
+{
+/// Columns of arrays and of lists of texts.
+Columns columnsOf(const py::dict& arrays)
+{
+  Columns columns;
+  for (const auto& [name, values] : arrays)
+  {
+    Column column{ name.cast<std::string>(), {} };
+    const bool list = py::isinstance<py::list>(values);
+    if (list && (py::len(values) == 0 || py::isinstance<py::str>(values[py::int_(0)])))
+    {
+      column.values = values.cast<std::vector<std::string>>();
+    }
+    else
+    {
+      const auto array = py::array::ensure(values);
+      column.components = array.ndim() > 1 ? static_cast<int>(array.shape(1)) : 1;
+      const auto take = [&](const auto& all) {
+        using Value = typename std::decay_t<decltype(all)>::value_type;
+        column.values = std::vector<Value>(all.data(), all.data() + all.size());
+      };
+      if (array.dtype().kind() == 'f')
+      {
+        take(Numbers(array));
+      }
+      else
+      {
+        take(Ids(array));
+      }
+    }
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+}
+
+DataSet dataSetOf(const py::dict& data)
+{
+  DataSet set;
+  const auto points = data["points"].cast<Numbers>();
+  Points3 places = points.shape(1) == 3 ? points3Of(points) : Points3();
+  for (const Point2& p : points.shape(1) == 2 ? points2Of(points) : Points2())
+  {
+    places.emplace_back(p.x(), p.y(), 0.0);
+  }
+  set.points = std::make_shared<const Points3>(std::move(places));
+  if (data.contains("triangles"))
+  {
+    const auto corners = data["triangles"].cast<Ids>();
+    for (py::ssize_t k = 0; k + 2 < corners.size(); k += 3)
+    {
+      set.faces.add(std::array<std::int64_t, 3>{
+        corners.data()[k], corners.data()[k + 1], corners.data()[k + 2] });
+    }
+  }
+  for (const py::handle line : data.contains("lines") ? data["lines"].cast<py::list>() : py::list())
+  {
+    const auto ids = line.cast<Ids>();
+    set.lines.add(std::vector<std::int64_t>(ids.data(), ids.data() + ids.size()));
+  }
+  const auto columns = [&data](const char* key) {
+    return data.contains(key) ? columnsOf(data[key].cast<py::dict>()) : Columns();
+  };
+  set.pointArrays = columns("point_arrays");
+  set.cellArrays = columns("cell_arrays");
+  set.fieldArrays = columns("field_arrays");
+  return set;
+}
+
+py::dict dictOf(DataSet data)
+{
+  py::list lines;
+  for (std::size_t k = 0; k < data.lines.size(); ++k)
+  {
+    lines.append(
+      arrayOf<std::int64_t>(std::vector<std::int64_t>(data.lines.begin(k), data.lines.end(k))));
+  }
+  using pybind11::literals::operator""_a;
+  return py::dict("points"_a = arrayOf<double>(Points3(*data.points)),
+    "corners"_a = arrayOf<std::int64_t>(std::move(data.faces.ids)),
+    "offsets"_a = arrayOf<std::int64_t>(std::move(data.faces.offsets)), "lines"_a = lines,
+    "point_arrays"_a = dictOf(std::move(data.pointArrays)),
+    "cell_arrays"_a = dictOf(std::move(data.cellArrays)),
+    "field_arrays"_a = dictOf(std::move(data.fieldArrays)));
 }
 
 py::tuple tupleOf(const Status& status)
@@ -317,7 +333,8 @@ Settings::Settings(const std::string& owner, const py::dict& values)
   const auto material = values["Material"].cast<std::string>();
   if (!material.empty())
   {
-    flattening.cloth = readCloth(material, values["Grain"].cast<std::string>());
+    flattening.cloth =
+      readCloth(material, has("Grain") ? values["Grain"].cast<std::string>() : std::string());
   }
   const auto rows = [&](const char* property) {
     return has(property) ? values[property].cast<py::list>() : py::list();
@@ -325,10 +342,11 @@ Settings::Settings(const std::string& owner, const py::dict& values)
   for (const py::handle item : rows("CurveTolerances"))
   {
     const auto row = item.cast<py::tuple>();
-    this->tolerances.emplace_back(row[0].cast<std::string>(), row[1].cast<double>());
-    if (this->tolerances.back().first == boundaryName)
+    const auto tolerance = row[1].cast<double>();
+    this->tolerances[row[0].cast<std::string>()] = tolerance;
+    if (row[0].cast<std::string>() == boundaryName)
     {
-      flattening.boundaryTolerance = this->tolerances.back().second;
+      flattening.boundaryTolerance = tolerance;
     }
   }
   for (const py::handle item : rows("Preferences"))
@@ -367,7 +385,7 @@ Execution WatchedRun::execution()
     }
     return this->Ended;
   };
-  execution.parallel = runParallel;
+  execution.parallel = ThreadedLoop();
   return execution;
 }
 

@@ -5,7 +5,7 @@
 #include "Base/Execution.h"
 #include "Base/Status.h"
 #include "Input/Columns.h"
-#include "Input/CurvedSurface.h"
+#include "Input/DataSet.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
 
@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cstdint>
 #include <exception>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -54,6 +55,13 @@ py::object textOf(const std::string& text);
 /// Name: array, or list of texts.
 py::dict dictOf(Columns columns);
 
+/// Corners of triangles, a row each.
+py::array rowsOf(const Triangles& triangles);
+
+/// Points, triangles or polygons, lines and arrays.
+DataSet dataSetOf(const py::dict& data);
+py::dict dictOf(DataSet data);
+
 /// Code, name, defect, ids, their kind, and remedies with their subjects.
 py::tuple tupleOf(const Status& status);
 
@@ -74,7 +82,7 @@ struct Settings
   Settings(const std::string& owner, const py::dict& values);
 
   OptionStructures structures;
-  std::vector<std::pair<std::string, double>> tolerances;
+  std::map<std::string, double> tolerances;
   std::array<std::int64_t, 2> pins{ -1, -1 };
   std::set<std::string> keptCurves;
 };

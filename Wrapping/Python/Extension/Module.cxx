@@ -2,81 +2,27 @@
 // The module surfaceflattening._core: surfaces and curves as arrays in, results as arrays out. It
 // needs no VTK.
 #include "Conversions.h"
+#include "Pieces.h"
 
 #include "Design/KeyPrices.h"
-#include "Design/LineSuggestion.h"
-#include "Flattening/SurfaceFlattening.h"
 #include "Input/InputSurface.h"
 #include "Input/StatusWords.h"
 #include "Report/FlatteningArrays.h"
+#include "Report/FlatteningRun.h"
 #include "Report/FlatteningTables.h"
 #include "Report/ReshapingReport.h"
 #include "Report/SuggestionReport.h"
 #include "Reshaping/FlattenableSurface.h"
-#include "Suggestion/CurveSuggestion.h"
 
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 
 namespace flattening::python
 {
 namespace
 {
-/// A surface with its curves, and what is to be said of it. The last status counts.
-struct Run
-{
-  CurvedSurface source;
-  Status status;
-  std::vector<std::string> warnings;
-
-  /// \return whether there is a result up to here
-  bool conclude(const Status& outcome)
-  {
-    this->status = outcome;
-    return !outcome.refused();
-  }
-
-  void warn(const std::vector<std::string>& sentences)
-  {
-    for (const std::string& sentence : sentences)
-    {
-      const bool known =
-        std::find(this->warnings.begin(), this->warnings.end(), sentence) != this->warnings.end();
-      if (!known)
-      {
-        this->warnings.push_back(sentence);
-      }
-    }
-  }
-};
-
-/// Heals the surface and imprints the curves. \return whether that could be done
-bool load(SurfaceTriangles surface, CurveInput curves, const Settings& settings,
-  const Execution& execution, Run& run)
-{
-  CurvedSurface& source = run.source;
-  const OptionStructures& options = settings.structures;
-  source.surface = surface.outcome.ok() ? loadSurface(std::move(surface), options.coincidentPoints,
-                                            options.healSurface ? Defects::Heal : Defects::Refuse)
-                                        : LoadedSurface{ {}, {}, surface.outcome, {} };
-  source.warnings = source.surface.mendings;
-  source.outcome = source.surface.outcome;
-  if (source.outcome.ok())
-  {
-    imprintInput(std::move(curves), options.imprint, execution, source);
-  }
-  const std::map<std::string, double> tolerances(
-    settings.tolerances.begin(), settings.tolerances.end());
-  const bool loaded =
-    run.conclude(source.outcome) && run.conclude(applyTolerances(tolerances, source));
-  run.warn(loaded ? source.warnings : std::vector<std::string>());
-  return loaded;
-}
-
 /// What Python makes a Flattening of.
 struct Flattened
 {
@@ -90,9 +36,10 @@ struct Flattened
 };
 
 /// \pre the status of the run is that of the result
-Flattened reportOf(const CurvedSurface& source, const FlatteningResult& result,
-  const FlatteningOptions& options, const Run& run)
+Flattened reportOf(
+  const FlatteningRun& run, const FlatteningResult& result, const FlatteningOptions& options)
 {
+  const CurvedSurface& source = run.source;
   Flattened flattened;
   flattened.arrays = flatteningArrays(source, result, options);
   addRows<std::string>(flattened.arrays.fieldArrays, "RunStatus", 1,
@@ -109,42 +56,6 @@ Flattened reportOf(const CurvedSurface& source, const FlatteningResult& result,
   flattened.tables = ReportTables(source, result);
   flattened.seconds = result.seconds;
   return flattened;
-}
-
-std::optional<Flattened> flattenSource(
-  const Settings& settings, const Execution& execution, Run& run)
-{
-  const CurvedSurface& source = run.source;
-  FlatteningOptions options = settings.structures.flattening;
-  if (!run.conclude(source.pinVertices(settings.pins, options.conformal.pins)))
-  {
-    return {};
-  }
-  run.warn(describeShortEnds(source));
-  const FlatteningResult result =
-    flattenSurface(source.imprinted.mesh, source.imprinted.curves, options, execution);
-  if (!run.conclude(
-        source.outcomeOfStage(result.status, result.status.refused() ? nullptr : result.cut.get())))
-  {
-    return {};
-  }
-  if (!result.leftOut.empty())
-  {
-    run.warn({ describeLeftOut(source, result) });
-  }
-  run.warn(describeVerdicts(source, result));
-  return reportOf(source, result, options, run);
-}
-
-py::array rowsOf(const Triangles& triangles)
-{
-  std::vector<std::array<std::int64_t, 3>> rows;
-  rows.reserve(triangles.size());
-  for (const Triangle& t : triangles)
-  {
-    rows.push_back({ t[0], t[1], t[2] });
-  }
-  return arrayOf<std::int64_t>(std::move(rows));
 }
 
 py::dict resultOf(Flattened flattened)
@@ -175,7 +86,7 @@ py::dict resultOf(Flattened flattened)
     "seconds"_a = py::make_tuple(seconds.wires, seconds.interior, seconds.quality, seconds.total));
 }
 
-py::dict outcomeOf(const Run& run)
+py::dict outcomeOf(const FlatteningRun& run)
 {
   py::list warnings;
   for (const std::string& sentence : run.warnings)
@@ -202,15 +113,16 @@ struct Input
 
 /// Runs work(execution, run) with the interpreter's lock free. \return whether it gave a result
 template <class Work>
-Run runWatched(Input input, const Settings& settings, py::object progress, const Work& work,
-  bool endsEarly = false)
+FlatteningRun runWatched(Input input, const Settings& settings, py::object progress,
+  const Work& work, bool endsEarly = false)
 {
   WatchedRun watched(std::move(progress));
-  Run run;
+  FlatteningRun run;
   {
     const py::gil_scoped_release free;
     const Execution execution = watched.execution();
-    if (load(std::move(input.surface), std::move(input.curves), settings, execution, run))
+    if (run.load(std::move(input.surface), std::move(input.curves), settings.structures,
+          settings.tolerances, execution))
     {
       work(execution, run, watched);
     }
@@ -223,10 +135,14 @@ py::dict flatten(const Numbers& points, const Ids& corners, const py::object& of
   const py::list& curves, const std::string& owner, const py::dict& options, py::object progress)
 {
   const Settings settings(owner, options);
+  const FlatteningOptions& flattening = settings.structures.flattening;
   std::optional<Flattened> flattened;
-  const Run run = runWatched({ points, corners, offsets, curves }, settings, std::move(progress),
-    [&](const Execution& execution, Run& running, WatchedRun&) {
-      flattened = flattenSource(settings, execution, running);
+  const FlatteningRun run = runWatched({ points, corners, offsets, curves }, settings,
+    std::move(progress), [&](const Execution& execution, FlatteningRun& running, WatchedRun&) {
+      if (const auto result = running.flatten(flattening, settings.pins, execution))
+      {
+        flattened = reportOf(running, *result, flattening);
+      }
     });
   py::dict result = outcomeOf(run);
   if (flattened)
@@ -251,8 +167,8 @@ py::dict priceKeys(const Numbers& points, const Ids& corners, const py::object& 
 {
   const Settings settings(owner, options);
   KeyPrices prices;
-  const Run run = runWatched({ points, corners, offsets, curves }, settings, std::move(progress),
-    [&](const Execution& execution, Run& running, WatchedRun&) {
+  const FlatteningRun run = runWatched({ points, corners, offsets, curves }, settings,
+    std::move(progress), [&](const Execution& execution, FlatteningRun& running, WatchedRun&) {
       const ImprintedSurface& surface = running.source.imprinted;
       prices = flattening::priceKeys(
         surface.mesh, surface.curves, settings.structures.flattening, execution);
@@ -276,25 +192,6 @@ py::dict priceKeys(const Numbers& points, const Ids& corners, const py::object& 
   return result;
 }
 
-/// The curves of the input with those proposed behind them, of a source of their own.
-CurveInput withProposed(CurveInput curves, const std::vector<SuggestedCurve>& proposed)
-{
-  Index point = 0;
-  for (std::size_t k = 0; k < proposed.size(); ++k)
-  {
-    Polyline curve = proposed[k].curve;
-    curve.pointIds.clear();
-    while (curve.pointIds.size() < curve.points.size())
-    {
-      curve.pointIds.push_back(point++);
-    }
-    curves.polylines.push_back(std::move(curve));
-    curves.cellOfPolyline.push_back(static_cast<std::int64_t>(k));
-    curves.sourceOfPolyline.push_back(2);
-  }
-  return curves;
-}
-
 py::dict suggest(const Numbers& points, const Ids& corners, const py::object& offsets,
   const py::list& curves, const py::object& weights, const std::string& owner,
   const py::dict& options, py::object progress)
@@ -314,37 +211,20 @@ py::dict suggest(const Numbers& points, const Ids& corners, const py::object& of
   const bool lines = all.search.cuts == SuggestedCuts::Lines;
   CurveSuggestions found;
   std::optional<Flattened> flattened;
-  const Run run = runWatched(
+  const FlatteningRun run = runWatched(
     { points, corners, offsets, curves }, settings, std::move(progress),
-    [&](const Execution& execution, Run& running, WatchedRun& watched) {
-      CurvedSurface& source = running.source;
-      for (const std::int64_t cell :
-        weightOfCell.empty() ? std::vector<std::int64_t>() : source.surface.input.cellOfTriangle)
+    [&](const Execution& execution, FlatteningRun& running, WatchedRun& watched) {
+      for (const std::int64_t cell : weightOfCell.empty()
+          ? std::vector<std::int64_t>()
+          : running.source.surface.input.cellOfTriangle)
       {
         search.weights.push_back(weightOfCell[static_cast<std::size_t>(cell)]);
       }
-      found = (lines ? suggestLines : suggestCurves)(
-        source.surface.prepared.mesh, source.curves.polylines, search, execution);
-      if (!running.conclude(source.outcomeOfStage(found.status)))
+      // Interrupted, the surface is flattened with the cuts found so far.
+      if (const auto result = running.suggest(
+            search, execution, [&watched] { watched.goOn(); }, found))
       {
-        return;
-      }
-      const std::vector<Polyline> given = source.curves.polylines;
-      if (found.end == SearchEnd::Interrupted)
-      {
-        watched.goOn(); // the surface is flattened with the cuts found so far
-      }
-      imprintInput(withProposed(source.curves, found.curves), all.imprint, execution, source);
-      if (running.conclude(source.outcome))
-      {
-        flattened = flattenSource(settings, execution, running);
-      }
-      const std::string shortfall = flattened && !lines
-        ? describeShortfall(found, all.search.bound, all.search.maximumWidth, given)
-        : std::string();
-      if (!shortfall.empty())
-      {
-        running.warn({ shortfall });
+        flattened = reportOf(running, *result, search.flattening);
       }
     },
     !lines);
@@ -379,37 +259,18 @@ py::dict makeFlattenable(const Numbers& points, const Ids& corners, const py::ob
     const auto given = bodySurface.cast<py::tuple>();
     body = loadBody(readSurface(given[0].cast<Numbers>(), given[1].cast<Ids>(), given[2]));
   }
-  reshaping.body = body.get();
-  FlattenableSurface moved;
+  std::optional<FlattenableSurface> moved;
   std::optional<Flattened> flattened;
   Columns arrays;
-  const Run run = runWatched({ points, corners, offsets, curves }, settings, std::move(progress),
-    [&](const Execution& execution, Run& running, WatchedRun&) {
-      CurvedSurface& source = running.source;
-      if (!running.conclude(body.outcome) ||
-        !running.conclude(findCurves(settings.keptCurves, source, reshaping.kept)))
+  const FlatteningRun run = runWatched({ points, corners, offsets, curves }, settings,
+    std::move(progress), [&](const Execution& execution, FlatteningRun& running, WatchedRun&) {
+      moved = running.reshape(settings.keptCurves, body, reshaping, execution);
+      if (moved)
       {
-        return;
+        arrays = shiftArrays(running.source.imprinted.mesh, *moved);
+        running.source.imprinted.mesh = moved->mesh;
+        flattened = reportOf(running, moved->after, reshaping.flattening);
       }
-      running.warn(describeShortEnds(source));
-      moved = flattening::makeFlattenable(
-        source.imprinted.mesh, source.imprinted.curves, reshaping, execution);
-      if (!running.conclude(source.outcomeOfStage(
-            moved.status, moved.status.refused() ? nullptr : moved.after.cut.get())))
-      {
-        return;
-      }
-      if (!moved.after.leftOut.empty())
-      {
-        running.warn({ describeLeftOut(source, moved.after) });
-      }
-      if (!moved.boundMet)
-      {
-        running.warn({ describeShortfall(moved, reshaping) });
-      }
-      arrays = shiftArrays(source.imprinted.mesh, moved);
-      source.imprinted.mesh = moved.mesh;
-      flattened = reportOf(source, moved.after, reshaping.flattening, running);
     });
   py::dict result = outcomeOf(run);
   if (flattened)
@@ -425,10 +286,10 @@ py::dict makeFlattenable(const Numbers& points, const Ids& corners, const py::ob
                                            : py::none()));
     }
     result["flattening"] = resultOf(std::move(*flattened));
-    result["points"] = arrayOf<double>(Points3(moved.mesh.points()));
-    result["triangles"] = rowsOf(moved.mesh.triangles());
+    result["points"] = arrayOf<double>(Points3(moved->mesh.points()));
+    result["triangles"] = rowsOf(moved->mesh.triangles());
     result["arrays"] = dictOf(std::move(arrays));
-    result["measures"] = dictOf(shiftTable(moved));
+    result["measures"] = dictOf(shiftTable(*moved));
     result["curves"] = chains;
   }
   return result;
@@ -495,4 +356,5 @@ PYBIND11_MODULE(_core, module)
   module.def("options_of", &namesOfOptions);
   module.def("materials", &materials);
   module.def("remedy_sentence", &remedySentenceOf);
+  definePieces(module);
 }

@@ -15,8 +15,8 @@ Two ways to use it:
   :func:`read_garmentcode` reads sewing patterns of GarmentCode, to be drawn
   at true scale; :func:`grade` lays the sizes of one pattern on each other, with their rule table.
 
-Neither needs a screen. What pip installs has flatten(), suggest(), make_flattenable(),
-price_keys() and materials() alone, which need no VTK. Start with help(surfaceflattening.flatten); help(surfaceflattening.Flattening),
+Neither needs a screen. What takes arrays and files needs no VTK, which pip does not install either: there
+:func:`load_surface` and :func:`load_curves` read files. Start with help(surfaceflattening.flatten); help(surfaceflattening.Flattening),
 help(surfaceflattening.Report) and help(surfaceflattening.PieceReport) say what it gives, and each filter has a
 help() of its own, such as help(surfaceflattening.vtkWireWarpingFilter).
 
@@ -39,8 +39,12 @@ from ._calls import flatten, make_flattenable, price_keys, suggest
 from ._curves import Curve
 from ._errors import (
     ArgumentError, ArgumentTypeError, FileError, FlatteningError, FlatteningWarning, MissingFileError, OutOfMemoryError)
+from ._garment import GarmentPattern, Panel, PanelEdge, Stitch, read_garmentcode
+from ._grading import GradeRule, Grading, grade
 from ._keys import KeyPrice, KeyPrices, KeyTrial
 from ._materials import materials
+from ._readers import LoadedSurface, load_curves, load_surface, read_curves, read_surface
+from ._resewing import Resewn, ResewnShape, resew
 from ._reshaping import Flattenable
 from ._result import Flattening, Wire
 from ._suggestion import LeftOutLine, MirrorAxis, MirrorPlane, SuggestedCut, Suggestion
@@ -51,10 +55,6 @@ from ._types import (
 
 if _VTK:
     from ._calls import flatten_polydata, make_flattenable_polydata, suggest_polydata
-    from ._garment import GarmentPattern, Panel, PanelEdge, Stitch, read_garmentcode
-    from ._grading import GradeRule, Grading, grade
-    from ._readers import read_curves, read_surface
-    from ._resewing import Resewn, ResewnShape, resew
     from ._vtk import make_curves, make_surface
 
 # Without the filters, of whose methods help() would print 31,000 lines.
@@ -62,10 +62,10 @@ __all__ = [
     "ArgumentError", "ArgumentTypeError", "BoundaryMode", "ClothReport", "CoincidentPoints", "Coloring", "Curve", "CurveReport",
     "CurveType", "CutChoice", "DartLegs", "Energy", "FileError", "Flattenable", "Flattening", "FlatteningError", "FlatteningWarning",
     "GarmentPattern", "GradeRule", "Grading", "Interior", "KeyPrice", "KeyPrices", "KeyShape", "KeyTrial",
-    "LeftOutLine", "MirrorAxis", "MirrorPlane", "MissingFileError", "Options", "OutOfMemoryError", "Panel",
+    "LeftOutLine", "LoadedSurface", "MirrorAxis", "MirrorPlane", "MissingFileError", "Options", "OutOfMemoryError", "Panel",
     "PanelEdge", "Paper", "Part", "PieceReport", "Report", "Resewn", "ResewnShape", "Scheme", "SeamSource",
     "SewingTest", "Solver", "Stitch", "SuggestedCut", "Suggestion", "Unit", "UpAxis", "Wire", "WireType", "__version__",
-    "flatten", "flatten_polydata", "grade", "make_curves", "make_flattenable", "make_flattenable_polydata",
+    "flatten", "flatten_polydata", "grade", "load_curves", "load_surface", "make_curves", "make_flattenable", "make_flattenable_polydata",
     "make_surface", "materials", "price_keys", "read_curves", "read_garmentcode", "read_surface", "resew",
     "suggest", "suggest_polydata"]
 

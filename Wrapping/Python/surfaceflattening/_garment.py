@@ -9,15 +9,16 @@ from typing import Any, List, Literal, Tuple, Union, get_args
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+from . import _core
 from ._equality import ComparedByValue
 from ._errors import ArgumentTypeError
-from ._options import word_of
+from ._options import text_of, word_of
 from ._pattern import write_parts
+from ._pieces import Data, Pieces
+from ._report import raise_failure, values_in
 from ._result import Wire, wires_of
 from ._types import Part
-from ._vtk import Parts, arrays_of_parts, copy_of, numbers_of, read_file, values_of
 
 EdgeShape = Literal["straight", "quadratic", "cubic", "circle"]
 _SHAPES: Tuple[EdgeShape, ...] = ("straight", "quadratic", "cubic", "circle")
@@ -81,16 +82,16 @@ class GarmentPattern:
     wires: List[Wire]
     #: As :attr:`Flattening.seam_pairs`.
     seam_pairs: NDArray[np.int64]
-    _parts: Parts
+    _parts: Pieces
 
     def __repr__(self) -> str:
         return f"<GarmentPattern: {len(self.panels)} panels, {len(self.stitches)} stitches>"
 
-    def to_polydata(self, part: Part = "flat") -> vtkPolyData:
+    def to_polydata(self, part: Part = "flat") -> Any:
         """A vtkPolyData of its own: "flat", the pieces; "wires", their borders; "cut", the pieces placed
         in space; with the arrays of vtkGarmentCodeReader."""
-        copy: vtkPolyData = copy_of(getattr(self._parts, word_of(part, get_args(Part), "part")))
-        return copy
+        from ._vtk import mesh_of_data
+        return mesh_of_data(getattr(self._parts, word_of(part, get_args(Part), "part")))
 
     def write_pattern(self, path: Union[str, os.PathLike[str]], **options: Any) -> None:
         """Writes the panels as a pattern to cut, or as GarmentCode's JSON again: panels, edges and
@@ -126,19 +127,18 @@ def _triple(values: Any) -> Tuple[float, float, float]:
     return (float(values[0]), float(values[1]), float(values[2]))
 
 
-def _panels(wires: vtkPolyData, positions: NDArray[np.float64]) -> Tuple[List[Panel], List[Tuple[int, int]]]:
-    field = wires.GetFieldData()
-    labels, placements = values_of(field, "PanelLabels"), values_of(field, "PanelPlacements")
-    rows = values_of(field, "PanelEdges")
+def _panels(field: Data, positions: NDArray[np.float64]) -> Tuple[List[Panel], List[Tuple[int, int]]]:
+    labels, placements = values_in(field, "PanelLabels"), values_in(field, "PanelPlacements")
+    rows = values_in(field, "PanelEdges")
     points = [sorted({end for piece, *ends, _ in rows if piece == panel for end in ends})
               for panel in range(len(labels))]
     panels = [
         Panel(name, labels[panel], np.array(positions[points[panel]]), [], _triple(placements[panel][:3]),
               _triple(placements[panel][3:]))
-        for panel, name in enumerate(values_of(field, "PanelNames"))]
+        for panel, name in enumerate(values_in(field, "PanelNames"))]
     numbers = []
     for (piece, first, last, shape), parameters, label in zip(
-            rows, values_of(field, "PanelEdgeParameters"), values_of(field, "PanelEdgeLabels")):
+            rows, values_in(field, "PanelEdgeParameters"), values_in(field, "PanelEdgeLabels")):
         ends = (points[piece].index(first), points[piece].index(last))
         numbers.append((piece, len(panels[piece].edges)))
         panels[piece].edges.append(
@@ -162,16 +162,18 @@ def read_garmentcode(path: Union[str, os.PathLike[str]]) -> GarmentPattern:
         FlatteningError: it cannot be read, or a panel or stitch cannot be; the message names panel and edge.
         OutOfMemoryError: there is not enough memory.
     """
-    from .vtkIOPattern import vtkGarmentCodeReader  # a build without patterns has none
-
-    reader = vtkGarmentCodeReader()
-    read_file(reader, path)
-    parts = Parts(*(reader.GetOutput(port) for port in range(3)))
-    given = arrays_of_parts(parts)
-    panels, numbers = _panels(parts.wires, given["positions"])
+    name = text_of("path", os.fspath(path))
+    status, flat, wires, cut = _core.read_garmentcode(name)
+    raise_failure(status, "" if os.path.exists(name) else "FileNotFound")
+    for data in (flat, cut):
+        data["triangles"] = data["corners"].reshape(-1, 3)
+    for data in (flat, wires, cut):
+        data["field_arrays"]["LengthUnit"] = ["cm"]
+    positions = np.ascontiguousarray(flat["points"][:, :2])
+    panels, numbers = _panels(wires["field_arrays"], positions)
     stitches = [Stitch(numbers[a], numbers[b], bool(right_to_wrong))
-                for a, b, right_to_wrong in values_of(parts.wires.GetFieldData(), "PanelStitches")]
+                for a, b, right_to_wrong in values_in(wires["field_arrays"], "PanelStitches")]
     return GarmentPattern(
-        panels, stitches, given["positions"], given["triangles"], numbers_of(parts.flat.GetCellData(), "PieceId"),
-        given["points"], wires_of(given["wire_arrays"], given["wires"]),
-        given["field_arrays"].get("SeamPairs", np.empty((0, 5), np.int64)), parts)
+        panels, stitches, positions, flat["triangles"], flat["cell_arrays"]["PieceId"], cut["points"],
+        wires_of(wires["cell_arrays"], wires["lines"]), flat["field_arrays"].get("SeamPairs", np.empty((0, 5), np.int64)),
+        Pieces(flat, wires, cut))

@@ -5,19 +5,20 @@ from __future__ import annotations  # help() prints hints as they are written he
 
 import os
 from dataclasses import dataclass
-from typing import Any, Dict, List, Mapping, Optional, Tuple, Union, get_args
+from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
+from . import _core
 from ._equality import ComparedByValue
 from ._errors import ArgumentError
-from ._options import index_of, text_of
-from ._pattern import write_sizes
+from ._options import text_of
+from ._pattern import unit_number, write_sizes
+from ._pieces import pieces_of, unit_of
+from ._report import error_of
 from ._result import Flattening
 from ._types import Unit
-from ._vtk import coordinates_of, copy_of, numbers_of, parts_of, update, values_of
-from .vtkFiltersFlattening import vtkFlatteningAlgorithm
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,14 +45,13 @@ class Grading:
         positions: by size, points in mm from the point of their piece at which sizes are laid on each other, y
             along the grain; float64, shape (n, 2).
         rules: one row for each grade point: ends of curves on the border, and corners of the boundary.
-        nest: the same as a vtkPolyData, the output of vtkPatternGrading.
     """
 
     sizes: List[str]
     base: str
     positions: Dict[str, NDArray[np.float64]]
     rules: List[GradeRule]
-    nest: Any
+    _grading: Any
     _flat: Any  # the base
     _unit: Unit
 
@@ -84,7 +84,7 @@ class Grading:
         self._write(path, "Nest", name)
 
     def _write(self, path: Union[str, os.PathLike[str]], format_: str, name: str = "pattern") -> None:
-        write_sizes(self._flat, self.nest, os.fspath(path), format_, name, self._unit)
+        write_sizes(self._flat, self._grading, os.fspath(path), format_, name, self._unit)
 
 
 def grade(
@@ -114,31 +114,17 @@ def grade(
         FlatteningError: a base or curve that is not there, or sizes that differ in more than
             where their points are; the message names the size and the curve.
     """
-    from .vtkIOPattern import vtkPatternGrading  # a build without patterns has none
-
-    filter_ = vtkPatternGrading()
-    parts = {size: parts_of(result) for size, result in sizes.items()}
-    stated = (vtkFlatteningAlgorithm.GetLengthUnitOf(part.flat) for part in parts.values())
-    of_surfaces: Any = next((word for word in stated if word), "cm")
+    parts = {text_of("a size", size): pieces_of(result) for size, result in sizes.items()}
+    of_surfaces: Any = next(filter(None, (unit_of(part.flat) for part in parts.values())), "cm")
     length_unit: Unit = of_surfaces if unit is None else unit
-    filter_.SetUnit(1 + index_of(length_unit, get_args(Unit), "unit"))
-    for value, what, set_text in ((base, "base", filter_.SetBaseSize), (at, "at", filter_.SetAlignmentCurve)):
-        if value is not None:
-            set_text(text_of(what, value))
+    number = unit_number(length_unit)
+    names = ["" if value is None else text_of(what, value) for value, what in ((base, "base"), (at, "at"))]
     if len(sizes) < 2:
         raise ArgumentError(f"there are {len(sizes)} sizes; grading needs two")
-    for size, part in parts.items():
-        filter_.AddSize(text_of("a size", size), part.flat, part.wires)
-    update(filter_)
-    nest = filter_.GetOutput()
-    field = nest.GetFieldData()
-    names = [str(name) for name in values_of(field, "SizeName")]
-    chosen = names[values_of(field, "BaseSize")[0]]
-    positions = coordinates_of(nest)[:, :2].reshape(len(names), -1, 2)
-    rule_names = values_of(field, "RuleName")
-    deltas = numbers_of(field, "RuleDelta") if rule_names else np.empty((0, 2 * len(names)))
-    rules = [
-        GradeRule(piece, point, name, tuple((float(dx), float(dy)) for dx, dy in row.reshape(-1, 2)))
-        for piece, point, name, row in zip(
-            values_of(field, "RulePiece"), values_of(field, "RulePoint"), rule_names, deltas)]
-    return Grading(names, chosen, dict(zip(names, positions)), rules, nest, copy_of(parts[chosen].flat), length_unit)
+    status, graded = _core.grade([(size, part.flat, part.wires) for size, part in parts.items()], names[0], number, names[1])
+    if status[0] != 0:
+        raise error_of(status)
+    chosen = graded["sizes"][graded["base"]]
+    return Grading(
+        graded["sizes"], chosen, dict(zip(graded["sizes"], graded["positions"])),
+        [GradeRule(*rule) for rule in graded["rules"]], graded["grading"], parts[chosen].flat, length_unit)

@@ -5,22 +5,107 @@ from __future__ import annotations  # help() prints hints as they are written he
 
 import os
 import warnings
-from typing import Optional, Tuple, Union, get_args
+from typing import TYPE_CHECKING, Any, List, NamedTuple, Optional, Tuple, Union, get_args
 
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from ._errors import FlatteningWarning
-from ._options import index_of
+from . import _core
+from ._curves import CURVE_TYPES, KEY_SHAPES, Curve, surface_of
+from ._errors import FlatteningWarning, MissingFileError
+from ._options import index_of, text_of
+from ._pieces import Data
+from ._report import error_of, values_in
 from ._types import SeamSource
-from ._vtk import demand_polydata, read_file
-from .vtkIOFlattening import vtkFeatureCurveReader, vtkSurfaceMeshReader
+
+if TYPE_CHECKING:
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+Path = Union[str, "os.PathLike[str]"]
 
 
-def read_surface(path: Union[str, os.PathLike[str]], seams: SeamSource = "none") -> Tuple[vtkPolyData, vtkPolyData]:
-    """Reads a surface in double precision, whose points are not split along texture seams.
+class LoadedSurface(NamedTuple):
+    """A surface of a file, for :func:`flatten`: ``flatten(*load_surface(path)[:3])``."""
+
+    #: Positions; float64, shape (n, 3).
+    points: NDArray[np.float64]
+    #: Ids of corners; int64, shape (m, 3), or a flat list where there are other polygons.
+    triangles: NDArray[np.int64]
+    #: Line elements and seams.
+    curves: List[Curve]
+    #: That the file states; empty: none.
+    unit: str
+
+
+def _raise_failure(path: Path, failure: str) -> None:
+    if failure:
+        missing = not os.path.exists(path)
+        raise MissingFileError(-1, "FileNotFound", [], failure) if missing else error_of(
+            (-1, "InvalidFile", failure, [], "", []))
+
+
+def _note(path: Path, note: str) -> None:
+    if note:
+        warnings.warn(f"{os.fspath(path)}: {note}", FlatteningWarning, stacklevel=3)
+
+
+def _faces(data: Data) -> NDArray[np.int64]:
+    counts = np.diff(data["offsets"])
+    if (counts == 3).all():
+        return np.asarray(data["corners"], np.int64).reshape(-1, 3)
+    return np.insert(data["corners"], data["offsets"][:-1], counts)
+
+
+def _curves(data: Data) -> List[Curve]:
+    arrays = data["cell_arrays"]
+    shapes = values_in(arrays, "KeyShape") or [0] * len(data["lines"])
+    return [Curve(data["points"][line], CURVE_TYPES[kind], name, KEY_SHAPES[shape]) for line, kind, name, shape in zip(
+        data["lines"], values_in(arrays, "CurveType"), values_in(arrays, "CurveName"), shapes)]
+
+
+def _read(path: Path, seams: SeamSource) -> Tuple[Data, Data, Data, str]:
+    failure, surface, curves, along, unit = _core.read_surface(
+        text_of("path", os.fspath(path)), index_of(seams, get_args(SeamSource), "seams"))
+    _raise_failure(path, failure)
+    return surface, curves, along, unit
+
+
+def load_surface(path: Path, seams: SeamSource = "none") -> LoadedSurface:
+    """Reads a surface as arrays, in the precision of the file; points are not split along texture seams.
 
     Args:
-        path: an .obj, .ply or .off file; VTK and PyVista read other formats.
+        path: an .obj, .ply, .stl or .off file.
+        seams: as for :func:`read_surface`.
+
+    Raises:
+        MissingFileError: there is no such file.
+        FlatteningError: it cannot be read, or says nothing of such seams; the message names the line.
+    """
+    surface, curves, along, unit = _read(path, seams)
+    return LoadedSurface(surface["points"], _faces(surface), _curves(curves) + _curves(along), unit)
+
+
+def load_curves(path: Path, points: ArrayLike = (), triangles: Optional[ArrayLike] = None) -> List[Curve]:
+    """Reads feature curves for :func:`flatten`.
+
+    Args:
+        path: as for :func:`read_curves`.
+        points, triangles: of the surface, that ids of points in texts, and edges along the boundary, refer to.
+
+    Raises and warns as :func:`read_curves` does.
+    """
+    places, corners, _ = surface_of(points, triangles) if triangles is not None else (np.empty((0, 3)), np.empty(0), None)
+    failure, curves, note = _core.read_curves(text_of("path", os.fspath(path)), {"points": places, "triangles": corners})
+    _raise_failure(path, failure)
+    _note(path, note)
+    return _curves(curves)
+
+
+def read_surface(path: Path, seams: SeamSource = "none") -> Tuple[vtkPolyData, vtkPolyData]:
+    """:func:`load_surface` for VTK's pipelines, PyVista and :func:`flatten_polydata`; it needs VTK, of any version.
+
+    Args:
+        path: an .obj, .ply, .stl or .off file; VTK and PyVista read other formats.
         seams: edges of the faces of an .obj file that become seams: "none" (default), "textures", where
             texture coordinates break, "materials", between two of them, or "groups", between two objects
             or groups.
@@ -33,14 +118,23 @@ def read_surface(path: Union[str, os.PathLike[str]], seams: SeamSource = "none")
         MissingFileError: there is no such file.
         FlatteningError: it cannot be read, or says nothing of such seams; the message names the line.
     """
-    reader = vtkSurfaceMeshReader()
-    reader.SetSeamSource(index_of(seams, get_args(SeamSource), "seams"))
-    read_file(reader, path)
-    return reader.GetOutput(0), reader.GetOutput(1)
+    from ._vtk import mesh_of_data
+
+    surface, curves, along, unit = _read(path, seams)
+    lines = {"points": surface["points"], "lines": curves["lines"] + along["lines"], "cell_arrays": {
+        name: values_in(curves["cell_arrays"], name) + values_in(along["cell_arrays"], name) if name == "CurveName" else
+        np.concatenate([curves["cell_arrays"].get(name, np.zeros(len(curves["lines"]), np.int32)),
+                        along["cell_arrays"].get(name, np.zeros(len(along["lines"]), np.int32))])
+        for name in ("CurveType", "CurveName", *(("KeyShape",) if "KeyShape" in curves["cell_arrays"] else ()))}}
+    for data in (surface, lines):
+        data["field_arrays"] = {"LengthUnit": [unit]} if unit else {}
+    mesh = mesh_of_data(surface)
+    return mesh, mesh_of_data(lines if lines["lines"] else {"points": np.empty((0, 3)), "field_arrays": lines["field_arrays"]},
+                              mesh if lines["lines"] else None)
 
 
-def read_curves(path: Union[str, os.PathLike[str]], surface: Optional[vtkPolyData] = None) -> vtkPolyData:
-    """Reads feature curves; the page of vtkFeatureCurveReader describes the formats.
+def read_curves(path: Path, surface: Optional[vtkPolyData] = None) -> vtkPolyData:
+    """Reads feature curves; the page of vtkFeatureCurveReader describes the formats. It needs VTK, of any version.
 
     Args:
         path: a .csv table, a .dxf drawing, an .obj file with line elements, or a text with a curve a line:
@@ -57,12 +151,13 @@ def read_curves(path: Union[str, os.PathLike[str]], surface: Optional[vtkPolyDat
     Warns:
         FlatteningWarning: entities of a drawing were left out.
     """
-    reader = vtkFeatureCurveReader()
+    from ._vtk import demand_polydata, mesh_of_data, triangulated
+
+    owner: Any = {"points": np.empty((0, 3))}
     if surface is not None:
         demand_polydata(surface, "surface")
-        reader.SetInputData(surface)
-    read_file(reader, path)
-    if reader.GetNote():
-        warnings.warn(f"{os.fspath(path)}: {reader.GetNote()}", FlatteningWarning, stacklevel=2)
-    curves: vtkPolyData = reader.GetOutput()
-    return curves
+        owner = dict(zip(("points", "triangles"), triangulated(surface)))
+    failure, curves, note = _core.read_curves(text_of("path", os.fspath(path)), owner)
+    _raise_failure(path, failure)
+    _note(path, note)
+    return mesh_of_data(curves)

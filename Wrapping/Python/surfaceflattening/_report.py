@@ -60,6 +60,12 @@ def error_of(status: Status) -> FlatteningError:
     return _KINDS.get(name, FlatteningError)(code, name, ids, make_message(defect, remedies), kind, remedies)
 
 
+def raise_failure(status: Status, name: str = "") -> None:
+    """The error of an operation that gives a status alone, whose number is 0 where it went well; under another name."""
+    if status[0] != 0:
+        raise error_of((-1, name or status[1], status[2], status[3], status[4], status[5]))
+
+
 def raise_refusal(run: Mapping[str, Any]) -> None:
     """FlatteningError where a run of the algorithms has no result."""
     if run["refused"]:

@@ -10,16 +10,16 @@ from typing import Any, Callable, List, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+from . import _core
 from ._equality import ComparedByValue
 from ._errors import ArgumentError, ArgumentTypeError
 from ._options import checked, material_text, options_of
-from ._report import rows_of
+from ._pieces import pieces_of
+from ._report import raise_refusal, rows_of, warn_of
+from ._reshaping import Body, arrays_of_body
 from ._result import Flattening
 from ._types import SewingTest
-from ._vtk import coordinates_of, demand_polydata, numbers_of, parts_of, set_properties, table_of, update
-from .vtkFiltersFlattening import vtkSewnShape
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,7 +124,7 @@ def resew(
     pressure: float = 0.0,
     gravity: Sequence[float] = (0.0, 0.0, 0.0),
     material: Union[None, str, "os.PathLike[str]"] = None,
-    body: Optional[vtkPolyData] = None,
+    body: Body = None,
     second_start: bool = True,
     progress: Optional[Callable[[float], Any]] = None,
 ) -> Resewn:
@@ -147,8 +147,8 @@ def resew(
             at most 1 long. A product needs a body to lie on.
         material: what the cloth is made of, a name that :func:`materials` knows or the path of a
             JSON file, with its warp along y of the flat pieces; None: the isotropic sheet.
-        body: a surface that the cloth does not go through, its normals outwards, such as
-            :func:`make_surface` makes of points and triangles.
+        body: a surface that the cloth does not go through, its normals outwards: points and triangles, or a
+            vtkPolyData.
         second_start: come to rest from a second start as well, to learn of other shapes; it takes
             twice the time.
         progress: called with the fraction done, 0 to 1. What it raises ends the run and is raised
@@ -172,32 +172,23 @@ def resew(
         raise ArgumentTypeError(f"gravity = {gravity!r} must be three numbers")
     if not math.hypot(*pull) <= 1.0:
         raise ArgumentError(f"gravity = {gravity!r} is out of range; it must be at most 1 long")
-    filter_ = vtkSewnShape()
-    values = {"test": test, "thickness": thickness, "area_bias": area_bias, "max_iterations": max_iterations,
-              "pressure": pressure, "gravity": pull, "material": material_text(material), "second_start": second_start}
-    set_properties(filter_, {
-        option.property: checked(option, values[name]) for name, option in options_of("vtkSewnShape").items()})
-    if body is not None:
-        demand_polydata(body, "body")
-        filter_.SetBodyData(body)
-    flat, _, cut = parts_of(flattening)
-    filter_.SetInputData(flat)
-    filter_.SetDesignData(cut)
-    update(filter_, progress)
-    sewn, design = filter_.GetOutput(0), filter_.GetOutput(1)
-    field, cells, table = sewn.GetFieldData(), sewn.GetCellData(), table_of(filter_.GetShapes())
+    given = {"test": test, "thickness": thickness, "area_bias": area_bias, "max_iterations": max_iterations,
+             "pressure": pressure, "gravity": pull, "material": material_text(material), "second_start": second_start}
+    values = {option.property: checked(option, given[name]) for name, option in options_of("vtkSewnShape").items()}
+    flat, _, cut = pieces_of(flattening)
+    run = _core.resew(flat, cut, values, arrays_of_body(body), progress)
+    raise_refusal(run)
+    warn_of(run, 2)
+    cells, fields, table = run["cell_arrays"], run["field_arrays"], run["shapes"]
     threads = "StrainWarpRms" in table
-    shapes = [ResewnShape(**row) for row in rows_of(table, {**_COLUMNS, **(_THREADS if threads else {})})]
-
-    pairs = field.GetArray("SeamStrains") is not None
     return Resewn(
-        points=coordinates_of(sewn),
-        distance=numbers_of(sewn.GetPointData(), "Distance"),
-        design_distance=numbers_of(design.GetPointData(), "Distance"),
-        normal_deviation=numbers_of(cells, "NormalDeviation"),
-        principal_strains=numbers_of(cells, "PrincipalStrains"),
-        shape_of_triangle=numbers_of(cells, "ShapeId").astype(np.int64),
-        seam_strains=numbers_of(field, "SeamStrains") if pairs else np.zeros((0, 2)),
-        shapes=shapes,
-        thread_strains=np.column_stack([numbers_of(cells, name) for name in (
+        points=run["points"],
+        distance=run["distances"]["Distance"],
+        design_distance=run["distances"]["DesignDistance"],
+        normal_deviation=cells["NormalDeviation"],
+        principal_strains=cells["PrincipalStrains"],
+        shape_of_triangle=cells["ShapeId"],
+        seam_strains=fields["SeamStrains"].reshape(-1, 2),
+        shapes=[ResewnShape(**row) for row in rows_of(table, {**_COLUMNS, **(_THREADS if threads else {})})],
+        thread_strains=np.column_stack([cells[name] for name in (
             "SewnStrainWarp", "SewnStrainWeft", "SewnShearAngle")]) if threads else None)

@@ -19,7 +19,7 @@ from ._result import Flattening, flattening_of
 if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-    Body = Union[None, vtkPolyData, Tuple[ArrayLike, ArrayLike]]
+Body = Union[None, "vtkPolyData", Tuple[ArrayLike, ArrayLike]]
 
 _OWNER = "vtkMakeFlattenable"
 
@@ -82,7 +82,7 @@ def make_flattenable(
     """
     owner, values = read_options(options, "make_flattenable", _OWNER)
     run = _core.make_flattenable(
-        *surface_of(points, triangles), curve_rows(curves, points), _arrays_of_body(body), owner, values,
+        *surface_of(points, triangles), curve_rows(curves, points), arrays_of_body(body), owner, values,
         options.get("progress"))
     raise_refusal(run)
     warn_of(run, 2)
@@ -122,7 +122,7 @@ def make_flattenable_polydata(
                         make_curves_of(filter_.GetOutput(6)), table_of(filter_.GetOutputDataObject(9)))
 
 
-def _arrays_of_body(body: Body) -> Optional[Surface]:
+def arrays_of_body(body: Body) -> Optional[Surface]:
     """Points and triangles as they are, or those of a mesh."""
     if body is None or isinstance(body, tuple):
         return None if body is None else surface_of(*body)

@@ -9,10 +9,13 @@ from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Seq
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import (
-    VTK_CHAR, vtkBitArray, vtkCharArray, vtkPoints, vtkStringArray, vtkUnsignedCharArray)
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyData
+try:
+    from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+    from vtkmodules.vtkCommonCore import (
+        VTK_CHAR, vtkBitArray, vtkCharArray, vtkPoints, vtkStringArray, vtkUnsignedCharArray)
+    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkPolyData
+except ImportError as _error:
+    raise ImportError(f"meshes are made with VTK, which is not there ({_error}); pip install vtk") from _error
 
 from ._curves import CURVE_TYPES, KEY_SHAPES, Curve, curve_rows, surface_of
 from ._errors import ArgumentTypeError, FlatteningError, MissingFileError
@@ -195,6 +198,20 @@ def parts_of(result: Flattening) -> Parts:
     wires.GetCellData().SetActiveScalars("WireKind")
     _add(flat.GetFieldData(), result._field_arrays, deep=False)
     return Parts(flat, wires, cut)
+
+
+def mesh_of_data(data: Mapping[str, Any], shared: Optional[vtkPolyData] = None) -> vtkPolyData:
+    """A mesh of points, polygons, lines and arrays, with the points of another mesh where one is given."""
+    mesh = vtkPolyData()
+    mesh.SetPoints(shared.GetPoints() if shared is not None else make_points(data["points"]))
+    if "offsets" in data and len(data["offsets"]) > 1:
+        mesh.SetPolys(_cells(data["offsets"], data["corners"]))
+    if data.get("lines"):
+        mesh.SetLines(make_cells(data["lines"]))
+    _add(mesh.GetPointData(), data.get("point_arrays", {}))
+    _add(mesh.GetCellData(), data.get("cell_arrays", {}))
+    _add(mesh.GetFieldData(), data.get("field_arrays", {}))
+    return mesh
 
 
 def as_numpy(array: Any) -> NDArray[Any]:
@@ -438,15 +455,3 @@ def curves_on(
     points = surface.GetPoints()
     return make_curves(
         curves, np.empty((0, 3)) if points is None else coordinates_of(surface))
-
-
-def read_file(reader: Any, path: Union[str, os.PathLike[str]]) -> None:
-    """Updates a reader, or raises what it says."""
-    silence(reader)
-    reader.SetFileName(text_of("path", os.fspath(path)))
-    reader.Update()
-    message = as_text(reader.GetErrorMessage())
-    if message:
-        missing = not os.path.exists(path)
-        code, name, *_ = status_of(reader)
-        raise MissingFileError(-1, "FileNotFound", [], message) if missing else error_of((code, name, message, [], "", []))

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GarmentCodeFile.h"
+#include "Formats/GarmentCodeFile.h"
+
+#include "Formats/PanelArrays.h"
 
 #ifdef FLATTENING_WITH_JSON
 #include "Input/JsonKeys.h"
@@ -11,10 +13,12 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::pattern
 {
 namespace
 {
@@ -25,20 +29,15 @@ Status invalid(const std::string& message)
 }
 
 #ifndef FLATTENING_WITH_JSON
-Status readGarmentCode(const std::string& path, pattern::Garment& garment)
+Status readGarmentCode(const std::string& path, Garment& garment)
 {
-  garment = pattern::Garment();
+  garment = Garment();
   return invalid(path + " cannot be read: the library was built without nlohmann-json");
 }
 #else
 namespace
 {
 using Json = nlohmann::ordered_json;
-using pattern::EdgeShape;
-using pattern::Garment;
-using pattern::GarmentEdge;
-using pattern::GarmentPanel;
-using pattern::GarmentStitch;
 constexpr std::uintmax_t largestFile = 100'000'000;
 
 /// Takes a garment from a document and remembers the first thing that is wrong.
@@ -213,7 +212,7 @@ private:
 
   void readEdge(const Json& json, GarmentPanel& panel)
   {
-    const std::string owner = pattern::edgeName(panel, panel.edges.size());
+    const std::string owner = edgeName(panel, panel.edges.size());
     GarmentEdge& edge = panel.edges.emplace_back();
     const Json& ends = this->member(json, "endpoints", owner);
     if (this->Wrong.ok() && (!ends.is_array() || ends.size() != 2))
@@ -292,7 +291,7 @@ private:
     Point2 control = this->vector<Point2>(json, "a control point of " + owner);
     if (this->Absolute)
     {
-      control = pattern::inFrameOf(
+      control = inFrameOf(
         this->Scale * control, panel.vertices[edge.ends[0]], panel.vertices[edge.ends[1]]);
     }
     edge.parameters[at] = control.x();
@@ -369,7 +368,7 @@ Status readGarmentCode(const std::string& path, Garment& garment)
   const JsonFault fault =
     readJson<Json>(text, [&](const Json& json) { status = GarmentReader().read(json, garment); });
   status = fault.text.empty() ? status : invalid("it " + fault.text);
-  status = status.ok() ? pattern::checkGarment(garment) : status;
+  status = status.ok() ? checkGarment(garment) : status;
   if (!status.ok())
   {
     status.message = path + ": " + status.message;
@@ -378,5 +377,134 @@ Status readGarmentCode(const std::string& path, Garment& garment)
   return status;
 }
 #endif
+
+namespace
+{
+int curveType(WireType type)
+{
+  switch (type)
+  {
+    case WireType::Boundary:
+      return -1;
+    case WireType::Key:
+      return 1;
+    case WireType::Dart:
+      return 2;
+    case WireType::Seam:
+      return 3;
+    default:
+      return 0;
+  }
+}
+
+struct WireLengths
+{
+  double inSpace = 0.0;
+  double inPlane = 0.0;
+  double error = 0.0; ///< the largest relative one of an edge
+};
+
+WireLengths lengthsOf(const PatternSource& source, const SourceWire& wire)
+{
+  WireLengths lengths;
+  for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
+  {
+    const auto a = static_cast<std::size_t>(wire.points[k]);
+    const auto b = static_cast<std::size_t>(wire.points[k + 1]);
+    const double inSpace = (source.inSpace[b] - source.inSpace[a]).norm();
+    const double inPlane = (source.positions[b] - source.positions[a]).norm();
+    lengths.inSpace += inSpace;
+    lengths.inPlane += inPlane;
+    if (inSpace > 0.0)
+    {
+      lengths.error = std::max(lengths.error, std::abs(inPlane - inSpace) / inSpace);
+    }
+  }
+  return lengths;
+}
+
+/// Per pair of edges that are sewn together the curve, in the order of the sides that hold them.
+Column seamPairs(const PatternSource& source)
+{
+  Indices curveOf;
+  for (std::size_t w = 0; w + 1 < source.wires.size(); ++w)
+  {
+    const SourceWire& wire = source.wires[w];
+    const bool first = (wire.type == WireType::Seam || wire.type == WireType::Dart) &&
+      source.wires[w + 1].curve == wire.curve;
+    for (std::size_t k = 0; first && k + 1 < wire.points.size(); ++k)
+    {
+      curveOf.push_back(wire.curve);
+    }
+  }
+  std::vector<std::int64_t> pairs;
+  for (std::size_t row = 0; row < source.sewn.size(); ++row)
+  {
+    const SewnEdges& sewn = source.sewn[row];
+    pairs.insert(pairs.end(),
+      { sewn.a[0], sewn.a[1], sewn.b[0], sewn.b[1], row < curveOf.size() ? curveOf[row] : none });
+  }
+  return { "SeamPairs", std::move(pairs), 5 };
+}
+
+Columns wireArrays(const PatternSource& source)
+{
+  const std::vector<SourceWire>& wires = source.wires;
+  std::vector<WireLengths> lengths;
+  for (const SourceWire& wire : wires)
+  {
+    lengths.push_back(lengthsOf(source, wire));
+  }
+  Columns cells;
+  const std::size_t count = wires.size();
+  const auto typeOf = [&](std::size_t row) { return curveType(wires[row].type); };
+  addRows<int>(cells, "CurveType", count, typeOf);
+  addRows<int>(cells, "WireKind", count, typeOf);
+  cells.back().role = ArrayRole::Scalars;
+  addRows<std::int64_t>(cells, "CurveId", count, [&](std::size_t row) { return wires[row].curve; });
+  addRows<std::int64_t>(cells, "PieceId", count, [&](std::size_t row) { return wires[row].piece; });
+  addRows<std::string>(cells, "CurveName", count, [&](std::size_t row) { return wires[row].name; });
+  addRows<unsigned char>(cells, "Boundary", count, [](std::size_t) { return 1; });
+  addRows<unsigned char>(cells, "Connector", count, [](std::size_t) { return 0; });
+  addRows<double>(cells, "LengthError", count, [&](std::size_t row) { return lengths[row].error; });
+  addRows<double>(
+    cells, "RestLength", count, [&](std::size_t row) { return lengths[row].inSpace; });
+  addRows<double>(
+    cells, "FlatLength", count, [&](std::size_t row) { return lengths[row].inPlane; });
+  return cells;
+}
+}
+
+GarmentData garmentData(const PatternSource& source)
+{
+  GarmentData data;
+  Points3 inPlane;
+  for (const Point2& p : source.positions)
+  {
+    inPlane.emplace_back(p.x(), p.y(), 0.0);
+  }
+  for (const Triangle& triangle : source.triangles)
+  {
+    data.flat.faces.add(triangle);
+  }
+  addRows<std::int64_t>(data.flat.cellArrays, "PieceId", source.triangles.size(),
+    [&](std::size_t row) { return source.pieceOfTriangle[row]; });
+  data.flat.cellArrays.back().role = ArrayRole::Scalars;
+  data.cut = data.flat;
+  data.flat.points = std::make_shared<const Points3>(std::move(inPlane));
+  data.cut.points = std::make_shared<const Points3>(source.inSpace);
+  Column pairs = seamPairs(source);
+  if (pairs.rows() > 0)
+  {
+    data.flat.fieldArrays.push_back(std::move(pairs));
+  }
+  data.wires.points = data.flat.points;
+  for (const SourceWire& wire : source.wires)
+  {
+    data.wires.lines.add(wire.points);
+  }
+  data.wires.cellArrays = wireArrays(source);
+  writePanels(source.panels, data.wires.fieldArrays);
+  return data;
 }
 }

@@ -2,20 +2,16 @@
 #pragma once
 
 #include "Base/Status.h"
+#include "Input/Columns.h"
 #include "Outlines/PatternSource.h"
 
-class vtkFieldData;
-
-namespace flattening
-{
-namespace bridge
+namespace flattening::pattern
 {
 /// Panels as arrays of the field data: `PanelNames`, `PanelLabels`, `PanelPlacements`,
 /// `PanelEdges`, `PanelEdgeParameters`, `PanelEdgeLabels`, `PanelStitches`.
-void writePanels(const pattern::SourcePanels& panels, vtkFieldData* field);
+void writePanels(const SourcePanels& panels, Columns& fields);
 
 /// The way back; nothing where the arrays are not there.
 /// \return InvalidPattern where they do not fit each other or the pieces
-Status readPanels(vtkFieldData* field, pattern::PatternSource& source);
-}
+Status readPanels(const Columns& fields, PatternSource& source);
 }

@@ -7,11 +7,13 @@
 #include "Options.h"
 #include "OutputFiles.h"
 #include "PatternPicture.h"
+#include "PolyDataOutput.h"
 #include "TableOptions.h"
 #include "TextFile.h"
 #include "VtkMessages.h"
 
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 
 #include <CLI/CLI.hpp>
 
@@ -110,13 +112,15 @@ void addPicture(const Options& options, const Flattening& result, OutputFiles& f
   };
   const auto& threads = figures::threadColorings;
   figures::PatternScene scene;
-  scene.piece = { result.flat, result.wires, result.cut, result.tables.pieces, result.curveTable };
+  const figures::PolyData flat = polyDataOf(*result.flat);
+  scene.piece = { flat, polyDataOf(*result.wires, flat->GetPoints()), polyDataOf(*result.cut),
+    tableOf(result.tables.pieces), tableOf(result.curveTable) };
   scene.coloring = figures::coloringOf(options.picture.coloring).value();
   scene.range = { options.picture.range[0], options.picture.range[1] };
-  demand(scene.coloring != figures::Coloring::Distance || result.sewn,
+  demand(scene.coloring != figures::Coloring::Distance || result.sewn != nullptr,
     "sewn pieces: run wirewarp sew on the result first");
   demand(std::find(threads.begin(), threads.end(), scene.coloring) == threads.end() ||
-      result.tables.pieces->GetColumnByName("StrainWarpRms"),
+      findColumn(result.tables.pieces, "StrainWarpRms") != nullptr,
     "pieces of a material: flatten with --material");
   scene.title = std::filesystem::path(options.surface).stem().string() + ", scheme " +
     options.values.text("Scheme");
@@ -127,8 +131,8 @@ void addPicture(const Options& options, const Flattening& result, OutputFiles& f
   }
   if (scene.coloring == figures::Coloring::Distance)
   {
-    scene.sewn = result.sewn;
-    scene.piece.flat = withDistance(result.flat, result.sewn);
+    scene.sewn = polyDataOf(*result.sewn);
+    scene.piece.flat = withDistance(flat, scene.sewn);
     scene.title += ", sewn again";
   }
   scene.warning = result.exitCode == Flawed;

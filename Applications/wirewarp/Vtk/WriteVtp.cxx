@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InputError.h"
+#include "PolyDataOutput.h"
+#include "TextFile.h"
+#include "VtkMessages.h"
+#include "WriteData.h"
+
+#include <vtkNew.h>
+#include <vtkSMPTools.h>
+#include <vtkVersion.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <cstddef>
+#include <new>
+
+namespace wirewarp
+{
+namespace
+{
+/// Where VTK's writer finds no memory it crashes, so that it is asked for here first.
+void demandMemory(const flattening::DataSet& data)
+{
+  constexpr std::size_t slack = std::size_t{ 1 } << 24U;
+  constexpr std::size_t copies = 4; // the data set, its blocks as they are, packed and as text
+  std::size_t values = 3 * data.points->size() + data.lines.ids.size() + data.faces.ids.size();
+  for (const flattening::Columns* const columns : { &data.pointArrays, &data.cellArrays })
+  {
+    for (const flattening::Column& column : *columns)
+    {
+      values += column.rows() * static_cast<std::size_t>(column.components);
+    }
+  }
+  ::operator delete(::operator new(copies * sizeof(double) * values + slack));
+}
+}
+
+const char* const dataExtension = ".vtp";
+
+std::string vtkInWords()
+{
+  return std::string("VTK ") + vtkVersion::GetVTKVersion();
+}
+
+std::string bytesOf(const std::string& file, const flattening::DataSet& data)
+{
+  if (lowerCaseExtension(file) == ".obj")
+  {
+    return objOf(data);
+  }
+  demandMemory(data);
+  vtkSMPTools::SetBackend("Sequential"); // where there can be no thread, TBB gives up
+  // By way of memory: on a full disk VTK's writer of files crashes.
+  const VtkMessages messages;
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  // With the Expat of Debian 12's security updates ParaView 5.11 refuses appended data.
+  writer->SetDataModeToBinary();
+  // Zlib takes three times as long to make files of seven tenths of the size.
+  writer->SetCompressorTypeToLZ4();
+  writer->WriteToOutputStringOn();
+  writer->SetInputData(polyDataOf(data));
+  if (writer->Write() != 1 || !messages.errors().empty())
+  {
+    throw InputError(file, "cannot be written (" + messages.firstError() + ")");
+  }
+  return writer->GetOutputString();
+}
+}

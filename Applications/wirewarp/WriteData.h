@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Input/DataSet.h"
+
+#include <string>
+
+namespace wirewarp
+{
+/// Of the files that keep a result, with its dot: .vtp, and .obj in builds without VTK.
+extern const char* const dataExtension;
+
+/// "VTK 9.1.0", or "without VTK".
+std::string vtkInWords();
+
+/// The bytes of a file. Throws InputError where this build does not write its format.
+std::string bytesOf(const std::string& file, const flattening::DataSet& data);
+
+/// Wavefront OBJ: points, faces, and lines in groups with their types and names.
+std::string objOf(const flattening::DataSet& data);
+}

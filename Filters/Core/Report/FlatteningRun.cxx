@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Report/FlatteningRun.h"
+
+#include "Design/LineSuggestion.h"
+#include "Flattening/SurfaceFlattening.h"
+#include "Report/FlatteningArrays.h"
+#include "Report/FlatteningTables.h"
+#include "Report/ReshapingReport.h"
+#include "Report/SuggestionReport.h"
+#include "Suggestion/CurveSuggestion.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+/// The curves of the input with those proposed behind them, of a source of their own.
+CurveInput withProposed(CurveInput curves, const std::vector<SuggestedCurve>& proposed)
+{
+  const int source = curves.sourceOfPolyline.empty()
+    ? 1
+    : *std::max_element(curves.sourceOfPolyline.begin(), curves.sourceOfPolyline.end()) + 1;
+  Index point = 0;
+  for (std::size_t k = 0; k < proposed.size(); ++k)
+  {
+    Polyline curve = proposed[k].curve;
+    curve.pointIds.clear();
+    while (curve.pointIds.size() < curve.points.size())
+    {
+      curve.pointIds.push_back(point++);
+    }
+    curves.polylines.push_back(std::move(curve));
+    curves.cellOfPolyline.push_back(static_cast<std::int64_t>(k));
+    curves.sourceOfPolyline.push_back(source);
+  }
+  return curves;
+}
+}
+
+bool FlatteningRun::conclude(const Status& outcome)
+{
+  this->status = outcome;
+  return !outcome.refused();
+}
+
+void FlatteningRun::warn(const std::vector<std::string>& sentences)
+{
+  for (const std::string& sentence : sentences)
+  {
+    if (std::find(this->warnings.begin(), this->warnings.end(), sentence) == this->warnings.end())
+    {
+      this->warnings.push_back(sentence);
+    }
+  }
+}
+
+bool FlatteningRun::load(SurfaceTriangles surface, CurveInput curves,
+  const OptionStructures& options, const std::map<std::string, double>& tolerances,
+  const Execution& execution)
+{
+  this->source.surface = surface.outcome.ok()
+    ? loadSurface(std::move(surface), options.coincidentPoints,
+        options.healSurface ? Defects::Heal : Defects::Refuse)
+    : LoadedSurface{ {}, {}, surface.outcome, {} };
+  const std::vector<std::string>& mendings = this->source.surface.mendings;
+  this->source.warnings.insert(this->source.warnings.end(), mendings.begin(), mendings.end());
+  this->source.outcome = this->source.surface.outcome;
+  if (this->source.outcome.ok())
+  {
+    imprintInput(std::move(curves), options.imprint, execution, this->source);
+  }
+  const bool loaded = this->conclude(this->source.outcome) &&
+    this->conclude(applyTolerances(tolerances, this->source));
+  this->warn(loaded ? this->source.warnings : std::vector<std::string>());
+  return loaded;
+}
+
+std::optional<FlatteningResult> FlatteningRun::flatten(
+  FlatteningOptions options, const std::array<std::int64_t, 2>& pins, const Execution& execution)
+{
+  if (!this->conclude(this->source.pinVertices(pins, options.conformal.pins)))
+  {
+    return {};
+  }
+  this->warn(describeShortEnds(this->source));
+  FlatteningResult result =
+    flattenSurface(this->source.imprinted.mesh, this->source.imprinted.curves, options, execution);
+  if (!this->conclude(this->source.outcomeOfStage(
+        result.status, result.status.refused() ? nullptr : result.cut.get())))
+  {
+    return {};
+  }
+  if (!result.leftOut.empty())
+  {
+    this->warn({ describeLeftOut(this->source, result) });
+  }
+  this->warn(describeVerdicts(this->source, result));
+  return result;
+}
+
+std::optional<FlatteningResult> FlatteningRun::suggest(const SuggestionOptions& options,
+  const Execution& execution, const std::function<void()>& goOn, CurveSuggestions& found)
+{
+  const bool lines = options.search.cuts == SuggestedCuts::Lines;
+  found = (lines ? suggestLines : suggestCurves)(
+    this->source.surface.prepared.mesh, this->source.curves.polylines, options, execution);
+  if (!this->conclude(this->source.outcomeOfStage(found.status)))
+  {
+    return {};
+  }
+  const std::vector<Polyline> given = this->source.curves.polylines;
+  if (found.end == SearchEnd::Interrupted)
+  {
+    goOn();
+  }
+  imprintInput(
+    withProposed(this->source.curves, found.curves), options.imprint, execution, this->source);
+  std::optional<FlatteningResult> result;
+  if (this->conclude(this->source.outcome))
+  {
+    result = this->flatten(options.flattening, { -1, -1 }, execution);
+  }
+  const std::string shortfall = result && !lines
+    ? describeShortfall(found, options.search.bound, options.search.maximumWidth, given)
+    : std::string();
+  if (!shortfall.empty())
+  {
+    this->warn({ shortfall });
+  }
+  return result;
+}
+
+std::optional<FlattenableSurface> FlatteningRun::reshape(const std::set<std::string>& keptCurves,
+  const LoadedBody& body, FlattenableOptions options, const Execution& execution)
+{
+  options.body = body.get();
+  if (!this->conclude(body.outcome) ||
+    !this->conclude(findCurves(keptCurves, this->source, options.kept)))
+  {
+    return {};
+  }
+  this->warn(describeShortEnds(this->source));
+  FlattenableSurface moved =
+    makeFlattenable(this->source.imprinted.mesh, this->source.imprinted.curves, options, execution);
+  if (!this->conclude(this->source.outcomeOfStage(
+        moved.status, moved.status.refused() ? nullptr : moved.after.cut.get())))
+  {
+    return {};
+  }
+  if (!moved.after.leftOut.empty())
+  {
+    this->warn({ describeLeftOut(this->source, moved.after) });
+  }
+  if (!moved.boundMet)
+  {
+    this->warn({ describeShortfall(moved, options) });
+  }
+  return moved;
+}
+}

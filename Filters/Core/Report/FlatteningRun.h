@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Flattening/FlatteningOptions.h"
+#include "Flattening/FlatteningResult.h"
+#include "Input/CurvedSurface.h"
+#include "Input/DataSet.h"
+#include "Options/OptionStructures.h"
+#include "Suggestion/CurveSuggestions.h"
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace flattening
+{
+/// A surface with its curves, and what is to be said of it, for front ends that use no VTK. The
+/// last status counts.
+struct FlatteningRun
+{
+  CurvedSurface source;
+  Status status;
+  std::vector<std::string> warnings; ///< each once
+
+  /// \return whether there is a result up to here
+  bool conclude(const Status& outcome);
+  void warn(const std::vector<std::string>& sentences);
+
+  /// Heals the surface and imprints the curves. \param tolerances by names of curves
+  /// \return whether that could be done
+  bool load(SurfaceTriangles surface, CurveInput curves, const OptionStructures& options,
+    const std::map<std::string, double>& tolerances, const Execution& execution);
+
+  /// \param pins points of the input, or -1. \return none where the surface is refused
+  std::optional<FlatteningResult> flatten(
+    FlatteningOptions options, const std::array<std::int64_t, 2>& pins, const Execution& execution);
+
+  /// Proposes curves, which the source has then behind its own. \param goOn called where the search
+  /// was interrupted, before the surface is flattened with what it found
+  /// \return none where the surface is refused
+  std::optional<FlatteningResult> suggest(const SuggestionOptions& options,
+    const Execution& execution, const std::function<void()>& goOn, CurveSuggestions& found);
+
+  /// Moves the surface.
+  /// \return none where the surface is refused
+  std::optional<FlattenableSurface> reshape(const std::set<std::string>& keptCurves,
+    const LoadedBody& body, FlattenableOptions options, const Execution& execution);
+};
+}
