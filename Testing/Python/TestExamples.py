@@ -97,7 +97,7 @@ class Examples(unittest.TestCase):
         with open(os.path.join(self.folder, "a.txt"), "w", encoding="utf-8") as file:
             file.write("key middle 3 5\n")
         output = self.run_example("flatten_without_vtk.py", "a.obj", "a.png", "--curves", "a.txt")
-        self.assertRegex(output, r"^piece 1: OK, area error \d")
+        self.assertRegex(output, r"^piece 1: Ok, area error \d")
         self.assertGreater(len(colors_of(os.path.join(self.folder, "a.png"))), 10000)
 
     def test_flatten_and_plot(self):
