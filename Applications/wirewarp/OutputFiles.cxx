@@ -40,7 +40,7 @@ void OutputFiles::demandFolder(const std::filesystem::path& folder)
     throw InputError(place.string(), "cannot make the output folder (" + reason + ")" + otherPlace);
   }
   const std::filesystem::path probe = this->addEntry(place / "probe");
-  std::ofstream(probe).put('\n');
+  std::ofstream(probe, std::ios::binary).put('\n');
   const bool writable = std::filesystem::file_size(probe, error) == 1;
   std::filesystem::remove(probe, error);
   this->Entries.pop_back();
