@@ -68,6 +68,27 @@ vtkSmartPointer<vtkLookupTable> makeDivergingColors(double low, double middle, d
   return tabulate(function, low, high);
 }
 
+/// Eight colors that differ to the color-blind as well (M. Okabe, K. Ito, Color Universal Design,
+/// 2008), black in a gray.
+constexpr std::array<Vector, 8> distinct{ { { 0.902, 0.624, 0.0 }, { 0.337, 0.706, 0.914 },
+  { 0.0, 0.620, 0.451 }, { 0.941, 0.894, 0.259 }, { 0.0, 0.447, 0.698 }, { 0.835, 0.369, 0.0 },
+  { 0.800, 0.475, 0.655 }, { 0.6, 0.6, 0.6 } } };
+
+/// One color after the other for the numbers from 0 on.
+vtkSmartPointer<vtkLookupTable> makeDistinctColors(double greatest)
+{
+  vtkNew<vtkLookupTable> table;
+  const auto count = static_cast<vtkIdType>(greatest) + 1;
+  table->SetNumberOfTableValues(count);
+  table->SetTableRange(-0.5, static_cast<double>(count) - 0.5);
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    const Vector& color = distinct[k % distinct.size()];
+    table->SetTableValue(k, color[0], color[1], color[2]);
+  }
+  return table;
+}
+
 constexpr double rightAngle = 90.0;
 constexpr double turnedOver = 100.0; ///< strain of such a triangle, and the largest, in percent
 
@@ -143,6 +164,12 @@ ColorMap colorMapOf(Coloring coloring, const FlatPiece& piece)
       return { name, true, "sewn surface: distance from the design (unit of length)",
         makeSequentialColors({ 0.0, largest > 0.0 ? largest : 1.0 }), 3 };
     }
+    case Coloring::Piece:
+    {
+      const char* const name = "PieceId";
+      vtkDataArray* const values = piece.flat->GetCellData()->GetArray(name);
+      return { name, false, "", makeDistinctColors(values ? values->GetRange()[1] : 0.0), 0 };
+    }
     case Coloring::Warp:
       return { "StrainWarp", false, "strain of the warp (drawn above 0)",
         makeDivergingColors(-0.05, 0.0, 0.05), 5 };
@@ -189,6 +216,8 @@ const char* nameOf(Coloring coloring)
       return "shear";
     case Coloring::Distance:
       return "distance";
+    case Coloring::Piece:
+      return "piece";
     default:
       return "homogeneity";
   }
@@ -218,7 +247,7 @@ std::optional<Coloring> coloringOf(const std::string& name)
 ColorMap makeColorMap(Coloring coloring, const FlatPiece& piece, ColorRange range)
 {
   ColorMap map = colorMapOf(coloring, piece);
-  if (range.low != range.high)
+  if (range.low != range.high && map.labels > 0)
   {
     const bool diverges = map.colors->GetTableRange()[0] < 0.0 || coloring == Coloring::Area;
     map.colors = diverges

@@ -24,18 +24,19 @@ enum class Coloring
   Warp,
   Weft,
   Shear,
-  Distance ///< of the sewn surface from the design
+  Distance, ///< of the sewn surface from the design
+  Piece     ///< a color for each piece
 };
 
-constexpr std::array<Coloring, 4> colorings{ Coloring::Developability, Coloring::Homogeneity,
-  Coloring::AspectRatio, Coloring::Area };
+constexpr std::array<Coloring, 5> colorings{ Coloring::Developability, Coloring::Homogeneity,
+  Coloring::AspectRatio, Coloring::Area, Coloring::Piece };
 
 /// Those of pieces on a material.
 constexpr std::array<Coloring, 4> threadColorings{ Coloring::Stretch, Coloring::Warp,
   Coloring::Weft, Coloring::Shear };
 
 /// "developability", "homogeneity", "aspect-ratio", "area", "strain", "stretch", "warp", "weft",
-/// "shear", "distance".
+/// "shear", "distance", "piece".
 const char* nameOf(Coloring coloring);
 std::optional<Coloring> coloringOf(const std::string& name);
 
@@ -46,7 +47,7 @@ struct ColorMap
   bool onPoints;
   std::string title;
   vtkSmartPointer<vtkLookupTable> colors;
-  int labels; ///< numbers along the scale, so that they are round
+  int labels; ///< numbers along the scale, so that they are round; 0: there is no scale
 };
 
 /// Magnitudes are in viridis, light where good and dark where poor; what goes either way from 0 or

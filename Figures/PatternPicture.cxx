@@ -156,7 +156,10 @@ PatternPicture::PatternPicture(const PatternScene& given, int width, int height)
   this->Window->AddRenderer(this->Overlay);
   this->drawTexts(scene);
   this->drawLegend(scene);
-  this->drawScale(map);
+  if (map.labels > 0)
+  {
+    this->drawScale(map);
+  }
   this->Window->Render();
 }
 

@@ -55,7 +55,8 @@ void addPicture(CLI::App& app, PictureRequest& request)
   app
     .add_option("--color", request.coloring,
       "What the colors show: strain (in %), homogeneity, area, aspect-ratio (what flattening does "
-      "to triangles), developability (angle defects of the surface); with a material stretch, "
+      "to triangles), developability (angle defects of the surface), piece (a color for each); "
+      "with a material stretch, "
       "warp, weft, shear; with sewn pieces distance (from the surface)")
     ->transform(CLI::IsMember(coloringNames(), CLI::ignore_case).description(""))
     ->type_name("MEASURE")
