@@ -312,6 +312,22 @@ TEST(SuggestedSets, SharpEdgesOfABoxBecomeItsNet)
   expectExact(box({ 2.0, 3.0, 1.2 }, 2, 1.0), SuggestedCuts::Seams, 7);
 }
 
+TEST(SuggestedSets, SeamsOfABoxDoNotGoAcrossItsFaces)
+{
+  const Point3 size(24.0, 16.0, 10.0);
+  const CurveSuggestions suggestions = suggestCurves(box(size, 8, 1.0), {}, optionsOf(0.01, 8));
+  ASSERT_TRUE(suggestions.boundMet);
+  for (const SuggestedCurve& cut : suggestions.curves)
+  {
+    for (const Point3& p : cut.curve.points)
+    {
+      const Point3 at(0.6 * p.x() + 0.8 * p.y(), 0.6 * p.y() - 0.8 * p.x(), p.z()); // turned back
+      const Point3 off = at.cwiseAbs().cwiseMin((size - at).cwiseAbs());
+      EXPECT_GE((off.array() < 1e-9).count(), 2) << at.transpose();
+    }
+  }
+}
+
 TEST(SuggestedSets, APyramidIsCutFromItsBaseToItsApex)
 {
   for (Index sides : { 3, 4, 7 })

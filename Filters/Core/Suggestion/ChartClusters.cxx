@@ -3,6 +3,7 @@
 
 #include "Base/CompressedRows.h"
 #include "Sparse/LinearSolver.h"
+#include "Suggestion/SeamDrawing.h"
 #include "Surface/SurfacePoint.h"
 #include "Surface/VertexFan.h"
 
@@ -99,6 +100,7 @@ private:
   void start()
   {
     this->Clusters.resize(this->Mesh.triangleCount());
+    const std::vector<char> creases = creasesOf(this->Mesh, sharpCosine);
     for (Index t = 0; t < this->Mesh.triangleCount(); ++t)
     {
       Cluster& cluster = this->Clusters[t];
@@ -112,7 +114,7 @@ private:
         const Index twin = this->Mesh.twin(3 * t + k);
         const double length = this->Mesh.length(3 * t + k);
         cluster.outline += length;
-        if (twin != none && twin / 3 != t)
+        if (twin != none && twin / 3 != t && !creases[3 * t + k])
         {
           cluster.neighbours[twin / 3] += length;
         }

@@ -26,7 +26,7 @@ double forecastStrain(const TriangleMesh& piece);
 /// sphere, as those of planes, cones and cylinders do, and whose outline is short (M. Garland, A.
 /// Willmott, P. Heckbert, "Hierarchical face clustering on polygonal surfaces", 2001; the proxies
 /// of D. Julius, V. Kraevoy, A. Sheffer, "D-Charts: quasi-developable mesh segmentation", 2005), as
-/// long as forecastStrain() stays within a bound.
+/// long as forecastStrain() stays within a bound. No cluster goes across a sharp edge.
 /// \param holes per boundary loop of the mesh, whether a cluster may surround it
 /// \return per triangle its cluster
 Indices clusterTriangles(const TriangleMesh& mesh, const std::vector<Indices>& loops,

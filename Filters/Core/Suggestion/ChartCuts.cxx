@@ -61,13 +61,10 @@ constexpr double inPlaneShare = 2.0;
 TriangleMesh fewTriangles(const TriangleMesh& mesh, Index most)
 {
   std::vector<char> kept(mesh.vertexCount(), 0);
+  const std::vector<char> creases = creasesOf(mesh, creaseCosine);
   for (Index h = 0; h < mesh.halfedgeCount(); ++h)
   {
-    kept[mesh.from(h)] = kept[mesh.from(h)] || isCrease(mesh, h) ? 1 : 0;
-  }
-  if (2 * std::count(kept.begin(), kept.end(), 1) > mesh.vertexCount())
-  {
-    kept.assign(kept.size(), 0); // those of a scan
+    kept[mesh.from(h)] = kept[mesh.from(h)] || creases[h] ? 1 : 0;
   }
   return coarsened(mesh, std::move(kept), most).mesh;
 }

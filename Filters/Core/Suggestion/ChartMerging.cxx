@@ -3,6 +3,7 @@
 
 #include "Base/CompressedRows.h"
 #include "Suggestion/OpeningCuts.h"
+#include "Suggestion/SeamDrawing.h"
 #include "Suggestion/SymmetryPlane.h"
 #include "Surface/VertexFan.h"
 
@@ -36,6 +37,8 @@ constexpr double freeRise = 1e-2;
 /// Where a number of charts is wanted: by what the bound is multiplied, and up to where.
 constexpr double raisedBound = 1.3;
 constexpr double greatestBound = 1.0;
+/// A seam along a sharp edge costs as much as one of this share of its length: it is seen anyway.
+constexpr double creaseShare = 0.5;
 /// Of a seam, what is sewn at once.
 constexpr std::array<double, 2> sewnShares{ 2.0 / 3.0, 1.0 / 3.0 };
 
@@ -70,6 +73,11 @@ Charts::Charts(const TriangleMesh& mesh, std::vector<char> cut, Indices images,
   , Trials(trials)
   , HoleOf(mesh.vertexCount(), none)
 {
+  const std::vector<char> creases = creasesOf(mesh, sharpCosine);
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    this->Prices.push_back((creases[h] ? creaseShare : 1.0) * mesh.length(h));
+  }
   const std::vector<Indices> loops = mesh.boundaryLoops();
   const std::vector<char> holes = findHoles(mesh, loops);
   for (std::size_t l = 0; l < loops.size() && options.holes; ++l)
@@ -511,7 +519,7 @@ bool Charts::isDisk(const OpenedPart& part) const
 
 Charts::Removal Charts::removalOf(Indices edges, double fixedPrice) const
 {
-  const double own = this->length(edges);
+  const double own = this->priceOf(edges);
   for (std::size_t k = edges.size(); k-- > 0;)
   {
     edges.push_back(this->Images[edges[k]]);
@@ -529,7 +537,7 @@ Charts::Removal Charts::removalOf(Indices edges, double fixedPrice) const
     return std::find(removal.charts.begin(), removal.charts.end(), chart) != removal.charts.end();
   };
   std::vector<char> joined(edges.size(), 0);
-  double length = 0.0;
+  double price = 0.0;
   for (bool more = true; more;)
   {
     more = false;
@@ -543,7 +551,7 @@ Charts::Removal Charts::removalOf(Indices edges, double fixedPrice) const
       }
       joined[k] = 1;
       more = true;
-      length += this->Mesh.length(edges[k]);
+      price += this->Prices[edges[k]];
       for (Index side : sides)
       {
         if (!has(side))
@@ -554,7 +562,7 @@ Charts::Removal Charts::removalOf(Indices edges, double fixedPrice) const
     }
   }
   // As much as both of a pair, where both are of the one chart.
-  removal.saved = fixedPrice * length / own + length / this->Size;
+  removal.saved = (fixedPrice / own + 1.0 / this->Size) * price;
   removal.edges = std::move(edges);
   return removal;
 }
@@ -679,7 +687,7 @@ Charts::Removal Charts::sharedOut(Index chart) const
   {
     std::sort(edges->begin(), edges->end());
     edges->erase(std::unique(edges->begin(), edges->end()), edges->end());
-    saved += (edges == &removal.opened ? -1.0 : 1.0) * this->length(*edges);
+    saved += (edges == &removal.opened ? -1.0 : 1.0) * this->priceOf(*edges);
   }
   const double pair = image == chart ? 1.0 : 2.0;
   removal.saved = (both ? 2.0 : 1.0) * (this->Options.fixedPrice + saved / pair / this->Size);
@@ -746,6 +754,12 @@ double Charts::length(const Indices& edges) const
 {
   return std::accumulate(edges.begin(), edges.end(), 0.0,
     [this](double sum, Index h) { return sum + this->Mesh.length(h); });
+}
+
+double Charts::priceOf(const Indices& edges) const
+{
+  return std::accumulate(
+    edges.begin(), edges.end(), 0.0, [this](double sum, Index h) { return sum + this->Prices[h]; });
 }
 
 /// The edges of an arc from an end on, about a share of it. None where no dart is left.

@@ -106,6 +106,7 @@ private:
   bool isNode(Index v) const;
   bool ownImage(const Arc& arc) const;
   double length(const Indices& edges) const;
+  double priceOf(const Indices& edges) const;
   Indices partOf(const Arc& arc, bool front, double share) const;
   Arc follow(Index first, std::vector<char>& used) const;
 
@@ -117,7 +118,9 @@ private:
   Index Fewest; ///< charts
   double Size;
   ChartTrials& Trials;
-  Indices HoleOf;  ///< by vertex
+  Indices HoleOf; ///< by vertex
+  std::vector<double>
+    Prices;        ///< by half-edge, of a seam along it: its length, less at a sharp edge
   Indices ChartOf; ///< by triangle
   std::vector<Chart> All;
   Index Versions = 0;

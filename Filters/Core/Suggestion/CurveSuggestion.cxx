@@ -349,11 +349,12 @@ private:
     const bool flat = this->isFlat(gores.set);
     const bool usable = gores.set.outcome.valid && this->allowed(gores.set) &&
       (flat || wanted.pieces > 0 || wanted.maximumCuts > 0);
-    // A smooth surface of revolution has no better seams.
-    const bool alone = gores.equal && !creased && usable && (flat || wanted.pieces > 0);
+    // Charts of a smooth round surface are strips that wind round it, with less seam and worse to
+    // sew.
+    const bool alone = !creased && (flat || (gores.equal && usable && wanted.pieces > 0));
     this->Result.end = SearchEnd::NothingHelps;
     CutSet set = alone ? gores.set : this->searchedSet(surface, uncut, strained, creased);
-    if (usable && !this->better(set, gores.set))
+    if (alone || (usable && !this->better(set, gores.set)))
     {
       this->Result.end = flat ? SearchEnd::BoundMet : this->Result.end;
       this->Result.mirror = SurfaceMirror(gores.plane);

@@ -15,7 +15,6 @@ namespace flattening
 {
 namespace
 {
-constexpr double creaseCosine = 0.866;
 /// Places this near to vertices, in mean edges, are moved onto them.
 constexpr double placeSnap = 0.03;
 /// In mean edges, points of a line are farther apart.
@@ -68,11 +67,27 @@ std::vector<Indices> meetingCurves(const ImprintedSurface& surface)
 }
 }
 
-bool isCrease(const TriangleMesh& mesh, Index halfedge)
+bool isCrease(const TriangleMesh& mesh, Index halfedge, double cosine)
 {
   const Index twin = mesh.twin(halfedge);
   return twin != none &&
-    triangleNormal(mesh, halfedge / 3).dot(triangleNormal(mesh, twin / 3)) < creaseCosine;
+    triangleNormal(mesh, halfedge / 3).dot(triangleNormal(mesh, twin / 3)) < cosine;
+}
+
+std::vector<char> creasesOf(const TriangleMesh& mesh, double cosine)
+{
+  std::vector<char> creases(mesh.halfedgeCount(), 0);
+  std::vector<char> on(mesh.vertexCount(), 0);
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    creases[h] = isCrease(mesh, h, cosine) ? 1 : 0;
+    on[mesh.from(h)] = on[mesh.from(h)] || creases[h] ? 1 : 0;
+  }
+  if (2 * std::count(on.begin(), on.end(), 1) > mesh.vertexCount())
+  {
+    creases.assign(creases.size(), 0);
+  }
+  return creases;
 }
 
 SeamDrawing::SeamDrawing(const TriangleMesh& mesh)

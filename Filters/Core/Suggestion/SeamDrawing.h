@@ -8,8 +8,16 @@
 
 namespace flattening
 {
-/// Whether the surface turns by more than 30 degrees at an edge.
-bool isCrease(const TriangleMesh& mesh, Index halfedge);
+/// Cosines of how far a surface turns at least at a crease, by 30 degrees, and at a sharp edge, by
+/// 50, which coarse meshes of smooth surfaces hardly have.
+inline constexpr double creaseCosine = 0.866;
+inline constexpr double sharpCosine = 0.643;
+
+bool isCrease(const TriangleMesh& mesh, Index halfedge, double cosine = creaseCosine);
+
+/// By half-edge whether it is a crease. None is where more than half of the vertices are on
+/// creases, as on a scan.
+std::vector<char> creasesOf(const TriangleMesh& mesh, double cosine);
 
 /// Draws seams on a surface from chains of places, more or less smooth.
 class SeamDrawing
