@@ -18,12 +18,14 @@ from vtkmodules.vtkFiltersCore import vtkImageAppend
 from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkImageConstantPad, vtkImageResize
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
+import shapes
 from measures import COMMAND, DATA, HERE, PIECES
 
 WIDTH = 640  # of a picture in a page, in pixels
 COLUMNS, COLUMN_WIDTH = 3, 240  # of the gallery
 CLOTHED = ("shirt_front", "shirt_back", "pants_back", "wetsuit_upper_front", "shoe_upper", "quarter_sphere")
 CLOTH_WIDTH = 360
+SHAPE_WIDTH = 480
 WINDOW_WIDTH = 900  # of a picture of the window
 EDITOR = os.environ.get("PATTERN_EDITOR_TEST",
                         os.path.join(os.path.dirname(COMMAND), "TestPatternEditor"))
@@ -131,6 +133,21 @@ def draw_suggestion(folder, images):
     write(scaled(read(picture), WIDTH), f"{images}/suggestions.png")
 
 
+def draw_shapes(folder, images):
+    """Ten closed shapes and their pieces, a color for each."""
+    drawn = []
+    shapes.write(folder)
+    for name in shapes.shapes():
+        result = os.path.join(folder, "shape_" + name)
+        picture = result + ".png"
+        subprocess.run([COMMAND, "cut", f"{folder}/{name}.obj", "--max-strain", "5%", "--quiet", "-o", result], check=True)
+        subprocess.run([COMMAND, "picture", result, "--color", "piece", "--quiet", "-o", picture], check=True)
+        # Without the table below the drawings.
+        drawn.append(scaled(read(picture), SHAPE_WIDTH, read(picture).GetDimensions()[1] * 17 // 100))
+    rows = [appended(drawn[k:k + 2], 0) for k in range(0, len(drawn), 2)]
+    write(appended(rows[::-1], 1), f"{images}/shapes.png")
+
+
 def draw_sewn(folder, images):
     """The T-shirt, sewn again and drawn over its design."""
     picture = os.path.join(folder, "sewn.png")
@@ -224,6 +241,7 @@ def main():
     run_tutorial(folder, images)
     draw_editor(folder, images)
     draw_suggestion(folder, images)
+    draw_shapes(folder, images)
     draw_sewn(folder, images)
     draw_materials(folder, images)
     draw_cloths(folder, images)

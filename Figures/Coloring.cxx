@@ -226,7 +226,7 @@ const char* nameOf(Coloring coloring)
 //------------------------------------------------------------------------------
 std::optional<Coloring> coloringOf(const std::string& name)
 {
-  for (const Coloring coloring : { Coloring::Strain, Coloring::Distance })
+  for (const Coloring coloring : { Coloring::Strain, Coloring::Distance, Coloring::Piece })
   {
     if (name == nameOf(coloring))
     {

@@ -28,8 +28,8 @@ enum class Coloring
   Piece     ///< a color for each piece
 };
 
-constexpr std::array<Coloring, 5> colorings{ Coloring::Developability, Coloring::Homogeneity,
-  Coloring::AspectRatio, Coloring::Area, Coloring::Piece };
+constexpr std::array<Coloring, 4> colorings{ Coloring::Developability, Coloring::Homogeneity,
+  Coloring::AspectRatio, Coloring::Area };
 
 /// Those of pieces on a material.
 constexpr std::array<Coloring, 4> threadColorings{ Coloring::Stretch, Coloring::Warp,

@@ -37,6 +37,7 @@ std::vector<std::string> coloringNames()
     names.emplace_back(figures::nameOf(coloring));
   }
   names.emplace_back(figures::nameOf(figures::Coloring::Distance));
+  names.emplace_back(figures::nameOf(figures::Coloring::Piece));
   return names;
 }
 
