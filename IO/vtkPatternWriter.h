@@ -412,7 +412,7 @@ public:
   ///@{
   /**
    * Draw all notches of the curves of a name double, as two marks 6.35 mm apart along the
-   * border, on both sides of a seam or dart: so the back of an armhole is told from its
+   * border, on both sides of a seam or dart, which distinguishes the back of an armhole from its
    * front. A name that is not there is an error when writing.
    */
   void AddDoubleNotches(const std::string& curve);

@@ -121,16 +121,16 @@ class Materials(command.CommandTest):
     def test_files_that_are_no_material_are_named(self):
         numbers = '"warp": 2000, "weft": 1900, "shear": 25'
         for text, words in (
-                ("", "is no JSON in line 1"), ("{", "is no JSON in line 1"), ("[1]", "holds no object"),
+                ("", "is not JSON at line 1"), ("{", "is not JSON at line 1"), ("[1]", "holds no object"),
                 ("7", "holds no object"), ("null", "holds no object"), ('"twill"', "holds no object"),
-                ("{\n" + numbers + "\n,}", "is no JSON in line 3"),
-                ('{"warp": NaN}', "is no JSON"), ('{"warp": Infinity}', "is no JSON"),
-                ("{" + numbers + "} {}", "is no JSON"),
+                ("{\n" + numbers + "\n,}", "is not JSON at line 3"),
+                ('{"warp": NaN}', "is not JSON"), ('{"warp": Infinity}', "is not JSON"),
+                ("{" + numbers + "} {}", "is not JSON"),
                 ('{"warp": 1e999, "weft": 1, "shear": 1}', "has a number that is too large"),
                 ("{" + numbers + ', "warp": 1}', 'has "warp" twice'),
                 ("{" + numbers + ', "limits": {"shear": 1, "shear": 9}}', 'has "shear" twice'),
-                ("[" * 100000, "is no JSON"), ('{"a":' * 100000, "is no JSON"),
-                (b"\x00\xff\xfe" * 100, "is no JSON"), (b'{"name": "\xff"}', "is no JSON"),
+                ("[" * 100000, "is not JSON"), ('{"a":' * 100000, "is not JSON"),
+                (b"\x00\xff\xfe" * 100, "is not JSON"), (b'{"name": "\xff"}', "is not JSON"),
                 (" " * 2000000 + "{" + numbers + "}", "has more than a megabyte")):
             self.write("bad.json", text)
             self.assertIn(words, self.refused("--material", "bad.json"), text[:60])

@@ -307,7 +307,7 @@ class Reading(pattern.PatternTest):
             sf.read_garmentcode(self.path("none.json"))
         with open(self.path("cut.json"), "w", encoding="utf-8") as file:
             file.write(json.dumps(SKIRT, indent=1)[:500])
-        with self.assertRaisesRegex(ValueError, "no JSON in line"):
+        with self.assertRaisesRegex(ValueError, "not JSON at line"):
             sf.read_garmentcode(self.path("cut.json"))
         with self.assertRaisesRegex(TypeError, "unit"):
             self.read(SKIRT).write_pattern(self.path("a.svg"), unit="mm")

@@ -55,7 +55,7 @@ const Column* findColumn(const Columns& columns, const std::string& name);
 /// Replaces the column of its name, or adds it.
 void setColumn(Columns& columns, Column column);
 
-/// Adds columns, each in the place of one of its name.
+/// Adds columns; one replaces that of its name.
 void setColumns(Columns& columns, Columns added);
 
 /// The rows of arrays that other elements are copies of, without ids that are of one element alone.

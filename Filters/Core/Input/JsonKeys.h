@@ -77,7 +77,7 @@ JsonFault readJson(const std::string& text, const Read& read)
   {
     const auto until =
       text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    return { "is no JSON in line " + std::to_string(1 + std::count(text.begin(), until, '\n')),
+    return { "is not JSON at line " + std::to_string(1 + std::count(text.begin(), until, '\n')),
       "" };
   }
   catch (const typename Json::exception&)

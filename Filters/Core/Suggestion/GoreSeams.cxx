@@ -329,7 +329,7 @@ CutSet fewestGores(const GoreSeams& gores, const CutTrials& trials, const Search
   double most = gores.equal() ? mostEqualGores : mostGores;
   most = wanted.maximumCuts > 0 ? std::min<double>(most, wanted.maximumCuts) : most;
   Index count = std::max(gores.fewest(), wanted.pieces);
-  Index missed = count - 1; // so many miss the bound
+  Index missed = count - 1; // this number misses the bound
   CutSet set = tried(count);
   while (misses(set) && wanted.pieces == 0)
   {

@@ -41,7 +41,7 @@ const FairSpan& spanAt(const std::vector<FairSpan>& spans, double arc);
 /// Parts of a span that its length is integrated over.
 inline constexpr int spanParts = 4;
 
-/// Calls f(t, weight) at the places of Gauss's rule of eight points on each of so many parts of an
+/// Calls f(t, weight) at the places of Gauss's rule of eight points on each part of an
 /// interval. By that on quarters of a span its length is exact to rounding though its speed be
 /// uneven.
 template <typename Function>
