@@ -94,9 +94,10 @@ double pixelSize(vtkRenderer* renderer, const std::array<double, 3>& point)
 //------------------------------------------------------------------------------
 void SurfacePicker::setSurface(vtkPolyData* surface)
 {
-  this->Surface = surface && surface->GetNumberOfCells() > 0 ? surface : nullptr;
+  const bool any = surface && surface->GetNumberOfCells() > 0;
+  this->Surface = any ? surface : nullptr;
   this->Outwards = 0.0;
-  if (this->Surface)
+  if (any)
   {
     this->Locator->SetDataSet(surface);
     this->Locator->BuildLocator();

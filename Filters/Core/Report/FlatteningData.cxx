@@ -27,9 +27,10 @@ Columns wholeColumns(const Columns& all, std::size_t count, const std::string& e
     const std::size_t rows = column.rows();
     if (rows < count)
     {
-      warnings.push_back("the " + element + " array \"" + column.name + "\" has " +
-        std::to_string(rows) + (rows == 1 ? " value for " : " values for ") +
-        std::to_string(count) + " " + element + "s and is left out; give it one for each");
+      std::string text = "the " + element + " array \"" + column.name + "\" has ";
+      text += std::to_string(rows) + (rows == 1 ? " value for " : " values for ");
+      text += std::to_string(count) + " " + element + "s and is left out; give it one for each";
+      warnings.push_back(std::move(text));
       continue;
     }
     Column& kept = whole.emplace_back(column);
