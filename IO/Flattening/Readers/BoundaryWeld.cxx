@@ -43,8 +43,10 @@ public:
     const Cell center = this->cellOf(this->List.point(p));
     for (int k = 0; k < 27; ++k)
     {
-      const auto found = this->Cells.find(
-        { center[0] + k % 3 - 1, center[1] + k / 3 % 3 - 1, center[2] + k / 9 - 1 });
+      const int row = k / 3 % 3;
+      const int layer = k / 9;
+      const auto found =
+        this->Cells.find({ center[0] + k % 3 - 1, center[1] + row - 1, center[2] + layer - 1 });
       for (const std::int64_t q :
         found == this->Cells.end() ? std::vector<std::int64_t>() : found->second)
       {
