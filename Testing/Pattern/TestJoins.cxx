@@ -69,6 +69,18 @@ std::map<std::string, int> marksOf(const PatternPiece& piece)
   }
   return marks;
 }
+
+/// The left square hangs down from the strip, the right one rises by 60 degrees.
+PatternSource bentStripAndSquares()
+{
+  PatternSource source = stripAndSquares();
+  const double half = 50.0 * std::sqrt(3.0);
+  source.inSpace = { { 0.0, 0.0, 0.0 }, { 200.0, 0.0, 0.0 }, { 200.0, 100.0, 0.0 },
+    { 100.0, 100.0, 0.0 }, { 0.0, 100.0, 0.0 }, { 0.0, 100.0, 0.0 }, { 100.0, 100.0, 0.0 },
+    { 100.0, 100.0, -100.0 }, { 0.0, 100.0, -100.0 }, { 100.0, 100.0, 0.0 }, { 200.0, 100.0, 0.0 },
+    { 200.0, 150.0, half }, { 100.0, 150.0, half } };
+  return source;
+}
 }
 
 TEST(Joins, MarksCountOnBehindZ)
@@ -160,13 +172,7 @@ TEST(Joins, TheTableHasTheirPiecesAndLengths)
 
 TEST(Joins, TheirBendIsThatOfTheSurface)
 {
-  PatternSource source = stripAndSquares();
-  const double half = 50.0 * std::sqrt(3.0);
-  // The left square hangs down from the strip, the right one rises by 60 degrees.
-  source.inSpace = { { 0.0, 0.0, 0.0 }, { 200.0, 0.0, 0.0 }, { 200.0, 100.0, 0.0 },
-    { 100.0, 100.0, 0.0 }, { 0.0, 100.0, 0.0 }, { 0.0, 100.0, 0.0 }, { 100.0, 100.0, 0.0 },
-    { 100.0, 100.0, -100.0 }, { 0.0, 100.0, -100.0 }, { 100.0, 100.0, 0.0 }, { 200.0, 100.0, 0.0 },
-    { 200.0, 150.0, half }, { 100.0, 150.0, half } };
+  const PatternSource source = bentStripAndSquares();
   std::vector<WalkInterval> walk;
   ASSERT_TRUE(walkSeams(source, inMillimetres(), walk).ok());
   EXPECT_EQ(walk.front().join, "A");
@@ -177,12 +183,7 @@ TEST(Joins, TheirBendIsThatOfTheSurface)
 
 TEST(Joins, ThickMaterialIsBeveledByHalfOfTheBend)
 {
-  PatternSource source = stripAndSquares();
-  const double half = 50.0 * std::sqrt(3.0);
-  source.inSpace = { { 0.0, 0.0, 0.0 }, { 200.0, 0.0, 0.0 }, { 200.0, 100.0, 0.0 },
-    { 100.0, 100.0, 0.0 }, { 0.0, 100.0, 0.0 }, { 0.0, 100.0, 0.0 }, { 100.0, 100.0, 0.0 },
-    { 100.0, 100.0, -100.0 }, { 0.0, 100.0, -100.0 }, { 100.0, 100.0, 0.0 }, { 200.0, 100.0, 0.0 },
-    { 200.0, 150.0, half }, { 100.0, 150.0, half } };
+  const PatternSource source = bentStripAndSquares();
   FileOptions options;
   options.format = FileFormat::Pdf;
   options.pattern = inMillimetres();

@@ -791,9 +791,9 @@ std::string describeIdleOption(const OptionValues& values, OptionSpelling spelli
       {
         text += ", not for " + setting(other, { values.text(other.property) }, spelling);
       }
-      return text +
-        (values.isGiven(other.property) ? "; leave one of them out"
-                                        : "; give that as well, or leave " + name + " out");
+      text += values.isGiven(other.property) ? "; leave one of them out"
+                                             : "; give that as well, or leave " + name + " out";
+      return text;
     }
   }
   return "";

@@ -41,6 +41,9 @@ struct SymmetryPlane
   Point3 projected(const Point3& point) const { return point - this->side(point) * this->normal; }
 };
 
+/// Of sqrt(area / pi), how far 95 % of a mirrored surface may be from itself.
+inline constexpr double mirrorTolerance = 0.03;
+
 /// The plane through the centre of area across the axis along which the surface extends least.
 SymmetryPlane flattestPlane(const TriangleMesh& mesh);
 
@@ -50,7 +53,8 @@ SymmetryPlane flattestPlane(const TriangleMesh& mesh);
 /// registration of multiple range images", Image and Vision Computing 10(3), 1992), and takes it
 /// where 95 % of them are within `tolerance` times sqrt(area / pi), and the mean distance of the
 /// surface from the plane is not.
-std::optional<SymmetryPlane> findSymmetryPlane(const TriangleMesh& mesh, double tolerance = 0.03);
+std::optional<SymmetryPlane> findSymmetryPlane(
+  const TriangleMesh& mesh, double tolerance = mirrorTolerance);
 
 /// What a user says of the mirror plane.
 struct SymmetryChoice
