@@ -73,7 +73,7 @@ std::vector<std::filesystem::path> kept(
     if (!options.output.empty())
     {
       const std::filesystem::path path = std::filesystem::path(options.output) / name;
-      paths.push_back(path.has_extension() ? path.string() : path.string() + dataExtension);
+      paths.emplace_back(path.has_extension() ? path.string() : path.string() + dataExtension);
     }
   }
   return paths;

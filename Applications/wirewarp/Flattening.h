@@ -33,9 +33,9 @@ inline std::size_t rowsOf(const Table& table)
 }
 
 /// A value of a table; 0 or empty where there is no such column.
-double numberIn(const Table& table, std::size_t row, const char* column);
-long long integerIn(const Table& table, std::size_t row, const char* column);
-std::string textIn(const Table& table, std::size_t row, const char* column);
+double numberIn(const Table& rows, std::size_t row, const char* column);
+long long integerIn(const Table& rows, std::size_t row, const char* column);
+std::string textIn(const Table& rows, std::size_t row, const char* column);
 
 /// A strain above this multiple of the bound misses it.
 constexpr double missedBy = 1.5;

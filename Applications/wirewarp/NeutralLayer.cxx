@@ -42,7 +42,7 @@ DataSet neutralLayer(const DataSet& surface, double inwards)
   std::vector<Eigen::Vector3d> normals(count, Eigen::Vector3d::Zero());
   for (const ListedTriangle& triangle : list.triangles)
   {
-    const Eigen::Vector3d first = list.point(triangle.corners[0]);
+    const Eigen::Vector3d& first = list.point(triangle.corners[0]);
     const Eigen::Vector3d twice =
       (list.point(triangle.corners[1]) - first).cross(list.point(triangle.corners[2]) - first);
     const double area = twice.norm();

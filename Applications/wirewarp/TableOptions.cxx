@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <iomanip>
 #include <limits>
 #include <map>
@@ -23,6 +22,15 @@ namespace wirewarp
 namespace
 {
 using flattening::OptionType;
+
+/// What sets an option to a value that was given.
+auto keeperOf(flattening::OptionValues& values, const flattening::Option& option)
+{
+  return [&values, property = option.property](flattening::OptionValue value) {
+    values.set(property, std::move(value));
+    values.markGiven(property);
+  };
+}
 
 /// Adds the options of a subset one by one.
 class TableOptions
@@ -47,7 +55,7 @@ public:
       {
         const double turned = std::get<double>(option.byDefault) != 0.0 ? 0.0 : 1.0;
         return this->App.add_flag_callback(
-          name, [turned, keep = this->keeper(option)]() { keep(turned); },
+          name, [turned, keep = keeperOf(this->Values, option)]() { keep(turned); },
           turned == 0.0 ? option.helpOff : option.help);
       }
       case OptionType::Integer:
@@ -64,16 +72,6 @@ public:
   }
 
 private:
-  using Keeper = std::function<void(flattening::OptionValue)>;
-
-  Keeper keeper(const flattening::Option& option)
-  {
-    return [&values = this->Values, property = option.property](flattening::OptionValue value) {
-      values.set(property, std::move(value));
-      values.markGiven(property);
-    };
-  }
-
   /// What a number is for single curves, by the same flag.
   const flattening::Option* listOf(const flattening::Option& option) const
   {
@@ -94,8 +92,8 @@ private:
     return this->App
       .add_option_function<std::vector<std::string>>(
         name,
-        [name, &option, keep = this->keeper(option), &list, keepList = this->keeper(list)](
-          const std::vector<std::string>& entries) {
+        [name, &option, keep = keeperOf(this->Values, option), &list,
+          keepList = keeperOf(this->Values, list)](const std::vector<std::string>& entries) {
           std::vector<std::string> ofCurves;
           for (const std::string& entry : entries)
           {
@@ -145,7 +143,7 @@ private:
   CLI::Option* addNumber(const std::string& name, const flattening::Option& option)
   {
     CLI::Option* const added = this->App.add_option_function<double>(
-      name, [keep = this->keeper(option)](double value) { keep(value); }, option.help);
+      name, [keep = keeperOf(this->Values, option)](double value) { keep(value); }, option.help);
     if (option.form == "STRAIN")
     {
       added->transform(percentage(option.minimum, option.maximum, rangeOf(option)));
@@ -171,7 +169,7 @@ private:
     return this->App
       .add_option_function<std::string>(
         name,
-        [words, keep = this->keeper(option)](const std::string& word) {
+        [words, keep = keeperOf(this->Values, option)](const std::string& word) {
           keep(static_cast<double>(std::find(words.begin(), words.end(), word) - words.begin()));
         },
         option.help)
@@ -185,7 +183,8 @@ private:
     const bool ids = option.type == OptionType::Ids;
     return this->App
       .add_option_function<std::vector<double>>(
-        name, [keep = this->keeper(option)](const std::vector<double>& all) { keep(all); },
+        name,
+        [keep = keeperOf(this->Values, option)](const std::vector<double>& all) { keep(all); },
         option.help)
       ->expected(static_cast<int>(std::get<std::vector<double>>(option.byDefault).size()))
       ->check(ids ? wholeNumber(0, std::numeric_limits<int>::max(), "from 0") : within(option))
@@ -197,7 +196,8 @@ private:
     const bool list = option.type == OptionType::List;
     CLI::Option* const added = this->App.add_option_function<std::vector<std::string>>(
       name,
-      [list, &option, keep = this->keeper(option)](const std::vector<std::string>& entries) {
+      [list, &option, keep = keeperOf(this->Values, option)](
+        const std::vector<std::string>& entries) {
         if (list)
         {
           std::for_each(entries.begin(), entries.end(),
