@@ -108,7 +108,10 @@ class Make(command.CommandTest):
         arguments = [command.EXECUTABLE, "make", "cap.obj", "--unit", "cm", "--max-strain", "0.1%", "--max-cuts", "1",
                      "-o", "a.svg"]
         for colors, red in (({}, True), ({"NO_COLOR": "1"}, False)):
-            ours, theirs = pty.openpty()
+            try:
+                ours, theirs = pty.openpty()
+            except OSError as error:  # a root without /dev/pts
+                self.skipTest(str(error))
             run = subprocess.run(arguments, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=theirs, check=False,
                                  env={**os.environ, **colors}, timeout=120)
             os.close(theirs)
