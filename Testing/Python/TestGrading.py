@@ -73,7 +73,7 @@ class Grading(unittest.TestCase):
         centimetres = sf.grade(self.sizes).rules
         for unit, factor in (("mm", 0.1), ("cm", 1.0), ("m", 100.0), ("inch", 2.54)):
             for size in list(self.sizes)[1:]:  # the first that states one
-                self.sizes[size]._field_arrays["LengthUnit"] = [unit]
+                self.sizes[size]._parts.flat["field_arrays"]["LengthUnit"] = [unit]
             for rule, wanted in zip(sf.grade(self.sizes).rules, centimetres):
                 self.assertLess(np.abs(np.array(rule.deltas) - factor * np.array(wanted.deltas)).max(), 1e-9 * factor)
             self.assertEqual(sf.grade(self.sizes, unit="cm").rules, centimetres)

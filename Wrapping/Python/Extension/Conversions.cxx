@@ -96,12 +96,7 @@ py::dict dictOf(Columns columns)
         using Value = typename std::decay_t<decltype(values)>::value_type;
         if constexpr (std::is_same_v<Value, std::string>)
         {
-          py::list texts;
-          for (const std::string& text : values)
-          {
-            texts.append(textOf(text));
-          }
-          return std::move(texts);
+          return textsOf(values);
         }
         else
         {
@@ -111,17 +106,6 @@ py::dict dictOf(Columns columns)
       std::move(column.values));
   }
   return dict;
-}
-
-py::array rowsOf(const Triangles& triangles)
-{
-  std::vector<std::array<std::int64_t, 3>> rows;
-  rows.reserve(triangles.size());
-  for (const Triangle& t : triangles)
-  {
-    rows.push_back({ t[0], t[1], t[2] });
-  }
-  return arrayOf<std::int64_t>(std::move(rows));
 }
 
 namespace
@@ -146,9 +130,18 @@ Columns columnsOf(const py::dict& arrays)
         using Value = typename std::decay_t<decltype(all)>::value_type;
         column.values = std::vector<Value>(all.data(), all.data() + all.size());
       };
-      if (array.dtype().kind() == 'f')
+      const char kind = array.dtype().kind();
+      if (kind == 'f')
       {
         take(Numbers(array));
+      }
+      else if (kind == 'i' && array.itemsize() == sizeof(int))
+      {
+        take(py::array_t<int, py::array::c_style>(array));
+      }
+      else if (kind == 'b' || (kind == 'u' && array.itemsize() == 1))
+      {
+        take(py::array_t<unsigned char, py::array::c_style | py::array::forcecast>(array));
       }
       else
       {
@@ -171,26 +164,42 @@ DataSet dataSetOf(const py::dict& data)
     places.emplace_back(p.x(), p.y(), 0.0);
   }
   set.points = std::make_shared<const Points3>(std::move(places));
-  if (data.contains("triangles"))
+  const auto idsOf = [](const py::handle& values) {
+    const auto ids = values.cast<Ids>();
+    return std::vector<std::int64_t>(ids.data(), ids.data() + ids.size());
+  };
+  if (data.contains("corners"))
   {
-    const auto corners = data["triangles"].cast<Ids>();
-    for (py::ssize_t k = 0; k + 2 < corners.size(); k += 3)
+    set.faces.ids = idsOf(data["corners"]);
+    if (data.contains("offsets"))
     {
-      set.faces.add(std::array<std::int64_t, 3>{
-        corners.data()[k], corners.data()[k + 1], corners.data()[k + 2] });
+      set.faces.offsets = idsOf(data["offsets"]);
+    }
+    for (std::size_t k = 3; !data.contains("offsets") && k <= set.faces.ids.size(); k += 3)
+    {
+      set.faces.offsets.push_back(static_cast<std::int64_t>(k));
     }
   }
-  for (const py::handle line : data.contains("lines") ? data["lines"].cast<py::list>() : py::list())
+  for (const auto& [key, list] : { std::pair("lines", &set.lines), { "strips", &set.strips } })
   {
-    const auto ids = line.cast<Ids>();
-    set.lines.add(std::vector<std::int64_t>(ids.data(), ids.data() + ids.size()));
+    for (const py::handle cell : data.contains(key) ? data[key].cast<py::list>() : py::list())
+    {
+      list->add(idsOf(cell));
+    }
   }
-  const auto columns = [&data](const char* key) {
-    return data.contains(key) ? columnsOf(data[key].cast<py::dict>()) : Columns();
-  };
-  set.pointArrays = columns("point_arrays");
-  set.cellArrays = columns("cell_arrays");
-  set.fieldArrays = columns("field_arrays");
+  set.vertexCells = data.contains("vertices") ? data["vertices"].cast<std::size_t>() : 0;
+  for (const auto& [key, columns] : { std::pair("point_arrays", &set.pointArrays),
+         { "cell_arrays", &set.cellArrays }, { "field_arrays", &set.fieldArrays } })
+  {
+    *columns = data.contains(key) ? columnsOf(data[key].cast<py::dict>()) : Columns();
+    const py::dict roles = data.contains("roles") ? data["roles"].cast<py::dict>() : py::dict();
+    for (Column& column : *columns)
+    {
+      const py::tuple name = py::make_tuple(key, column.name);
+      column.role =
+        roles.contains(name) ? static_cast<ArrayRole>(roles[name].cast<int>()) : ArrayRole::None;
+    }
+  }
   return set;
 }
 
@@ -202,13 +211,41 @@ py::dict dictOf(DataSet data)
     lines.append(
       arrayOf<std::int64_t>(std::vector<std::int64_t>(data.lines.begin(k), data.lines.end(k))));
   }
+  py::dict roles;
+  for (const auto& [key, columns] :
+    { std::pair("point_arrays", &data.pointArrays), { "cell_arrays", &data.cellArrays } })
+  {
+    for (const Column& column : *columns)
+    {
+      if (column.role != ArrayRole::None)
+      {
+        roles[py::make_tuple(key, textOf(column.name))] = static_cast<int>(column.role);
+      }
+    }
+  }
   using pybind11::literals::operator""_a;
   return py::dict("points"_a = arrayOf<double>(Points3(*data.points)),
     "corners"_a = arrayOf<std::int64_t>(std::move(data.faces.ids)),
     "offsets"_a = arrayOf<std::int64_t>(std::move(data.faces.offsets)), "lines"_a = lines,
     "point_arrays"_a = dictOf(std::move(data.pointArrays)),
     "cell_arrays"_a = dictOf(std::move(data.cellArrays)),
-    "field_arrays"_a = dictOf(std::move(data.fieldArrays)));
+    "field_arrays"_a = dictOf(std::move(data.fieldArrays)), "roles"_a = roles);
+}
+
+LoadedBody bodyOf(const py::object& surface)
+{
+  return surface.is_none() ? LoadedBody()
+                           : loadBody(readTriangles(dataSetOf(surface.cast<py::dict>())));
+}
+
+py::list textsOf(const std::vector<std::string>& texts)
+{
+  py::list list;
+  for (const std::string& text : texts)
+  {
+    list.append(textOf(text));
+  }
+  return list;
 }
 
 py::tuple tupleOf(const Status& status)
@@ -225,91 +262,6 @@ py::tuple tupleOf(const Status& status)
   }
   return py::make_tuple(static_cast<int>(status.code), statusName(status.code),
     textOf(status.message), ids, kindName(status.ids.kind), remedies);
-}
-
-SurfaceTriangles readSurface(const Numbers& points, const Ids& corners, const py::object& offsets)
-{
-  SurfaceTriangles surface;
-  surface.outcome = checkSize(points.shape(0), corners.size());
-  if (!surface.outcome.ok())
-  {
-    return surface;
-  }
-  surface.points = points3Of(points);
-  Indices starts;
-  if (!offsets.is_none())
-  {
-    const auto given = offsets.cast<Ids>();
-    starts.assign(given.data(), given.data() + given.size());
-  }
-  else
-  {
-    for (Index k = 0; k <= corners.size(); k += 3)
-    {
-      starts.push_back(k);
-    }
-  }
-  Indices ids(static_cast<std::size_t>(corners.size()));
-  std::transform(corners.data(), corners.data() + corners.size(), ids.begin(), pointIndex);
-  const auto sound = [&surface](Index p) {
-    return p >= 0 && p < static_cast<Index>(surface.points.size()) && isFinite(surface.points[p]);
-  };
-  const bool divides = std::all_of(ids.begin(), ids.end(), sound);
-  std::vector<std::int64_t> lost;
-  for (std::size_t cell = 0; cell + 1 < starts.size(); ++cell)
-  {
-    const Indices polygon(ids.begin() + starts[cell], ids.begin() + starts[cell + 1]);
-    if (polygon.size() > 3 && divides)
-    {
-      if (!appendPolygon(surface, static_cast<std::int64_t>(cell), polygon, {}))
-      {
-        lost.push_back(static_cast<std::int64_t>(cell));
-      }
-      continue;
-    }
-    // Triangles; or fans, which keep the unsound points for prepareSurface() to refuse.
-    for (std::size_t k = 2; k < polygon.size(); ++k)
-    {
-      surface.triangles.push_back({ polygon[0], polygon[k - 1], polygon[k] });
-      surface.cellOfTriangle.push_back(static_cast<std::int64_t>(cell));
-    }
-  }
-  surface.outcome = refuseLost(lost);
-  return surface;
-}
-
-CurveInput readCurves(const py::list& curves)
-{
-  CurveInput input;
-  Index first = 0;
-  for (const py::handle curve : curves)
-  {
-    const auto row = curve.cast<py::tuple>();
-    const auto cell = static_cast<std::int64_t>(input.polylines.size());
-    Polyline polyline;
-    polyline.points = points3Of(row[0].cast<Numbers>());
-    for (std::size_t k = 0; k < polyline.points.size(); ++k)
-    {
-      polyline.pointIds.push_back(first++);
-    }
-    polyline.name = row[1].cast<std::string>();
-    polyline.type = static_cast<CurveType>(row[2].cast<int>());
-    polyline.keyShape = static_cast<KeyShape>(row[3].cast<int>());
-    polyline.tolerance = row[4].cast<double>();
-    input.outcome = checkTolerance(cell, polyline.tolerance);
-    if (input.outcome.ok() && !row[5].is_none())
-    {
-      input.outcome = takePlanarShape(points2Of(row[5].cast<Numbers>()), polyline);
-    }
-    if (!input.outcome.ok())
-    {
-      return input;
-    }
-    input.polylines.push_back(std::move(polyline));
-    input.cellOfPolyline.push_back(cell);
-    input.sourceOfPolyline.push_back(1);
-  }
-  return input;
 }
 
 Settings::Settings(const std::string& owner, const py::dict& values)

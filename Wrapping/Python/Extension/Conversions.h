@@ -55,22 +55,19 @@ py::object textOf(const std::string& text);
 /// Name: array, or list of texts.
 py::dict dictOf(Columns columns);
 
-/// Corners of triangles, a row each.
-py::array rowsOf(const Triangles& triangles);
-
-/// Points, triangles or polygons, lines and arrays.
+/// Points, corners of polygons (without offsets of triangles), lines, strips, arrays, and their
+/// roles.
 DataSet dataSetOf(const py::dict& data);
 py::dict dictOf(DataSet data);
 
+/// None: no body.
+LoadedBody bodyOf(const py::object& surface);
+
+/// The list as texts.
+py::list textsOf(const std::vector<std::string>& texts);
+
 /// Code, name, defect, ids, their kind, and remedies with their subjects.
 py::tuple tupleOf(const Status& status);
-
-/// Triangles, or with offsets polygons, over points.
-SurfaceTriangles readSurface(const Numbers& points, const Ids& corners, const py::object& offsets);
-
-/// Curves as tuples of positions, name, type, shape of a key, tolerance, and shape in the plane or
-/// None.
-CurveInput readCurves(const py::list& curves);
 
 OptionOwner ownerNamed(const std::string& name);
 

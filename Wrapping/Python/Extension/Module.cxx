@@ -4,78 +4,131 @@
 #include "Conversions.h"
 #include "Pieces.h"
 
+#include "Base/LengthUnit.h"
 #include "Design/KeyPrices.h"
+#include "Input/DataSet.h"
 #include "Input/InputSurface.h"
 #include "Input/StatusWords.h"
-#include "Report/FlatteningArrays.h"
+#include "Report/FlatteningData.h"
 #include "Report/FlatteningRun.h"
 #include "Report/FlatteningTables.h"
+#include "Report/PieceSizes.h"
 #include "Report/ReshapingReport.h"
 #include "Report/SuggestionReport.h"
 #include "Reshaping/FlattenableSurface.h"
 
 #include <pybind11/stl.h>
 
-#include <array>
 #include <optional>
 
 namespace flattening::python
 {
 namespace
 {
+/// A surface, and data sets of its curves, as front ends have them.
+struct Source
+{
+  DataSet surface;
+  CurveInput curves;
+  FlatteningRun run; ///< its warnings begin with those of the arrays
+  SurfaceArrays arrays;
+  std::string unit; ///< empty: none is stated
+
+  Source(const py::dict& given, const py::list& connected)
+    : surface(dataSetOf(given))
+    , arrays(this->surface, this->run.source.warnings)
+  {
+    this->read(this->surface, given, 0);
+    int number = 0;
+    for (const py::handle item : connected)
+    {
+      const auto data = item.cast<py::dict>();
+      this->read(dataSetOf(data), data, ++number);
+    }
+  }
+
+  SurfaceTriangles triangles() const
+  {
+    SurfaceTriangles refused;
+    refused.outcome = this->defect;
+    return this->defect.ok() ? readTriangles(this->surface) : refused;
+  }
+
+private:
+  Status defect; ///< of cells that do not fit their list of points
+
+  void read(const DataSet& data, const py::dict& given, int number)
+  {
+    if (given.contains("defect"))
+    {
+      this->defect = { StatusCode::InvalidPointId, given["defect"].cast<std::string>(), {},
+        { Remedy::WriteAgain } };
+    }
+    if (this->curves.outcome.ok())
+    {
+      readCurves(data, number, this->curves);
+    }
+    const Column* const stated = findColumn(data.fieldArrays, "LengthUnit");
+    const Unit known =
+      stated && stated->rows() > 0 ? unitNamed(stated->text(0)) : Unit::Unspecified;
+    if (this->unit.empty() && known != Unit::Unspecified)
+    {
+      this->unit = unitName(known);
+    }
+  }
+};
+
 /// What Python makes a Flattening of.
 struct Flattened
 {
-  FlatteningArrays arrays;
-  Triangles triangles;
-  std::vector<Indices> wires;
+  FlatteningData data;
   Columns pieces;
   Columns curves;
   ReportTables tables;
   StageSeconds seconds;
 };
 
-/// \pre the status of the run is that of the result
-Flattened reportOf(
-  const FlatteningRun& run, const FlatteningResult& result, const FlatteningOptions& options)
+void setField(Columns& fields, const char* name, const std::string& text)
 {
-  const CurvedSurface& source = run.source;
+  setColumn(fields, { name, std::vector<std::string>{ text } });
+}
+
+/// \pre the status of the run is that of the result
+Flattened reportOf(Source& source, const FlatteningResult& result, const FlatteningOptions& options)
+{
+  FlatteningRun& run = source.run;
   Flattened flattened;
-  flattened.arrays = flatteningArrays(source, result, options);
-  addRows<std::string>(flattened.arrays.fieldArrays, "RunStatus", 1,
-    [&](std::size_t) { return statusName(run.status.code); });
-  addRows<std::string>(flattened.arrays.fieldArrays, "RunStatusMessage", 1,
-    [&](std::size_t) { return inWords(run.status); });
-  flattened.triangles = result.cut->mesh.triangles();
-  for (const Wire& wire : result.wires)
+  FlatteningData& data = flattened.data;
+  data = flatteningData(source.arrays, run.source, result, options);
+  const Column* const names = findColumn(data.flat.cellArrays, "PieceName");
+  flattened.pieces = pieceTable(run.source, result, source.unit,
+    names && names->isText() ? std::get<std::vector<std::string>>(names->values)
+                             : std::vector<std::string>());
+  const std::string size = sizeWarning(pieceSizes(result), source.unit);
+  if (!source.unit.empty())
   {
-    flattened.wires.push_back(wire.vertices);
+    run.warn(size.empty() ? std::vector<std::string>() : std::vector<std::string>{ size });
+    for (DataSet* const part : { &data.flat, &data.wires, &data.cut })
+    {
+      setField(part->fieldArrays, "LengthUnit", source.unit);
+    }
   }
-  flattened.pieces = pieceTable(source, result, "", {});
+  setField(data.flat.fieldArrays, "RunStatus", statusName(run.status.code));
+  setField(data.flat.fieldArrays, "RunStatusMessage", inWords(run.status));
   flattened.curves = curveTable(result.curves);
-  flattened.tables = ReportTables(source, result);
+  flattened.tables = ReportTables(run.source, result);
   flattened.seconds = result.seconds;
   return flattened;
 }
 
 py::dict resultOf(Flattened flattened)
 {
-  py::list wires;
-  for (const Indices& vertices : flattened.wires)
-  {
-    wires.append(
-      arrayOf<std::int64_t>(std::vector<std::int64_t>(vertices.begin(), vertices.end())));
-  }
   const StageSeconds& seconds = flattened.seconds;
   ReportTables& tables = flattened.tables;
   using pybind11::literals::operator""_a;
-  return py::dict("positions"_a = arrayOf<double>(std::move(flattened.arrays.positions)),
-    "points"_a = arrayOf<double>(std::move(flattened.arrays.points)),
-    "triangles"_a = rowsOf(flattened.triangles),
-    "point_arrays"_a = dictOf(std::move(flattened.arrays.pointArrays)),
-    "cell_arrays"_a = dictOf(std::move(flattened.arrays.cellArrays)),
-    "field_arrays"_a = dictOf(std::move(flattened.arrays.fieldArrays)),
-    "wire_arrays"_a = dictOf(std::move(flattened.arrays.wireArrays)), "wires"_a = wires,
+  return py::dict("flat"_a = dictOf(std::move(flattened.data.flat)),
+    "wires"_a = dictOf(std::move(flattened.data.wires)),
+    "cut"_a = dictOf(std::move(flattened.data.cut)),
     "tables"_a = py::dict("pieces"_a = dictOf(std::move(flattened.pieces)),
       "curves"_a = dictOf(std::move(flattened.curves)),
       "angle_iterations"_a = dictOf(std::move(tables.angleIterations)),
@@ -86,65 +139,43 @@ py::dict resultOf(Flattened flattened)
     "seconds"_a = py::make_tuple(seconds.wires, seconds.interior, seconds.quality, seconds.total));
 }
 
-py::dict outcomeOf(const FlatteningRun& run)
-{
-  py::list warnings;
-  for (const std::string& sentence : run.warnings)
-  {
-    warnings.append(textOf(sentence));
-  }
-  using pybind11::literals::operator""_a;
-  return py::dict(
-    "status"_a = tupleOf(run.status), "refused"_a = run.status.refused(), "warnings"_a = warnings);
-}
-
-/// Points, corners, offsets or None, and curves, as readSurface() and readCurves() take them.
-struct Input
-{
-  SurfaceTriangles surface;
-  CurveInput curves;
-
-  Input(const Numbers& points, const Ids& corners, const py::object& offsets, const py::list& given)
-    : surface(readSurface(points, corners, offsets))
-    , curves(readCurves(given))
-  {
-  }
-};
-
-/// Runs work(execution, run) with the interpreter's lock free. \return whether it gave a result
+/// Runs work(execution, watched) with the interpreter's lock free, where the surface can be used.
+/// \return what Python learns of it
 template <class Work>
-FlatteningRun runWatched(Input input, const Settings& settings, py::object progress,
-  const Work& work, bool endsEarly = false)
+py::dict runWatched(Source& source, const Settings& settings, py::object progress, const Work& work,
+  bool endsEarly = false)
 {
   WatchedRun watched(std::move(progress));
-  FlatteningRun run;
+  FlatteningRun& run = source.run;
   {
     const py::gil_scoped_release free;
     const Execution execution = watched.execution();
-    if (run.load(std::move(input.surface), std::move(input.curves), settings.structures,
+    if (run.load(source.triangles(), std::move(source.curves), settings.structures,
           settings.tolerances, execution))
     {
-      work(execution, run, watched);
+      work(execution, watched);
     }
   }
   watched.finish(endsEarly && !run.status.refused());
-  return run;
+  using pybind11::literals::operator""_a;
+  return py::dict("status"_a = tupleOf(run.status), "refused"_a = run.status.refused(),
+    "warnings"_a = textsOf(run.warnings));
 }
 
-py::dict flatten(const Numbers& points, const Ids& corners, const py::object& offsets,
-  const py::list& curves, const std::string& owner, const py::dict& options, py::object progress)
+py::dict flatten(const py::dict& surface, const py::list& curves, const std::string& owner,
+  const py::dict& options, py::object progress)
 {
   const Settings settings(owner, options);
   const FlatteningOptions& flattening = settings.structures.flattening;
+  Source source(surface, curves);
   std::optional<Flattened> flattened;
-  const FlatteningRun run = runWatched({ points, corners, offsets, curves }, settings,
-    std::move(progress), [&](const Execution& execution, FlatteningRun& running, WatchedRun&) {
-      if (const auto result = running.flatten(flattening, settings.pins, execution))
+  py::dict result =
+    runWatched(source, settings, std::move(progress), [&](const Execution& execution, WatchedRun&) {
+      if (const auto done = source.run.flatten(flattening, settings.pins, execution))
       {
-        flattened = reportOf(running, *result, flattening);
+        flattened = reportOf(source, *done, flattening);
       }
     });
-  py::dict result = outcomeOf(run);
   if (flattened)
   {
     result["flattening"] = resultOf(std::move(*flattened));
@@ -162,19 +193,20 @@ py::tuple trialOf(const KeyTrial& trial, const std::vector<FeatureCurve>& curves
   return py::make_tuple(statusName(trial.status), trial.areaError, trial.strainP95, released);
 }
 
-py::dict priceKeys(const Numbers& points, const Ids& corners, const py::object& offsets,
-  const py::list& curves, const std::string& owner, const py::dict& options, py::object progress)
+py::dict priceKeys(const py::dict& surface, const py::list& curves, const std::string& owner,
+  const py::dict& options, py::object progress)
 {
   const Settings settings(owner, options);
+  Source source(surface, curves);
+  FlatteningRun& run = source.run;
   KeyPrices prices;
-  const FlatteningRun run = runWatched({ points, corners, offsets, curves }, settings,
-    std::move(progress), [&](const Execution& execution, FlatteningRun& running, WatchedRun&) {
-      const ImprintedSurface& surface = running.source.imprinted;
+  py::dict result =
+    runWatched(source, settings, std::move(progress), [&](const Execution& execution, WatchedRun&) {
+      const ImprintedSurface& imprinted = run.source.imprinted;
       prices = flattening::priceKeys(
-        surface.mesh, surface.curves, settings.structures.flattening, execution);
-      running.conclude(running.source.outcomeOfStage(prices.status));
+        imprinted.mesh, imprinted.curves, settings.structures.flattening, execution);
+      run.conclude(run.source.outcomeOfStage(prices.status));
     });
-  py::dict result = outcomeOf(run);
   if (run.status.refused())
   {
     return result;
@@ -183,8 +215,8 @@ py::dict priceKeys(const Numbers& points, const Ids& corners, const py::object& 
   py::list keys;
   for (const KeyPrice& key : prices.keys)
   {
-    keys.append(
-      py::make_tuple(key.curve, key.price, trialOf(key.without, known), trialOf(key.alone, known)));
+    keys.append(py::make_tuple(textOf(known[key.curve].name), key.price,
+      trialOf(key.without, known), trialOf(key.alone, known)));
   }
   result["all"] = trialOf(prices.all, known);
   result["none"] = trialOf(prices.none, known);
@@ -192,9 +224,9 @@ py::dict priceKeys(const Numbers& points, const Ids& corners, const py::object& 
   return result;
 }
 
-py::dict suggest(const Numbers& points, const Ids& corners, const py::object& offsets,
-  const py::list& curves, const py::object& weights, const std::string& owner,
-  const py::dict& options, py::object progress)
+/// \param weights a number for each cell of the surface, or None
+py::dict suggest(const py::dict& surface, const py::list& curves, const py::object& weights,
+  const std::string& owner, const py::dict& options, py::object progress)
 {
   const Settings settings(owner, options);
   const OptionStructures& all = settings.structures;
@@ -202,33 +234,29 @@ py::dict suggest(const Numbers& points, const Ids& corners, const py::object& of
   search.search = all.search;
   search.imprint = all.imprint;
   search.flattening = all.flattening;
-  std::vector<double> weightOfCell;
-  if (!weights.is_none())
-  {
-    const auto given = weights.cast<Numbers>();
-    weightOfCell.assign(given.data(), given.data() + given.size());
-  }
+  const auto weightOfCell = weights.is_none() ? Numbers(0) : weights.cast<Numbers>();
   const bool lines = all.search.cuts == SuggestedCuts::Lines;
+  Source source(surface, curves);
   CurveSuggestions found;
   std::optional<Flattened> flattened;
-  const FlatteningRun run = runWatched(
-    { points, corners, offsets, curves }, settings, std::move(progress),
-    [&](const Execution& execution, FlatteningRun& running, WatchedRun& watched) {
-      for (const std::int64_t cell : weightOfCell.empty()
-          ? std::vector<std::int64_t>()
-          : running.source.surface.input.cellOfTriangle)
+  py::dict result = runWatched(
+    source, settings, std::move(progress),
+    [&](const Execution& execution, WatchedRun& watched) {
+      for (const std::int64_t cell : source.run.source.surface.input.cellOfTriangle)
       {
-        search.weights.push_back(weightOfCell[static_cast<std::size_t>(cell)]);
+        if (weightOfCell.size() > 0)
+        {
+          search.weights.push_back(weightOfCell.data()[cell]);
+        }
       }
       // Interrupted, the surface is flattened with the cuts found so far.
-      if (const auto result = running.suggest(
+      if (const auto done = source.run.suggest(
             search, execution, [&watched] { watched.goOn(); }, found))
       {
-        flattened = reportOf(running, *result, search.flattening);
+        flattened = reportOf(source, *done, search.flattening);
       }
     },
     !lines);
-  py::dict result = outcomeOf(run);
   if (flattened)
   {
     py::list places;
@@ -246,51 +274,37 @@ py::dict suggest(const Numbers& points, const Ids& corners, const py::object& of
   return result;
 }
 
-py::dict makeFlattenable(const Numbers& points, const Ids& corners, const py::object& offsets,
-  const py::list& curves, const py::object& bodySurface, const std::string& owner,
-  const py::dict& options, py::object progress)
+py::dict makeFlattenable(const py::dict& surface, const py::list& curves,
+  const py::object& bodySurface, const std::string& owner, const py::dict& options,
+  py::object progress)
 {
   const Settings settings(owner, options);
   FlattenableOptions reshaping = settings.structures.reshaping;
   reshaping.flattening = settings.structures.flattening;
-  LoadedBody body;
-  if (!bodySurface.is_none())
-  {
-    const auto given = bodySurface.cast<py::tuple>();
-    body = loadBody(readSurface(given[0].cast<Numbers>(), given[1].cast<Ids>(), given[2]));
-  }
+  const LoadedBody body = bodyOf(bodySurface);
+  Source source(surface, curves);
+  CurvedSurface& shaped = source.run.source;
   std::optional<FlattenableSurface> moved;
   std::optional<Flattened> flattened;
-  Columns arrays;
-  const FlatteningRun run = runWatched({ points, corners, offsets, curves }, settings,
-    std::move(progress), [&](const Execution& execution, FlatteningRun& running, WatchedRun&) {
-      moved = running.reshape(settings.keptCurves, body, reshaping, execution);
+  ImprintData imprint;
+  py::dict result =
+    runWatched(source, settings, std::move(progress), [&](const Execution& execution, WatchedRun&) {
+      moved = source.run.reshape(settings.keptCurves, body, reshaping, execution);
       if (moved)
       {
-        arrays = shiftArrays(running.source.imprinted.mesh, *moved);
-        running.source.imprinted.mesh = moved->mesh;
-        flattened = reportOf(running, moved->after, reshaping.flattening);
+        Columns arrays = shiftArrays(shaped.imprinted.mesh, *moved);
+        shaped.imprinted.mesh = moved->mesh;
+        flattened = reportOf(source, moved->after, reshaping.flattening);
+        imprint = imprintData({}, shaped);
+        imprint.surface.pointArrays = std::move(arrays);
       }
     });
-  py::dict result = outcomeOf(run);
   if (flattened)
   {
-    py::list chains;
-    for (const FeatureCurve& curve : run.source.imprinted.curves)
-    {
-      chains.append(py::make_tuple(arrayOf<std::int64_t>(std::vector<std::int64_t>(
-                                     curve.vertices.begin(), curve.vertices.end())),
-        static_cast<int>(curve.type), textOf(curve.name), curve.keyShape == KeyShape::Straight,
-        curve.tolerance,
-        curve.keyShape == KeyShape::Planar ? py::object(arrayOf<double>(Points2(curve.planarShape)))
-                                           : py::none()));
-    }
     result["flattening"] = resultOf(std::move(*flattened));
-    result["points"] = arrayOf<double>(Points3(moved->mesh.points()));
-    result["triangles"] = rowsOf(moved->mesh.triangles());
-    result["arrays"] = dictOf(std::move(arrays));
+    result["surface"] = dictOf(std::move(imprint.surface));
+    result["curves"] = dictOf(std::move(imprint.curves));
     result["measures"] = dictOf(shiftTable(*moved));
-    result["curves"] = chains;
   }
   return result;
 }

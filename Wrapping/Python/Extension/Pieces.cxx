@@ -44,12 +44,7 @@ py::dict resew(const py::dict& flat, const py::dict& design, const py::dict& opt
   {
     sewing.material = readCloth(material, "").material;
   }
-  LoadedBody body;
-  if (!bodySurface.is_none())
-  {
-    const auto given = bodySurface.cast<py::tuple>();
-    body = loadBody(readSurface(given[0].cast<Numbers>(), given[1].cast<Ids>(), given[2]));
-  }
+  const LoadedBody body = bodyOf(bodySurface);
   sewing.body = body.get();
   const DataSet inPlane = dataSetOf(flat);
   const DataSet inSpace = dataSetOf(design);
@@ -70,13 +65,8 @@ py::dict resew(const py::dict& flat, const py::dict& design, const py::dict& opt
     }
   }
   watched.finish(false);
-  py::list warnings;
-  for (const std::string& warning : arrays.warnings)
-  {
-    warnings.append(textOf(warning));
-  }
-  py::dict result(
-    "status"_a = tupleOf(status), "refused"_a = status.refused(), "warnings"_a = warnings);
+  py::dict result("status"_a = tupleOf(status), "refused"_a = status.refused(),
+    "warnings"_a = textsOf(arrays.warnings));
   if (!status.refused())
   {
     result["points"] = arrayOf<double>(std::move(arrays.points));

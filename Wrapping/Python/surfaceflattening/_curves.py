@@ -5,7 +5,7 @@ from __future__ import annotations  # help() prints hints as they are written he
 
 from dataclasses import dataclass
 from numbers import Integral
-from typing import Any, Callable, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union, cast, get_args
+from typing import Any, Callable, Iterator, List, Optional, Sequence, Tuple, Union, cast, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from ._equality import ComparedByValue
 from ._errors import ArgumentError, ArgumentTypeError
 from ._options import index_of, text_of
+from ._pieces import Data
+from ._report import values_in
 from ._types import CurveType, KeyShape
 
 # In the order of vtkFeatureCurveAlgorithm.CurveTypes.
@@ -143,18 +145,8 @@ def _polygons(faces: NDArray[np.int64]) -> Iterator[NDArray[np.int64]]:
         at += 1 + count
 
 
-class Surface(NamedTuple):
-    """A surface as the algorithms take it."""
-
-    points: NDArray[np.float64]
-    #: Those of all polygons, one behind the other.
-    corners: NDArray[np.int64]
-    #: Where each polygon begins, and the end; None: all are triangles.
-    offsets: Optional[NDArray[np.int64]]
-
-
-def surface_of(points: ArrayLike, triangles: Optional[ArrayLike]) -> Surface:
-    """The arrays given, or what is wrong with them."""
+def surface_data(points: ArrayLike, triangles: Optional[ArrayLike]) -> Data:
+    """The arrays given as the algorithms take them, or what is wrong with them."""
     if hasattr(points, "GetDataObjectType"):
         raise ArgumentTypeError(f"points is {type(points).__name__}; it must be an array of positions. Meshes are taken by "
                                 "flatten_polydata(), suggest_polydata() and make_flattenable_polydata()")
@@ -171,23 +163,12 @@ def surface_of(points: ArrayLike, triangles: Optional[ArrayLike]) -> Surface:
         raise ArgumentError(
             f"triangles must have the shape (m, 3), or be a flat list, not {corners.shape}{hint}")
     if not flat:
-        return Surface(coordinates, corners.ravel(), None)
+        return {"points": coordinates, "corners": corners}
     if corners.size % 4 == 0 and (corners[::4] == 3).all():
-        return Surface(coordinates, corners.reshape(-1, 4)[:, 1:].ravel(), None)
+        return {"points": coordinates, "corners": corners.reshape(-1, 4)[:, 1:]}
     polygons = list(_polygons(corners))
-    return Surface(coordinates, np.concatenate(polygons), np.cumsum([0] + [len(polygon) for polygon in polygons]))
-
-
-class CurveRow(NamedTuple):
-    """A feature curve as the algorithms take it."""
-
-    positions: NDArray[np.float64]
-    name: str
-    #: Places among CURVE_TYPES and KEY_SHAPES.
-    type: int
-    key_shape: int
-    tolerance: float
-    planar_shape: Optional[NDArray[np.float64]]
+    return {"points": coordinates, "corners": np.concatenate(polygons),
+            "offsets": np.cumsum([0] + [len(polygon) for polygon in polygons])}
 
 
 def _positions_of(curve: Curve, what: str, surface: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -254,10 +235,12 @@ def _demand_list(curves: Any) -> None:
         raise ArgumentTypeError("curves must be a list of curves; put a single one into brackets: [curve]")
 
 
-def curve_rows(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) -> List[CurveRow]:
-    """The curves given, or what is wrong with them; ids are those of these points."""
+def curve_data(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) -> Data:
+    """The curves given as the algorithms take them, or what is wrong with them; ids are those of these points."""
     surface = _as_numbers(points, "points")
     _demand_list(curves)
+    chains: List[NDArray[np.float64]] = []
+    shapes: List[NDArray[np.float64]] = []
     rows = []
     for place, given in enumerate(curves):
         if isinstance(given, (tuple, list)) and any(isinstance(value, str) for value in given):
@@ -266,12 +249,33 @@ def curve_rows(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) -> 
         # Its name also keeps a curve of two points apart from the next.
         name = _name_of(curve, place) or f"curve {place}"
         what = f"curve {place}" + (f" ({curve.name!r})" if curve.name else "")
-        positions, shape = _positions_of(curve, what, surface), None
-        row = (_type_of(curve, what), index_of(_small(curve.key_shape), KEY_SHAPES, f"the key_shape of {what}"),
-               _tolerance_of(curve, what))
-        if curve.planar_shape is not None:
-            shape, expected = _as_numbers(curve.planar_shape, f"the planar_shape of {what}"), (len(positions), 2)
-            if shape.shape != expected:
-                raise ArgumentError(f"the planar_shape of {what} must have the shape {expected}, not {shape.shape}")
-        rows.append(CurveRow(positions, name, *row, shape))
-    return rows
+        chains.append(_positions_of(curve, what, surface))
+        rows.append((name, _type_of(curve, what), index_of(_small(curve.key_shape), KEY_SHAPES, f"the key_shape of {what}"),
+                     _tolerance_of(curve, what)))
+        expected = (len(chains[-1]), 2)
+        shapes.append(np.full(expected, np.nan) if curve.planar_shape is None else
+                      _as_numbers(curve.planar_shape, f"the planar_shape of {what}"))
+        if shapes[-1].shape != expected:
+            raise ArgumentError(f"the planar_shape of {what} must have the shape {expected}, not {shapes[-1].shape}")
+    names, types, key_shapes, tolerances = zip(*rows) if rows else ((), (), (), ())
+    ends = np.cumsum([0] + [len(chain) for chain in chains])
+    shaped = any(isinstance(curve, Curve) and curve.planar_shape is not None for curve in curves)
+    return {
+        "points": np.concatenate(chains or [np.empty((0, 3))]), "lines": [np.arange(*pair) for pair in zip(ends, ends[1:])],
+        "cell_arrays": {
+            "CurveName": list(names), "CurveType": np.array(types, np.int32), "KeyShape": np.array(key_shapes, np.int32),
+            "LengthTolerance": np.array(tolerances, np.float64)},
+        "point_arrays": {"PlanarShape": np.concatenate(shapes)} if shaped else {}}
+
+
+def curves_of(data: Data) -> List[Curve]:
+    """Those of polylines with the arrays that the algorithms give them."""
+    arrays, planar = data["cell_arrays"], data["point_arrays"].get("PlanarShape")
+    count, curves = len(data["lines"]), []
+    for line, kind, name, shape, tolerance in zip(
+            data["lines"], values_in(arrays, "CurveType"), values_in(arrays, "CurveName"),
+            values_in(arrays, "KeyShape") or [0] * count, values_in(arrays, "LengthTolerance") or [0.0] * count):
+        rows = None if planar is None else planar[line]
+        curves.append(Curve(line, CURVE_TYPES[kind], name, KEY_SHAPES[shape], tolerance,
+                            rows if rows is not None and np.isfinite(rows).all() else None))
+    return curves

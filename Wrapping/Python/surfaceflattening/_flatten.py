@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING, Any, Optional, Sequence, Union
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._curves import Curve, curve_rows, surface_of
+from ._curves import Curve, curve_data, surface_data
 from ._options import WARPING, read_options, with_options
-from ._report import raise_refusal, warn_of
-from ._result import Flattening, flattening_of
+from ._result import Flattening, finished
 
 if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -63,11 +62,8 @@ def flatten(
             input was left out (report["warnings"]).
     """
     owner, values = read_options(options, "flatten")
-    run = _core.flatten(
-        *surface_of(points, triangles), curve_rows(curves, points), owner, values, options.get("progress"))
-    raise_refusal(run)
-    warn_of(run, 2)
-    return flattening_of(run, run["flattening"])
+    data = surface_data(points, triangles)
+    return finished(_core.flatten(data, [curve_data(curves, points)], owner, values, options.get("progress")), data)
 
 
 @with_options(WARPING)
@@ -89,13 +85,9 @@ def flatten_polydata(
     and cell arrays of the result, and the result's to_polydata() gives meshes of the class of
     `surface`.
     """
-    from ._vtk import curves_on, demand_polydata, make_filter, result_of, update
+    from ._vtk import input_of
 
-    demand_polydata(surface, "surface", ", such as a pyvista.PolyData; flatten() takes arrays")
-    filter_ = make_filter(options, "flatten_polydata")
-    filter_.SetInputData(surface)
-    on_surface = curves_on(surface, curves)
-    if on_surface is not None:
-        filter_.SetCurvesData(on_surface)
-    update(filter_, options.get("progress"))
-    return result_of(filter_, type(surface))
+    owner, values = read_options(options, "flatten_polydata")
+    data, on_surface = input_of(surface, curves, ", such as a pyvista.PolyData; flatten() takes arrays")
+    return finished(
+        _core.flatten(data, on_surface, owner, values, options.get("progress")), data, type(surface))

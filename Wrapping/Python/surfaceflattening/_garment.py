@@ -165,8 +165,6 @@ def read_garmentcode(path: Union[str, os.PathLike[str]]) -> GarmentPattern:
     name = text_of("path", os.fspath(path))
     status, flat, wires, cut = _core.read_garmentcode(name)
     raise_failure(status, "" if os.path.exists(name) else "FileNotFound")
-    for data in (flat, cut):
-        data["triangles"] = data["corners"].reshape(-1, 3)
     for data in (flat, wires, cut):
         data["field_arrays"]["LengthUnit"] = ["cm"]
     positions = np.ascontiguousarray(flat["points"][:, :2])
@@ -174,6 +172,6 @@ def read_garmentcode(path: Union[str, os.PathLike[str]]) -> GarmentPattern:
     stitches = [Stitch(numbers[a], numbers[b], bool(right_to_wrong))
                 for a, b, right_to_wrong in values_in(wires["field_arrays"], "PanelStitches")]
     return GarmentPattern(
-        panels, stitches, positions, flat["triangles"], flat["cell_arrays"]["PieceId"], cut["points"],
+        panels, stitches, positions, flat["corners"].reshape(-1, 3), flat["cell_arrays"]["PieceId"], cut["points"],
         wires_of(wires["cell_arrays"], wires["lines"]), flat["field_arrays"].get("SeamPairs", np.empty((0, 5), np.int64)),
         Pieces(flat, wires, cut))

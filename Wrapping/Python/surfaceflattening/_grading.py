@@ -15,7 +15,7 @@ from ._equality import ComparedByValue
 from ._errors import ArgumentError
 from ._options import text_of
 from ._pattern import unit_number, write_sizes
-from ._pieces import pieces_of, unit_of
+from ._pieces import unit_of
 from ._report import error_of
 from ._result import Flattening
 from ._types import Unit
@@ -114,7 +114,7 @@ def grade(
         FlatteningError: a base or curve that is not there, or sizes that differ in more than
             where their points are; the message names the size and the curve.
     """
-    parts = {text_of("a size", size): pieces_of(result) for size, result in sizes.items()}
+    parts = {text_of("a size", size): result._parts for size, result in sizes.items()}
     of_surfaces: Any = next(filter(None, (unit_of(part.flat) for part in parts.values())), "cm")
     length_unit: Unit = of_surfaces if unit is None else unit
     number = unit_number(length_unit)

@@ -3,13 +3,13 @@
 
 from __future__ import annotations  # help() prints hints as they are written here
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, List, Sequence, Union
 
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._curves import Curve, curve_rows, surface_of
+from ._curves import Curve, curve_data, surface_data
 from ._equality import ComparedByValue
 from ._options import WARPING, read_options, with_options
 from ._report import raise_refusal
@@ -93,12 +93,10 @@ def price_keys(
     Raises FlatteningError where there is no key curve, or the surface is refused with all keys; nothing
     warns.
     """
-    given = [curve if isinstance(curve, Curve) else Curve(curve) for curve in curves]
-    given = [curve if curve.name else replace(curve, name=f"curve {k}")
-             for k, curve in enumerate(given)]
     owner, values = read_options(options, "price_keys", keeps_lengths=True)
-    run = _core.price_keys(*surface_of(points, triangles), curve_rows(given, points), owner, values, options.get("progress"))
+    run = _core.price_keys(
+        surface_data(points, triangles), [curve_data(curves, points)], owner, values, options.get("progress"))
     raise_refusal(run)
     return KeyPrices(KeyTrial(*run["all"]), KeyTrial(*run["none"]), [
-        KeyPrice(given[curve].name, price, KeyTrial(*without), KeyTrial(*alone))
+        KeyPrice(curve, price, KeyTrial(*without), KeyTrial(*alone))
         for curve, price, without, alone in run["keys"]])

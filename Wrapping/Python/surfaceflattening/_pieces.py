@@ -1,40 +1,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Flat pieces as the algorithms take them again."""
+"""Data sets as the algorithms take and give them."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, NamedTuple, get_args
+from typing import Any, Dict, NamedTuple, get_args
 
 from ._types import Unit
 
-if TYPE_CHECKING:
-    from ._result import Flattening
-
+# points, corners and offsets of polygons (without offsets: of triangles), lines and strips as lists of ids, point_arrays,
+# cell_arrays and field_arrays by name, and roles of VTK by kind and name.
 Data = Dict[str, Any]
 
 
 class Pieces(NamedTuple):
-    """Points, triangles or lines, and arrays."""
+    """Flat pieces, their wires, and the cut surface."""
 
     flat: Data
     wires: Data
     cut: Data
-
-
-def pieces_of(result: Flattening) -> Pieces:
-    """The arrays of a result, with the texts of the mesh that it is of."""
-    cells, fields = dict(result.cell_arrays), dict(result._field_arrays)
-    if result._parts is not None:
-        from ._vtk import table_of_arrays
-        flat = result._parts.flat
-        for arrays, data, name in ((cells, flat.GetCellData(), "PieceName"), (fields, flat.GetFieldData(), "LengthUnit")):
-            texts = table_of_arrays(data).get(name)
-            if texts:
-                arrays[name] = texts
-    return Pieces(
-        {"points": result.positions, "triangles": result.triangles, "cell_arrays": cells, "field_arrays": fields},
-        {"points": result.positions, "lines": [wire.vertices for wire in result.wires], "cell_arrays": result._wire_arrays},
-        {"points": result.points, "triangles": result.triangles})
 
 
 def unit_of(flat: Data) -> str:

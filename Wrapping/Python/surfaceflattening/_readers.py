@@ -5,13 +5,14 @@ from __future__ import annotations  # help() prints hints as they are written he
 
 import os
 import warnings
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, List, NamedTuple, Optional, Tuple, Union, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._curves import CURVE_TYPES, KEY_SHAPES, Curve, surface_of
+from ._curves import Curve, curves_of, surface_data
 from ._errors import FlatteningWarning, MissingFileError
 from ._options import index_of, text_of
 from ._pieces import Data
@@ -44,11 +45,6 @@ def _raise_failure(path: Path, failure: str) -> None:
             (-1, "InvalidFile", failure, [], "", []))
 
 
-def _note(path: Path, note: str) -> None:
-    if note:
-        warnings.warn(f"{os.fspath(path)}: {note}", FlatteningWarning, stacklevel=3)
-
-
 def _faces(data: Data) -> NDArray[np.int64]:
     counts = np.diff(data["offsets"])
     if (counts == 3).all():
@@ -57,10 +53,8 @@ def _faces(data: Data) -> NDArray[np.int64]:
 
 
 def _curves(data: Data) -> List[Curve]:
-    arrays = data["cell_arrays"]
-    shapes = values_in(arrays, "KeyShape") or [0] * len(data["lines"])
-    return [Curve(data["points"][line], CURVE_TYPES[kind], name, KEY_SHAPES[shape]) for line, kind, name, shape in zip(
-        data["lines"], values_in(arrays, "CurveType"), values_in(arrays, "CurveName"), shapes)]
+    """At their places."""
+    return [replace(curve, points=data["points"][curve.points]) for curve in curves_of(data)]
 
 
 def _read(path: Path, seams: SeamSource) -> Tuple[Data, Data, Data, str]:
@@ -94,11 +88,16 @@ def load_curves(path: Path, points: ArrayLike = (), triangles: Optional[ArrayLik
 
     Raises and warns as :func:`read_curves` does.
     """
-    places, corners, _ = surface_of(points, triangles) if triangles is not None else (np.empty((0, 3)), np.empty(0), None)
-    failure, curves, note = _core.read_curves(text_of("path", os.fspath(path)), {"points": places, "triangles": corners})
+    return _curves(_read_curves(path, None if triangles is None else surface_data(points, triangles)))
+
+
+def _read_curves(path: Path, owner: Optional[Data]) -> Data:
+    failure, curves, note = _core.read_curves(text_of("path", os.fspath(path)), owner or {"points": np.empty((0, 3))})
     _raise_failure(path, failure)
-    _note(path, note)
-    return _curves(curves)
+    if note:
+        warnings.warn(f"{os.fspath(path)}: {note}", FlatteningWarning, stacklevel=3)
+    data: Data = curves
+    return data
 
 
 def read_surface(path: Path, seams: SeamSource = "none") -> Tuple[vtkPolyData, vtkPolyData]:
@@ -151,13 +150,5 @@ def read_curves(path: Path, surface: Optional[vtkPolyData] = None) -> vtkPolyDat
     Warns:
         FlatteningWarning: entities of a drawing were left out.
     """
-    from ._vtk import demand_polydata, mesh_of_data, triangulated
-
-    owner: Any = {"points": np.empty((0, 3))}
-    if surface is not None:
-        demand_polydata(surface, "surface")
-        owner = dict(zip(("points", "triangles"), triangulated(surface)))
-    failure, curves, note = _core.read_curves(text_of("path", os.fspath(path)), owner)
-    _raise_failure(path, failure)
-    _note(path, note)
-    return mesh_of_data(curves)
+    from ._vtk import data_of, mesh_of_data
+    return mesh_of_data(_read_curves(path, None if surface is None else data_of(surface, "surface")))

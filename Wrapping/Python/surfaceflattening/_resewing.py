@@ -15,9 +15,8 @@ from . import _core
 from ._equality import ComparedByValue
 from ._errors import ArgumentError, ArgumentTypeError
 from ._options import checked, material_text, options_of
-from ._pieces import pieces_of
 from ._report import raise_refusal, rows_of, warn_of
-from ._reshaping import Body, arrays_of_body
+from ._reshaping import Body, body_data
 from ._result import Flattening
 from ._types import SewingTest
 
@@ -175,8 +174,8 @@ def resew(
     given = {"test": test, "thickness": thickness, "area_bias": area_bias, "max_iterations": max_iterations,
              "pressure": pressure, "gravity": pull, "material": material_text(material), "second_start": second_start}
     values = {option.property: checked(option, given[name]) for name, option in options_of("vtkSewnShape").items()}
-    flat, _, cut = pieces_of(flattening)
-    run = _core.resew(flat, cut, values, arrays_of_body(body), progress)
+    flat, _, cut = flattening._parts
+    run = _core.resew(flat, cut, values, body_data(body), progress)
     raise_refusal(run)
     warn_of(run, 2)
     cells, fields, table = run["cell_arrays"], run["field_arrays"], run["shapes"]

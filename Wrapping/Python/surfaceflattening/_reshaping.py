@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._curves import CURVE_TYPES, KEY_SHAPES, Curve, Surface, curve_rows, surface_of
+from ._curves import Curve, curve_data, curves_of, surface_data
 from ._equality import ComparedByValue
 from ._options import read_options, with_options
-from ._report import Table, raise_refusal, values_in, warn_of
-from ._result import Flattening, flattening_of
+from ._pieces import Data
+from ._report import values_in
+from ._result import Flattening, finished
 
 if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -80,16 +81,7 @@ def make_flattenable(
 
     Raises and warns as :func:`flatten` does; a bound that is not met is a FlatteningWarning.
     """
-    owner, values = read_options(options, "make_flattenable", _OWNER)
-    run = _core.make_flattenable(
-        *surface_of(points, triangles), curve_rows(curves, points), arrays_of_body(body), owner, values,
-        options.get("progress"))
-    raise_refusal(run)
-    warn_of(run, 2)
-    moved = [Curve(chain, CURVE_TYPES[kind], name, KEY_SHAPES[straight], tolerance, shape)
-             for chain, kind, name, straight, tolerance, shape in run["curves"]]
-    return _flattenable(flattening_of(run, run["flattening"]), run["points"], run["triangles"], run["arrays"], moved,
-                        run["measures"])
+    return _moved(surface_data(points, triangles), [curve_data(curves, points)], body, "make_flattenable", options)
 
 
 @with_options(_OWNER)
@@ -102,46 +94,35 @@ def make_flattenable_polydata(
 ) -> Flattenable:
     """:func:`make_flattenable` for a vtkPolyData, as :func:`flatten_polydata` is :func:`flatten` for
     one."""
-    from ._vtk import (
-        coordinates_of, corners_of, curves_on, demand_polydata, make_curves_of, make_filter, numbers_of, result_of, table_of,
-        update)
+    from ._vtk import input_of
 
-    demand_polydata(surface, "surface", "; make_flattenable() takes arrays")
-    filter_ = make_filter(options, "make_flattenable_polydata", _OWNER)
-    filter_.SetInputData(surface)
-    on_surface = curves_on(surface, curves)
-    if on_surface is not None:
-        filter_.SetCurvesData(on_surface)
-    if body is not None:
-        demand_polydata(body, "body")
-        filter_.SetBodyData(body)
-    update(filter_, options.get("progress"))
-    moved = filter_.GetOutput(5)
-    arrays = {name: numbers_of(moved.GetPointData(), name) for name in ("Shift", "Kept")}
-    return _flattenable(result_of(filter_, type(surface)), coordinates_of(moved), corners_of(moved), arrays,
-                        make_curves_of(filter_.GetOutput(6)), table_of(filter_.GetOutputDataObject(9)))
+    return _moved(*input_of(surface, curves, "; make_flattenable() takes arrays"), body, "make_flattenable_polydata", options,
+                  type(surface))
 
 
-def arrays_of_body(body: Body) -> Optional[Surface]:
-    """Points and triangles as they are, or those of a mesh."""
+def body_data(body: Body) -> Optional[Data]:
+    """Points and triangles, or a mesh, as the algorithms take them."""
     if body is None or isinstance(body, tuple):
-        return None if body is None else surface_of(*body)
-    from ._vtk import demand_polydata, triangulated
-    demand_polydata(body, "body", ", or points and triangles")
-    return surface_of(*triangulated(body))
+        return None if body is None else surface_data(*body)
+    from ._vtk import data_of
+    return data_of(body, "body", ", or points and triangles")
 
 
-def _flattenable(flattening: Flattening, points: NDArray[np.float64], triangles: NDArray[np.int64],
-                 arrays: Mapping[str, NDArray[Any]], curves: List[Curve], measures: Table) -> Flattenable:
+def _moved(data: Data, curves: List[Data], body: Body, function: str, options: Mapping[str, Any],
+           mesh_class: Optional[type] = None) -> Flattenable:
+    owner, values = read_options(options, function, _OWNER)
+    run = _core.make_flattenable(data, curves, body_data(body), owner, values, options.get("progress"))
+    flattening = finished(run, data, mesh_class, 4)
+
     def number(name: str) -> float:
-        return float(values_in(measures, name)[0])
+        return float(values_in(run["measures"], name)[0])
 
     return Flattenable(
-        points=points,
-        triangles=triangles,
-        shift=arrays["Shift"],
-        kept=arrays["Kept"] != 0,
-        curves=curves,
+        points=run["surface"]["points"],
+        triangles=run["surface"]["corners"].reshape(-1, 3),
+        shift=run["surface"]["point_arrays"]["Shift"],
+        kept=run["surface"]["point_arrays"]["Kept"] != 0,
+        curves=curves_of(run["curves"]),
         bound_met=number("BoundMet") != 0.0,
         strain_before=number("StrainBefore"),
         strain_after=number("StrainAfter"),

@@ -14,14 +14,13 @@ from numpy.typing import NDArray
 from ._curves import CURVE_TYPES
 from ._equality import ComparedByValue, same
 from ._options import word_of
-from ._report import Table, make_report, values_in
+from ._pieces import Data, Pieces
+from ._report import Table, make_report, raise_refusal, values_in, warn_of
 from ._types import Coloring, Part, Report, WireType
 from ._write_pattern import Drawn
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-    from ._vtk import Parts
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,25 +92,20 @@ class Flattening(ComparedByValue, Drawn):
     seam_closed: NDArray[np.bool_]
     overlap_edges: NDArray[np.int64]
     report: Report
-    # What to_polydata() has beside the above; of a mesh that was given all parts, whose arrays those above are.
-    _field_arrays: Dict[str, Any] = field(default_factory=dict, repr=False)
-    _wire_arrays: Dict[str, Any] = field(default_factory=dict, repr=False)
-    _parts: Optional[Parts] = field(default=None, repr=False)
+    # What to_polydata() has; the arrays above are of them.
+    _parts: Pieces = field(repr=False)
     # Of the surface that was given, for to_polydata().
-    _mesh_class: Optional[type] = field(default=None, repr=False, compare=False)
+    _mesh_class: Optional[type] = field(repr=False, compare=False)
 
     def __reduce__(self) -> Any:
-        if self._parts is None:
-            return object.__reduce_ex__(self, 2)
-        from ._vtk import bytes_of, unpickled
-        return unpickled, (*map(bytes_of, self._parts), self.report, self._mesh_class)
+        return flattening_of, (self._parts, self.report, self._mesh_class)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Flattening):
             return NotImplemented
         mine, theirs = (
             {**vars(result), "report": {**cast(Dict[str, Any], result.report), "seconds": None},
-             "_field_arrays": None, "_wire_arrays": None, "_parts": None, "_mesh_class": None} for result in (self, other))
+             "_parts": None, "_mesh_class": None} for result in (self, other))
         return same(mine, theirs)
 
     def __repr__(self) -> str:
@@ -141,8 +135,8 @@ class Flattening(ComparedByValue, Drawn):
             flatten_polydata(), such as pyvista.PolyData. It has all arrays of vtkWireWarpingFilter's
             output, with those that came with the surface.
         """
-        from ._vtk import copy_of, parts_of
-        return copy_of(getattr(parts_of(self), word_of(part, get_args(Part), "part")), self._mesh_class)
+        from ._vtk import mesh_of_data
+        return mesh_of_data(getattr(self._parts, word_of(part, get_args(Part), "part")), mesh_class=self._mesh_class)
 
     def plot(self, color_by: Optional[Coloring] = "homogeneity", *, ax: Optional[Axes] = None,
              measures: bool = True) -> Axes:
@@ -175,22 +169,48 @@ def wires_of(cells: Table, chains: Sequence[NDArray[np.int64]]) -> List[Wire]:
     return result
 
 
-def flattening_of(run: Mapping[str, Any], given: Mapping[str, Any], parts: Optional[Parts] = None,
-                  mesh_class: Optional[type] = None, report: Optional[Report] = None) -> Flattening:
-    """What a run of the algorithms gave."""
-    fields = given["field_arrays"]
+def flattening_of(parts: Pieces, report: Report, mesh_class: Optional[type]) -> Flattening:
+    """Of the parts, which share the arrays of the result from now on."""
+    flat, wires, cut = parts
+    numbers = {kind: {name: values for name, values in flat[kind].items() if not isinstance(values, list)}
+               for kind in ("point_arrays", "cell_arrays")}
+    wires.update(points=flat["points"], point_arrays=flat["point_arrays"])
+    positions, fields = flat["points"][:, :2], flat["field_arrays"]
+    for kind in numbers:
+        cut[kind].update(flat[kind])
+    cut["point_arrays"]["FlatPositions"] = positions
+    cut.update(corners=flat["corners"], offsets=flat["offsets"])
     return Flattening(
-        positions=given["positions"],
-        triangles=given["triangles"],
-        points=given["points"],
-        point_arrays=given["point_arrays"],
-        cell_arrays=given["cell_arrays"],
-        wires=wires_of(given["wire_arrays"], given["wires"]),
+        positions=positions,
+        triangles=flat["corners"].reshape(-1, 3),
+        points=cut["points"],
+        **numbers,
+        wires=wires_of(wires["cell_arrays"], wires["lines"]),
         seam_pairs=fields["SeamPairs"] if "SeamPairs" in fields else np.empty((0, 5), np.int64),
         seam_closed=np.array(values_in(fields, "SeamClosed"), np.bool_),
         overlap_edges=fields["OverlapEdges"] if "OverlapEdges" in fields else np.empty((0, 5), np.int64),
-        report=make_report(run, given) if report is None else report,
-        _field_arrays=fields,
-        _wire_arrays=given["wire_arrays"],
+        report=report,
         _parts=parts,
         _mesh_class=mesh_class)
+
+
+def _keep_types(arrays: Data, given: Data, ids: NDArray[np.int64]) -> None:
+    """Arrays that come from the input get its type of numbers, since the algorithms have four alone."""
+    for name, values in given.items():
+        array = arrays.get(name)
+        if not isinstance(values, list) and isinstance(array, np.ndarray) and array.dtype != values.dtype:
+            known = ids >= 0
+            if np.array_equal(array[known], values[ids[known]], equal_nan=True):
+                arrays[name] = array.astype(values.dtype)
+
+
+def finished(run: Mapping[str, Any], data: Data, mesh_class: Optional[type] = None, stacklevel: int = 3) -> Flattening:
+    """What a run of the algorithms gave for this input, or the error that says why there is nothing."""
+    raise_refusal(run)
+    warn_of(run, stacklevel)
+    given = run["flattening"]
+    parts = Pieces(given["flat"], given["wires"], given["cut"])
+    for kind, ids in (("point_arrays", "vtkOriginalPointIds"), ("cell_arrays", "vtkOriginalCellIds")):
+        for part in (parts.flat, parts.cut):
+            _keep_types(part[kind], data.get(kind, {}), part[kind][ids])
+    return flattening_of(parts, make_report(run, given), mesh_class)

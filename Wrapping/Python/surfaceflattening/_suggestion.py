@@ -4,17 +4,19 @@
 from __future__ import annotations  # help() prints hints as they are written here
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, List, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Any, List, Mapping, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._curves import CURVE_TYPES, Curve, curve_rows, surface_of, weights_of
+from ._curves import CURVE_TYPES, Curve, curve_data, surface_data, weights_of
 from ._equality import ComparedByValue
-from ._options import read_options, with_options
-from ._report import Table, raise_refusal, rows_of, values_in, warn_of
-from ._result import Flattening, flattening_of
+from ._errors import ArgumentError
+from ._options import read_options, text_of, with_options
+from ._pieces import Data
+from ._report import rows_of, values_in
+from ._result import Flattening, finished
 
 if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -116,23 +118,26 @@ class Suggestion(ComparedByValue):
         return suggestion_to_html(self)
 
 
-def _make_suggestion(
-    flattening: Flattening, places: Sequence[NDArray[np.float64]], curves: Table, search: Table, left_out: Table, mirror: Table
+def _suggested(
+    data: Data, curves: List[Data], weights: Optional[NDArray[np.float64]], function: str, options: Mapping[str, Any],
+    mesh_class: Optional[type] = None
 ) -> Suggestion:
-    """By the tables of a search; those of the curves have a row for each that is proposed, which lie at these places."""
+    owner, values = read_options({**options, "weights": None}, function, _OWNER)
+    run = _core.suggest(data, curves, weights, owner, values, options.get("progress"))
+    flattening = finished(run, data, mesh_class, 4)
     cuts = [
         SuggestedCut(Curve(points, CURVE_TYPES[kind], name, key_shape="straight" if shape == 1 else "surface"),
                      length, predicted, gain, opening, before, after, image - 1 if image > 0 else -1, *area)
         for points, kind, name, shape, length, predicted, gain, opening, before, after, image, *area in zip(
-            places, *(values_in(curves, column) for column in (
+            run["places"], *(values_in(run["curves"], column) for column in (
                 "CurveType", "CurveName", "KeyShape", "Length", "PredictedGain", "Gain", "Opening", "StrainBefore",
                 "StrainAfter", "MirrorOf", "AreaErrorBefore", "AreaErrorAfter")))]
-    lines = [LeftOutLine(**row) for row in rows_of(left_out, {
+    lines = [LeftOutLine(**row) for row in rows_of(run["left_out"], {
         "name": "Name", "type": "Type", "length": "Length", "gain": "Gain", "E_area_before": "AreaErrorBefore",
         "E_area_after": "AreaErrorAfter", "strain_before": "StrainBefore", "strain_after": "StrainAfter",
         "sound": "Sound"})]
-    plane, axis = values_in(mirror, "MirrorPlane"), values_in(mirror, "MirrorAxis")
-    return Suggestion(cuts, bool(values_in(search, "BoundMet")[0]), flattening, lines, (
+    plane, axis = values_in(run["mirror"], "MirrorPlane"), values_in(run["mirror"], "MirrorAxis")
+    return Suggestion(cuts, bool(values_in(run["search"], "BoundMet")[0]), flattening, lines, (
         MirrorPlane(np.array(plane[:3]), plane[3]) if plane else MirrorAxis(np.reshape(axis, (2, 3))) if axis else None))
 
 
@@ -164,16 +169,10 @@ def suggest(
 
     Raises and warns as :func:`flatten` does; a bound that is not met is a FlatteningWarning.
     """
-    owner, values = read_options({**options, "weights": None}, "suggest", _OWNER)
-    surface = surface_of(points, triangles)
-    cells = len(surface.corners) // 3 if surface.offsets is None else len(surface.offsets) - 1
-    run = _core.suggest(
-        *surface, curve_rows(curves, points), None if weights is None else weights_of(weights, cells), owner, values,
-        options.get("progress"))
-    raise_refusal(run)
-    warn_of(run, 2)
-    return _make_suggestion(flattening_of(run, run["flattening"]), run["places"], run["curves"], run["search"],
-                            run["left_out"], run["mirror"])
+    data = surface_data(points, triangles)
+    cells = len(data["offsets"]) - 1 if "offsets" in data else data["corners"].size // 3
+    return _suggested(
+        data, [curve_data(curves, points)], None if weights is None else weights_of(weights, cells), "suggest", options)
 
 
 @with_options(_OWNER)
@@ -189,20 +188,10 @@ def suggest_polydata(
     curves: as for :func:`flatten_polydata`, which takes those that are proposed as such a list.
     weights: the name of a cell array. Default: None, everywhere alike.
     """
-    from ._vtk import (
-        coordinates_of, curves_on, demand_polydata, make_filter, points_of_cell, result_of, table_of, table_of_arrays, update)
+    from ._vtk import input_of
 
-    demand_polydata(surface, "surface", "; suggest() takes arrays")
-    on_surface = curves_on(surface, curves)
-    filter_ = make_filter({**options, "weights": weights}, "suggest_polydata", _OWNER)
-    filter_.SetInputData(surface)
-    if on_surface is not None:
-        filter_.SetCurvesData(on_surface)
-    update(filter_, options.get("progress"), finishes=filter_.GetSuggestedCuts() != filter_.LINES)
-    proposed = filter_.GetOutput(5)
-    table = table_of_arrays(proposed.GetCellData())
-    rows = [row for row, rank in enumerate(table["Rank"]) if rank > 0]
-    return _make_suggestion(
-        result_of(filter_, type(surface)), [coordinates_of(proposed)[points_of_cell(proposed, row)] for row in rows],
-        {name: [values[row] for row in rows] for name, values in table.items()}, table_of(filter_.GetOutputDataObject(6)),
-        table_of(filter_.GetLeftOutLines()), table_of_arrays(proposed.GetFieldData()))
+    data, on_surface = input_of(surface, curves, "; suggest() takes arrays")
+    numbers = None if weights is None else data["cell_arrays"].get(text_of("weights", weights))
+    if weights is not None and np.ndim(numbers if isinstance(numbers, np.ndarray) else 0) != 1:
+        raise ArgumentError(f'the surface has no cell array of numbers named "{weights}"')
+    return _suggested(data, on_surface, numbers, "suggest_polydata", options, type(surface))
