@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The package without VTK, as pip installs it, gives what the filters give; what it lacks it names.
 
-Usage: TestWithoutVtk.py, or TestWithoutVtk.py --write FILE to keep pieces of Data with the filters' results, and
-TestWithoutVtk.py --compare FILE, which needs numpy alone, to compare an installed package with them."""
+Usage: TestWithoutVtk.py, or TestWithoutVtk.py --write FILE [FOLDER] to keep pieces of Data, or those in folders of their
+own with surface.vtk and curves.vtk, with the filters' results, and TestWithoutVtk.py --compare FILE, which needs numpy
+alone, to compare an installed package with them."""
 
+import importlib.util
 import os
 import pathlib
 import re
@@ -21,32 +23,51 @@ TYPES = ("accessory", "key", "dart", "seam")
 PRECISION = 1e-12
 
 
-def write_pieces(path):
-    """Surfaces and curves of Data as arrays, and what the filters make of them."""
+def pieces_in(folder):
+    """Name, surface and curves of each."""
+    from surfaces import DATA, read
+    from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+
+    def legacy(path):
+        reader = vtkPolyDataReader()
+        reader.SetFileName(str(path))
+        reader.Update()
+        return reader.GetOutput()
+
+    if folder is None:
+        for file in sorted(pathlib.Path(DATA).glob("*_curves.vtp")):
+            name = file.stem[:-len("_curves")]
+            yield name, read(name), read(file.stem)
+    for file in sorted(pathlib.Path(folder or "").glob("*/surface.vtk")):
+        yield file.parent.name, legacy(file), legacy(file.with_name("curves.vtk"))
+
+
+def write_pieces(path, folder=None):
+    """Surfaces and curves as arrays, and what the filter makes of them."""
     import surfaceflattening as sf
-    from surfaces import DATA, points_of, polylines_of, read, triangles_of
+    from surfaces import points_of, polylines_of, triangles_of
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
     arrays = {}
-    for file in sorted(pathlib.Path(DATA).glob("*_curves.vtp")):
-        name = file.stem[:-len("_curves")]
-        surface, lines = read(name), read(file.stem)
+    for name, surface, lines in pieces_in(folder):
         cells = lines.GetCellData()
-        names = cells.GetAbstractArray("CurveName")
         chains = polylines_of(lines)
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", sf.FlatteningWarning)
-            result = sf.flatten_polydata(surface, lines)
+        names = cells.GetAbstractArray("CurveName")
+        filter_ = sf.vtkWireWarpingFilter()
+        filter_.SetInputData(surface)
+        filter_.SetCurvesData(lines)
+        filter_.Update()
+        areas = filter_.GetPieces().GetRowData().GetArray("AreaError")
         arrays.update({
             f"{name}/points": points_of(surface), f"{name}/triangles": triangles_of(surface),
             f"{name}/curve_points": points_of(lines), f"{name}/chains": np.concatenate(chains),
             f"{name}/ends": np.cumsum([0] + [len(chain) for chain in chains]),
-            f"{name}/types": vtk_to_numpy(cells.GetArray("CurveType")),
+            f"{name}/types": vtk_to_numpy(cells.GetArray("CurveType")).astype(int),
             f"{name}/shapes": vtk_to_numpy(cells.GetArray("KeyShape")) if cells.GetArray("KeyShape") else
                 np.zeros(len(chains), int),
-            f"{name}/names": np.array([names.GetValue(k) for k in range(len(chains))]),
-            f"{name}/positions": result.positions, f"{name}/status": np.array(result.report["status"]),
-            f"{name}/E_area": np.array([piece["E_area"] for piece in result.report["pieces"]])})
+            f"{name}/names": np.array([names.GetValue(k) if names else f"curve {k}" for k in range(len(chains))]),
+            f"{name}/positions": points_of(filter_.GetOutput(0))[:, :2], f"{name}/status": np.array(filter_.GetStatusName()),
+            f"{name}/E_area": vtk_to_numpy(areas)})
     np.savez(path, **arrays)
 
 
@@ -142,19 +163,43 @@ for call, words in ((lambda: small.write_pattern("a.svg", quantity=0), "quantity
         raise AssertionError(words)
 """)
 
+    def test_meshes_of_any_vtk_are_flattened(self):
+        if not importlib.util.find_spec("vtkmodules"):
+            self.skipTest("there is no VTK")
+        self.run_program("-c", """
+import sys
+import numpy as np
+import surfaceflattening as sf
+from vtkmodules.util.numpy_support import numpy_to_vtk
+points = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0.5], [0, 1, 0]])
+mesh = sf.make_surface(points, [4, 0, 1, 2, 3])
+weights = numpy_to_vtk(np.array([2], np.float32), deep=True)
+weights.SetName("Weight")
+mesh.GetCellData().AddArray(weights)
+curves = sf.make_curves([sf.Curve([0, 2], "dart", "left")], points)
+of_mesh, of_arrays = sf.flatten_polydata(mesh, curves), sf.flatten(points, [4, 0, 1, 2, 3], [sf.Curve([0, 2], "dart", "left")])
+assert (of_mesh.positions == of_arrays.positions).all()
+assert of_mesh.cell_arrays["Weight"].dtype == np.float32 and set(of_mesh.cell_arrays["Weight"]) == {2}
+assert of_mesh.to_polydata("wires").GetCellData().GetAbstractArray("CurveName").GetValue(0) == of_mesh.wires[0].name
+assert sf.suggest_polydata(mesh, bound=0.5, weights="Weight").bound_met
+assert sf.make_flattenable_polydata(mesh, bound=0.5).bound_met
+assert not [name for name in sys.modules if name.startswith("surfaceflattening.vtk")]
+""")
+
     def test_what_needs_vtk_is_named_with_a_remedy(self):
         self.run_program("-c", """
 import sys
 sys.modules["vtkmodules"] = None
 import surfaceflattening as sf
 from surfaceflattening import *
-assert "flatten_polydata" not in sf.__all__ and not hasattr(sf, "flatten_polydata")
-result = flatten([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
-for call in (lambda: sf.flatten_polydata, lambda: sf.make_surface, result.to_polydata):
+points = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+result = flatten(points, [[0, 1, 2]])
+for call, words in ((lambda: sf.vtkWireWarpingFilter, "with VTK"), (lambda: sf.flatten_polydata(None), "pip install vtk"),
+                    (lambda: sf.make_surface(points, [[0, 1, 2]]), "pip install vtk"), (result.to_polydata, "pip install vtk")):
     try:
         call()
     except (AttributeError, ImportError) as error:
-        assert "with VTK" in str(error), error
+        assert words in str(error), error
     else:
         raise AssertionError(call)
 try:
@@ -166,7 +211,7 @@ except AttributeError as error:
 
 if __name__ == "__main__":
     if sys.argv[1:2] == ["--write"]:
-        write_pieces(sys.argv[2])
+        write_pieces(*sys.argv[2:])
     elif sys.argv[1:2] == ["--compare"]:
         compare_pieces(sys.argv[2])
     else:

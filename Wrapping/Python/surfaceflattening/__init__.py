@@ -15,14 +15,14 @@ Two ways to use it:
   :func:`read_garmentcode` reads sewing patterns of GarmentCode, to be drawn
   at true scale; :func:`grade` lays the sizes of one pattern on each other, with their rule table.
 
-Neither needs a screen. What takes arrays and files needs no VTK, which pip does not install either: there
-:func:`load_surface` and :func:`load_curves` read files. Start with help(surfaceflattening.flatten); help(surfaceflattening.Flattening),
-help(surfaceflattening.Report) and help(surfaceflattening.PieceReport) say what it gives, and each filter has a
+Neither needs a screen. The filters are in builds with VTK alone. All else needs no VTK but where it takes or gives meshes,
+and then that of the caller, of any version from 9.0; :func:`load_surface` and :func:`load_curves` read files as arrays.
+Start with help(surfaceflattening.flatten); help(surfaceflattening.Flattening), help(surfaceflattening.Report) and help(surfaceflattening.PieceReport) say what it gives, and each filter has a
 help() of its own, such as help(surfaceflattening.vtkWireWarpingFilter).
 
 Threads: any number of them may flatten at the same time, each with surfaces of its own, and get the
-results of a single one. flatten(), suggest(), make_flattenable() and price_keys() leave the interpreter's lock to other threads while they
-run; VTK's filters, and what takes or gives its meshes, hold it but for calls of progress. One run uses several
+results of a single one. flatten(), suggest(), make_flattenable(), price_keys() and resew() leave the interpreter's lock to
+other threads while they run; VTK's filters hold it but for calls of progress. One run uses several
 cores by itself. For many surfaces take processes (concurrent.futures.ProcessPoolExecutor; results, curves and
 errors can be sent between them) or the command wirewarp batch.
 
@@ -35,8 +35,9 @@ from ._version import __version__
 
 if _VTK:
     from .vtk import *  # noqa: F401,F403
-from ._calls import flatten, make_flattenable, price_keys, suggest
-from ._curves import Curve
+from ._calls import (
+    flatten, flatten_polydata, make_flattenable, make_flattenable_polydata, price_keys, suggest, suggest_polydata)
+from ._curves import Curve, make_curves, make_surface
 from ._errors import (
     ArgumentError, ArgumentTypeError, FileError, FlatteningError, FlatteningWarning, MissingFileError, OutOfMemoryError)
 from ._garment import GarmentPattern, Panel, PanelEdge, Stitch, read_garmentcode
@@ -53,10 +54,6 @@ from ._types import (
     Interior, KeyShape, Options, Paper, Part, PieceReport, Report, Scheme, SeamSource, SewingTest, Solver, Unit, UpAxis,
     WireType)
 
-if _VTK:
-    from ._calls import flatten_polydata, make_flattenable_polydata, suggest_polydata
-    from ._vtk import make_curves, make_surface
-
 # Without the filters, of whose methods help() would print 31,000 lines.
 __all__ = [
     "ArgumentError", "ArgumentTypeError", "BoundaryMode", "ClothReport", "CoincidentPoints", "Coloring", "Curve", "CurveReport",
@@ -70,13 +67,9 @@ __all__ = [
     "suggest", "suggest_polydata"]
 
 if not _VTK:
-    from ._errors import missing_vtk as _missing_vtk
-
-    # What takes and gives files and meshes goes through the filters.
-    _absent = {name for name in __all__ if name not in globals()}
-    __all__ = [name for name in __all__ if name not in _absent]
-
     def __getattr__(name: str) -> object:
-        if name in _absent:
-            raise AttributeError(_missing_vtk(name))
+        if name.startswith("vtk"):
+            raise AttributeError(
+                f"{name} needs a build of surfaceflattening with VTK, and this one has none; install the Debian package, or "
+                "build with CMake and SURFACEFLATTENING_WITH_VTK=ON")
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

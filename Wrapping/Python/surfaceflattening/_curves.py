@@ -5,7 +5,7 @@ from __future__ import annotations  # help() prints hints as they are written he
 
 from dataclasses import dataclass
 from numbers import Integral
-from typing import Any, Callable, Iterator, List, Optional, Sequence, Tuple, Union, cast, get_args
+from typing import TYPE_CHECKING, Any, Callable, Iterator, List, Optional, Sequence, Tuple, Union, cast, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +16,9 @@ from ._options import index_of, text_of
 from ._pieces import Data
 from ._report import values_in
 from ._types import CurveType, KeyShape
+
+if TYPE_CHECKING:
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 # In the order of vtkFeatureCurveAlgorithm.CurveTypes.
 CURVE_TYPES: Tuple[CurveType, ...] = get_args(CurveType)
@@ -279,3 +282,37 @@ def curves_of(data: Data) -> List[Curve]:
         curves.append(Curve(line, CURVE_TYPES[kind], name, KEY_SHAPES[shape], tolerance,
                             rows if rows is not None and np.isfinite(rows).all() else None))
     return curves
+
+
+def make_surface(points: ArrayLike, triangles: Optional[ArrayLike]) -> vtkPolyData:
+    """The surface as vtkPolyData, for the filters.
+
+    Args:
+        points: positions in any unit of length, shape (n, 3). Whole numbers are coordinates as well.
+        triangles: ids of their corners, counted from 0, shape (m, 3); or a flat list of polygons, each
+            the number of its corners and then their ids, as PyVista's `faces`.
+
+    Raises:
+        ValueError: another shape, ids that are not whole numbers, masked values, or whole numbers as
+            coordinates beyond 2**53.
+    """
+    from ._vtk import mesh_of_data
+    mesh: vtkPolyData = mesh_of_data(surface_data(points, triangles))
+    return mesh
+
+
+def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) -> vtkPolyData:
+    """Feature curves as vtkPolyData, polylines with the arrays that the filters read.
+
+    Args:
+        curves: each a :class:`Curve`, or what its `points` may be.
+        points: positions of the surface, shape (n, 3), that point ids refer to.
+
+    Raises:
+        TypeError: a name that is no string.
+        ValueError: a wrong shape or word, a point that the surface does not have, or a name with
+            NUL or what UTF-8 cannot hold.
+    """
+    from ._vtk import mesh_of_data
+    mesh: vtkPolyData = mesh_of_data(curve_data(curves, points))
+    return mesh

@@ -34,12 +34,6 @@ class FlatteningError(ValueError):
         return f"{self.name}: {self.message}" if self.code >= 0 else self.message
 
 
-def missing_vtk(what: str) -> str:
-    """That a build without VTK lacks something, and what to do."""
-    return (f"{what} needs a build of surfaceflattening with VTK, and this one has none; install the Debian package, or "
-            "build with CMake and SURFACEFLATTENING_WITH_VTK=ON")
-
-
 class ArgumentError(FlatteningError):
     """An argument of a function has a value that it cannot have; code is -1."""
 

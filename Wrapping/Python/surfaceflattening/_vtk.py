@@ -15,7 +15,7 @@ try:
 except ImportError as _error:
     raise ImportError(f"meshes are made with VTK, which is not there ({_error}); pip install vtk") from _error
 
-from ._curves import Curve, curve_data, surface_data
+from ._curves import Curve, curve_data
 from ._errors import ArgumentTypeError
 from ._pieces import Data
 
@@ -138,35 +138,3 @@ def mesh_of_data(data: Data, shared: Optional[vtkPolyData] = None, mesh_class: O
         other: Any = mesh_class()
         other.ShallowCopy(mesh)
         return other
-
-
-def make_surface(points: ArrayLike, triangles: Optional[ArrayLike]) -> vtkPolyData:
-    """The surface as vtkPolyData, for the filters.
-
-    Args:
-        points: positions in any unit of length, shape (n, 3). Whole numbers are coordinates as well.
-        triangles: ids of their corners, counted from 0, shape (m, 3); or a flat list of polygons, each
-            the number of its corners and then their ids, as PyVista's `faces`.
-
-    Raises:
-        ValueError: another shape, ids that are not whole numbers, masked values, or whole numbers as
-            coordinates beyond 2**53.
-    """
-    mesh: vtkPolyData = mesh_of_data(surface_data(points, triangles))
-    return mesh
-
-
-def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) -> vtkPolyData:
-    """Feature curves as vtkPolyData, polylines with the arrays that the filters read.
-
-    Args:
-        curves: each a :class:`Curve`, or what its `points` may be.
-        points: positions of the surface, shape (n, 3), that point ids refer to.
-
-    Raises:
-        TypeError: a name that is no string.
-        ValueError: a wrong shape or word, a point that the surface does not have, or a name with
-            NUL or what UTF-8 cannot hold.
-    """
-    mesh: vtkPolyData = mesh_of_data(curve_data(curves, points))
-    return mesh
