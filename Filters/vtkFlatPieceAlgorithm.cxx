@@ -10,6 +10,7 @@
 #include "FlatteningOutput.h"
 #include "Input/ClothInput.h"
 #include "Input/CurvedSurface.h"
+#include "ListChanges.h"
 #include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
@@ -205,9 +206,24 @@ void vtkFlatPieceAlgorithm::VisitOptions(flattening::bridge::OptionVisitor& visi
   visit("SkipClosed", this->SkipClosed);
   visit("CloseCuts", this->CloseCuts);
   visit("Material", this->Material);
-  visit("Grain", this->Grain);
   visit("Arrange", this->Arrange);
   visit("Spacing", this->Spacing);
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatPieceAlgorithm::AddGrain(const std::string& grain)
+{
+  if (std::find(this->Grain.begin(), this->Grain.end(), grain) == this->Grain.end())
+  {
+    this->Grain.push_back(grain);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatPieceAlgorithm::RemoveAllGrains()
+{
+  flattening::bridge::changeToNone(this, this->Grain);
 }
 
 //------------------------------------------------------------------------------
@@ -365,4 +381,8 @@ void vtkFlatPieceAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Seconds: " << this->Seconds[3] << "\n";
   os << indent << "SizeWarning: " << this->SizeWarning << "\n";
   os << indent << "MaterialFile: " << this->MaterialFile << "\n";
+  for (const std::string& grain : this->Grain)
+  {
+    os << indent << "Grain: " << grain << "\n";
+  }
 }

@@ -60,6 +60,7 @@
 
 #include <memory> // for the reports
 #include <string> // for the texts
+#include <vector> // for the grain
 
 class vtkTable;
 
@@ -183,12 +184,12 @@ public:
    * counter-clockwise in the plane (upright is its first key curve from start to end, else the long
    * side of the smallest rectangle around the piece as it lies without the material); the name of a
    * curve, along which the warp runs from its start to its end, or NAME:DEGREES at an angle from
-   * it; several of these separated by semicolons, of which each piece takes the first that lies in
-   * it; or "free", the angle at which the material is strained least. A piece without any of the
-   * curves is laid by its upright and marked MISSING_GRAIN. Default: empty, upright.
+   * it; several of these, of which each piece takes the first that lies in it; or "free", the angle
+   * at which the material is strained least. A piece without any of the curves is laid by its
+   * upright and marked MISSING_GRAIN. Default: none, upright.
    */
-  void SetGrain(const char* text) { this->SetText(this->Grain, text); }
-  vtkGetCharFromStdStringMacro(Grain);
+  void AddGrain(const std::string& grain);
+  void RemoveAllGrains();
   ///@}
 
   /**
@@ -272,7 +273,7 @@ private:
   bool CloseCuts = false;
   std::string Material;
   std::string MaterialFile;
-  std::string Grain;
+  std::vector<std::string> Grain;
   bool Arrange = false;
   double Spacing = 0.0;
   bool BesideSurface = false;

@@ -146,7 +146,7 @@ int vtkSewnShape::RequestData(vtkInformation* vtkNotUsed(request),
     flattening::SewingOptions options = this->OptionsForCore().sewing;
     if (!this->Material.empty())
     {
-      options.material = flattening::readCloth(this->Material, "").material;
+      options.material = flattening::readCloth(this->Material).material;
     }
     options.body = body.get();
     const flattening::SewingResult result = flattening::sewPieces(

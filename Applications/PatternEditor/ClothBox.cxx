@@ -35,10 +35,10 @@ ClothBox::ClothBox()
   }
   this->Material->addItem(fileEntry);
   this->Material->setToolTip("What the pieces are cut from.");
-  this->Grain->setPlaceholderText("grain: degrees, curve or free");
+  this->Grain->setPlaceholderText("grain: degrees, curves or free");
   this->Grain->setToolTip("Degrees from the upright of the piece to the warp; the name of a curve "
-                          "along which it runs, or NAME:DEGREES; or free, where the cloth is "
-                          "strained least.");
+                          "along which it runs, or NAME:DEGREES, several separated by "
+                          "commas; or free, where the cloth is strained least.");
   auto* const layout = new QVBoxLayout(this);
   layout->addWidget(this->Material);
   layout->addWidget(this->Grain);
@@ -64,5 +64,19 @@ ClothBox::ClothBox()
 std::string ClothBox::material() const
 {
   return this->Material->currentData().toString().toStdString();
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> ClothBox::grain() const
+{
+  std::vector<std::string> all;
+  for (const QString& entry : this->Grain->text().split(',', Qt::SkipEmptyParts))
+  {
+    if (!entry.trimmed().isEmpty())
+    {
+      all.push_back(entry.trimmed().toStdString());
+    }
+  }
+  return all;
 }
 }

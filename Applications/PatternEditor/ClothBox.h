@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace editor
 {
@@ -18,7 +19,8 @@ public:
 
   /// As vtkWireWarpingFilter has them.
   std::string material() const;
-  std::string grain() const { return this->Grain->text().trimmed().toStdString(); }
+  /// What stands between commas.
+  std::vector<std::string> grain() const;
 
   std::function<void()> onChange;
   /// Where the dialog for a file starts.

@@ -90,7 +90,7 @@ void LiveFlattening::setSurface(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-bool LiveFlattening::setCloth(const std::string& material, const std::string& grain)
+bool LiveFlattening::setCloth(const std::string& material, const std::vector<std::string>& grain)
 {
   const bool others = material != this->Material || grain != this->Grain;
   this->Material = material;
@@ -218,7 +218,11 @@ std::optional<LiveFlattening::Answer> LiveFlattening::flatten(const Order& order
   const bool plainly = draft && order.surface->GetNumberOfCells() > mostRigidTriangles;
   plainly ? this->Filter->SetInteriorToLaplacian() : this->Filter->SetInteriorToAsRigidAsPossible();
   this->Filter->SetMaterial(order.material.c_str());
-  this->Filter->SetGrain(order.grain.c_str());
+  this->Filter->RemoveAllGrains();
+  for (const std::string& grain : order.grain)
+  {
+    this->Filter->AddGrain(grain);
+  }
   this->Filter->SetAbortExecute(0); // newer versions of VTK keep it
   this->Doing = order.care;
   this->Start = Clock::now();

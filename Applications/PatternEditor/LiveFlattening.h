@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace editor
 {
@@ -45,7 +46,7 @@ public:
   void setSurface(vtkPolyData* surface);
   /// For what is asked from now on, as vtkWireWarpingFilter has them. \return whether they are
   /// others
-  bool setCloth(const std::string& material, const std::string& grain);
+  bool setCloth(const std::string& material, const std::vector<std::string>& grain);
   void ask(vtkPolyData* curves, Care care);
   /// Makes what was found last result() and message(). \return whether there was something new
   bool take();
@@ -75,7 +76,7 @@ private:
     figures::PolyData curves;
     Care care = Care::Full;
     std::string material;
-    std::string grain;
+    std::vector<std::string> grain;
   };
   struct Answer
   {
@@ -110,7 +111,7 @@ private:
   std::function<void()> OnDone;
   figures::PolyData Surface; ///< a copy for the other thread, looked at by no one else
   std::string Material;
-  std::string Grain;
+  std::vector<std::string> Grain;
   figures::FlatPiece Result;
   std::string Message;
   bool Refused = false;

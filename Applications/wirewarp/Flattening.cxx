@@ -331,7 +331,7 @@ public:
     if (!material.empty())
     {
       this->Settings.flattening.cloth =
-        flattening::readCloth(material, options.values.text("Grain"));
+        flattening::readCloth(material, options.values.list("Grain"));
     }
   }
 

@@ -489,7 +489,7 @@ std::string makeReport(const Options& options, const Flattening& result)
     { "solver", conformal ? Json() : Json(options.values.text("Solver")) },
     { "interior", conformal ? Json() : Json(options.values.text("Interior")) },
     { "material", material.empty() ? Json() : Json(material) },
-    { "grain", material.empty() ? Json() : Json(options.values.text("Grain")) },
+    { "grain", material.empty() ? Json() : Json(options.values.list("Grain")) },
     { "release_keys", options.values.flag("ReleaseKeys") },
     { "skip_closed", options.values.flag("SkipClosed") }, { "version", WIREWARP_VERSION },
     { "exit_code", result.outcome() }, { "status", result.status }, { "message", result.message },
@@ -606,9 +606,9 @@ void adoptReport(Options& options)
     {
       options.values.set("Material", report.at("material").get<std::string>());
     }
-    if (report.at("grain").is_string())
+    if (report.at("grain").is_array())
     {
-      options.values.set("Grain", report.at("grain").get<std::string>());
+      options.values.set("Grain", report.at("grain").get<std::vector<std::string>>());
     }
   }
   catch (const Json::exception&)

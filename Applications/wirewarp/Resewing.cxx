@@ -40,7 +40,7 @@ void sewAgain(const Options& options, Flattening& result)
   const std::string material = options.values.text("Material");
   if (!material.empty())
   {
-    sewing.material = flattening::readCloth(material, "").material;
+    sewing.material = flattening::readCloth(material).material;
   }
   const flattening::LoadedBody body = loadedBody(options.body);
   sewing.body = body.get();

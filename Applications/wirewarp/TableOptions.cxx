@@ -205,21 +205,16 @@ private:
           keep(entries);
           return;
         }
-        std::string text;
-        for (const std::string& entry : entries)
-        {
-          text += (text.empty() ? "" : ";") + entry;
-        }
-        keep(text);
+        keep(entries.front());
       },
-      option.help + (list || option.repeats ? " May be given several times." : ""));
+      option.help + (list ? " May be given several times." : ""));
     added
       ->check(CLI::Validator(
         [](std::string& text) { return text.empty() ? std::string("it has no name") : ""; }, ""))
       ->type_name(option.form)
       ->default_str(this->Values.text(option.property))
       ->allow_extra_args(false);
-    return list || option.repeats ? added : added->expected(1);
+    return list ? added : added->expected(1);
   }
 
   static void checkEntry(const std::string& entry, const flattening::Option& option)

@@ -41,7 +41,7 @@ class Materials(command.CommandTest):
         self.assertLess(rms[1], 0.8 * rms[0])
         self.assertGreater(twill["shear_rms"], plain["shear_rms"])
         report = self.report("out")
-        self.assertEqual((report["material"], report["grain"]), ("twill", ""))
+        self.assertEqual((report["material"], report["grain"]), ("twill", []))
         self.assertLess(report["pieces"][0]["E_len_max"], 1e-12)
         self.assertEqual(report["pieces"][0]["energy_used"], "cloth")
         # What cannot be met is said with the cells, the wire and the ways out.

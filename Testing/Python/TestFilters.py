@@ -131,7 +131,7 @@ class Filters(unittest.TestCase):
             "AddCurveTolerance": ("a", 0.25), "AddCurveEase": ("a", 0, 0.25), "AddPreference": ("a", 2.0),
             "AddKeptCurve": ("a",), "AddDoubleNotches": ("a",), "AddFold": ("a",), "SetCurveAllowance": ("a", 3.0),
             "SetCurveDartTip": ("a", 3.0), "SetCurveFairTolerance": ("a", 3.0), "SetPieceName": (1, "a"),
-            "SetPieceQuantity": (1, 3), "SetSizeName": (1, "a"), "SetMaterial": ("twill",), "SetGrain": ("a:45",)}
+            "SetPieceQuantity": (1, 3), "SetSizeName": (1, "a"), "SetMaterial": ("twill",), "AddGrain": ("a:45",)}
         seen = set()
         for name, class_ in vars(sf).items():
             if not (isinstance(class_, type) and issubclass(class_, vtkAlgorithm)):

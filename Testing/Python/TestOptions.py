@@ -22,7 +22,7 @@ ADDERS = {"CurveAllowances": "SetCurveAllowance", "CurveDartTips": "SetCurveDart
           "DoubleNotches": "AddDoubleNotches", "Folds": "AddFold", "PieceNames": "SetPieceName",
           "PieceQuantities": "SetPieceQuantity",
           "CurveTolerances": "AddCurveTolerance", "CurveEases": "AddCurveEase", "Preferences": "AddPreference",
-          "KeptCurves": "AddKeptCurve"}
+          "KeptCurves": "AddKeptCurve", "Grain": "AddGrain"}
 # A class that can be made, with all that is derived from.
 MADE = {"vtkFeatureCurveAlgorithm": "vtkWireWarpingFilter", "vtkFlatPieceAlgorithm": "vtkWireWarpingFilter"}
 

@@ -34,7 +34,8 @@ def outputs(name="pants_front", material="", grain="", surface=None):
     filter_ = sf.vtkWireWarpingFilter()
     filter_.SetInputData(surface or read(name))
     filter_.SetMaterial(material)
-    filter_.SetGrain(grain)
+    if grain:
+        filter_.AddGrain(grain)
     filter_.SetCurvesData(read(name + "_curves"))
     filter_.Update()
     return filter_

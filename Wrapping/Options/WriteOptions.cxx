@@ -110,17 +110,17 @@ std::string pythonType(const Option& option)
     case OptionType::Numbers:
       return "Sequence[float]";
     case OptionType::List:
-      return option.form == "NAME" ? "Sequence[str]"
-        : option.form == "N"       ? "Sequence[int]"
+      return option.property == "Grain" ? "Union[None, float, str, Sequence[str]]"
+        : option.form == "NAME"         ? "Sequence[str]"
+        : option.form == "N"            ? "Sequence[int]"
         : option.form == "NAME[:PIECE]=PERCENT%"
         ? "Optional[Mapping[Union[str, Tuple[str, int]], float]]"
         : option.property == "CurveNotches" ? "Optional[Mapping[str, Sequence[float]]]"
                                             : "Optional[Mapping[str, float]]";
     default:
-      return option.repeats          ? "Union[None, float, str, Sequence[str]]"
-        : option.form == "NAME|FILE" ? "Union[None, str, \"os.PathLike[str]\"]"
-        : option.form == "ARRAY"     ? "Union[None, str, ArrayLike]"
-                                     : "str";
+      return option.form == "NAME|FILE" ? "Union[None, str, \"os.PathLike[str]\"]"
+        : option.form == "ARRAY"        ? "Union[None, str, ArrayLike]"
+                                        : "str";
   }
 }
 
@@ -323,11 +323,6 @@ void writeTextHints(const Option& option, std::ostream& out)
     }
     out << "        </StringListDomain>\n";
   }
-  else if (option.property == "Grain")
-  {
-    out << "        <Hints>\n          <PlaceholderText>center; center:45; 30; free"
-           "</PlaceholderText>\n        </Hints>\n";
-  }
 }
 
 void writeProperty(const Option& option, std::ostream& out)
@@ -371,9 +366,7 @@ void writeProperty(const Option& option, std::ostream& out)
         << xmlNumbers(option, option.sliderMaximum) << "\" />\n";
   }
   writeTextHints(option, out);
-  out << "        <Documentation>" << escaped(option.help)
-      << (option.property == "Grain" ? " For example center, center:45, 30 or free." : "")
-      << "</Documentation>\n";
+  out << "        <Documentation>" << escaped(option.help) << "</Documentation>\n";
   writeDecorators(option, out);
   out << "      </" << tag << ">\n";
 }

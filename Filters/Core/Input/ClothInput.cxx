@@ -270,7 +270,7 @@ void readGrainCurve(const std::string& entry, ClothOptions& options)
     options.grainCurves.push_back(entry.substr(0, sign));
     options.grainAngles.push_back(degrees * degree);
   }
-  else if (!entry.empty())
+  else
   {
     options.grainCurves.push_back(entry);
     options.grainAngles.push_back(0.0);
@@ -278,28 +278,26 @@ void readGrainCurve(const std::string& entry, ClothOptions& options)
 }
 }
 
-ClothOptions readCloth(const std::string& material, const std::string& grain)
+ClothOptions readCloth(const std::string& material, const std::vector<std::string>& grain)
 {
   ClothOptions options;
   options.material = readMaterial(material);
   double degrees = 0.0;
-  if (grain == "free")
+  const std::string first = grain.size() == 1 ? grain.front() : std::string();
+  if (first == "free")
   {
     options.grain = GrainKind::Free;
   }
-  else if (parseNumber(grain, degrees))
+  else if (parseNumber(first, degrees))
   {
     options.grainAngle = degrees * degree;
   }
   else if (!grain.empty())
   {
     options.grain = GrainKind::Curve;
-    std::size_t begin = 0;
-    while (begin <= grain.size())
+    for (const std::string& entry : grain)
     {
-      const std::size_t end = std::min(grain.find(';', begin), grain.size());
-      readGrainCurve(grain.substr(begin, end - begin), options);
-      begin = end + 1;
+      readGrainCurve(entry, options);
     }
   }
   return options;

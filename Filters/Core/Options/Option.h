@@ -67,7 +67,6 @@ struct Option
   double sliderMinimum = 0.0;
   double sliderMaximum = 0.0; ///< of a panel, where the range is too wide for it
   std::string form;           ///< of a text or list, as "NAME=FRACTION"
-  bool repeats = false;       ///< a text may be several, separated by semicolons
   std::string group;          ///< heading of a help or a panel
   std::string label;          ///< of a panel; empty: the property in words
   bool expert = false;

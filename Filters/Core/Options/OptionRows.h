@@ -51,7 +51,6 @@ public:
   }
   /// What it means depends on the input of the filter.
   OptionRow& byFilter() { return this->with(&Option::set, nullptr); }
-  OptionRow& repeats() { return this->with(&Option::repeats, true); }
   /// Where the option's default is not the structure's.
   OptionRow& byDefault(const char* word)
   {

@@ -184,9 +184,8 @@ void addPieces(Table& table)
     .help("What the pieces are cut from: the name of a known material, or a JSON file with its "
           "numbers. The isometric scheme keeps the strain of its threads small and within its "
           "limits; other schemes only measure it.");
-  table.text("Grain")
+  table.text("Grain", OptionType::List)
     .form("CURVE|DEGREES|free")
-    .repeats()
     .where({ "Material", {} })
     .help("How pieces lie on the material: along a curve, or NAME:DEGREES at an angle from it "
           "(each piece by the first that it has); by an angle from the upright of the piece (its "

@@ -282,15 +282,19 @@ Settings::Settings(const std::string& owner, const py::dict& values)
     const auto ids = values["Pins"].cast<py::sequence>();
     this->pins = { ids[0].cast<std::int64_t>(), ids[1].cast<std::int64_t>() };
   }
-  const auto material = values["Material"].cast<std::string>();
-  if (!material.empty())
-  {
-    flattening.cloth =
-      readCloth(material, has("Grain") ? values["Grain"].cast<std::string>() : std::string());
-  }
   const auto rows = [&](const char* property) {
     return has(property) ? values[property].cast<py::list>() : py::list();
   };
+  const auto material = values["Material"].cast<std::string>();
+  if (!material.empty())
+  {
+    std::vector<std::string> grain;
+    for (const py::handle item : rows("Grain"))
+    {
+      grain.push_back(item.cast<py::tuple>()[0].cast<std::string>());
+    }
+    flattening.cloth = readCloth(material, grain);
+  }
   for (const py::handle item : rows("CurveTolerances"))
   {
     const auto row = item.cast<py::tuple>();

@@ -42,7 +42,7 @@ py::dict resew(const py::dict& flat, const py::dict& design, const py::dict& opt
   const auto material = options["Material"].cast<std::string>();
   if (!material.empty())
   {
-    sewing.material = readCloth(material, "").material;
+    sewing.material = readCloth(material).material;
   }
   const LoadedBody body = bodyOf(bodySurface);
   sewing.body = body.get();

@@ -173,9 +173,26 @@ def _kept(names: Sequence[str]) -> List[Tuple[Any, ...]]:
     return [(text_of("a curve of keep", name),) for name in names]
 
 
+def _grain(grain: Union[None, float, str, Sequence[str]]) -> List[Tuple[Any, ...]]:
+    if isinstance(grain, Real) and not isinstance(grain, bool):
+        if not abs(grain) <= sys.float_info.max:  # an int may be beyond any float
+            raise ArgumentError(f"grain = {grain!r} must be a finite angle in degrees")
+        return [(repr(float(grain)),)]
+    if grain is None or isinstance(grain, str):
+        return [(grain,)] if grain else []
+    if isinstance(grain, bytes) or not isinstance(grain, Iterable):
+        raise ArgumentTypeError(f"grain = {grain!r} must be an angle in degrees, the name of a curve or "
+                                "a list of them, or 'free'")
+    names = list(grain)
+    if not all(isinstance(name, str) for name in names):
+        raise ArgumentTypeError(f"grain = {grain!r} must be a list of curves, each \"NAME\" or \"NAME:DEGREES\"")
+    return [(name,) for name in names]
+
+
 # Rows of arguments for the filters' Add methods.
 _LISTS: Dict[str, Callable[[Any], List[Tuple[Any, ...]]]] = {
-    "CurveTolerances": _tolerances, "CurveEases": _eases, "Preferences": _preferences, "KeptCurves": _kept}
+    "CurveTolerances": _tolerances, "CurveEases": _eases, "Preferences": _preferences, "KeptCurves": _kept,
+    "Grain": _grain}
 
 
 def checked(option: Option, value: Any) -> Any:
@@ -215,32 +232,6 @@ def material_text(material: object) -> str:
     return name
 
 
-def _texts(options: Mapping[str, Any]) -> Dict[str, str]:
-    """Material and grain as the filter has them."""
-    texts = {}
-    grain = options.get("grain", "")
-    if "material" in options:
-        texts["material"] = material_text(options["material"])
-    if "grain" in options:
-        if isinstance(grain, Real) and not isinstance(grain, bool):
-            if not abs(grain) <= sys.float_info.max:  # an int may be beyond any float
-                raise ArgumentError(f"grain = {grain!r} must be a finite angle in degrees")
-            grain = repr(float(grain))
-        elif grain is None:
-            grain = ""
-        elif isinstance(grain, Iterable) and not isinstance(grain, (str, bytes)):
-            names = list(grain)
-            if not all(isinstance(name, str) for name in names):
-                raise ArgumentTypeError(
-                    f"grain = {grain!r} must be a list of curves, each \"NAME\" or \"NAME:DEGREES\"")
-            grain = ";".join(names)
-        elif not isinstance(grain, str):
-            raise ArgumentTypeError(f"grain = {grain!r} must be an angle in degrees, the name of a curve or "
-                                    "a list of them, or 'free'")
-        texts["grain"] = grain
-    return texts
-
-
 def read_options(
     options: Mapping[str, Any], function: str, owner: str = WARPING, *, keeps_lengths: bool = False
 ) -> Tuple[str, Dict[str, Any]]:
@@ -248,7 +239,8 @@ def read_options(
     table = options_of(owner)
     defaults = {**{name: option.default for name, option in table.items()}, **_OTHERS}
     _refuse_unknown(options, defaults, function)
-    options = {**options, **_texts(options)}
+    if "material" in options:
+        options = {**options, "material": material_text(options["material"])}
     values, given = {**defaults, **options}, _given(options, defaults)
     if flag(values["paper_method"], "paper_method"):
         for name, chosen in (("scheme", "global"), ("interior", "laplacian")):
