@@ -130,12 +130,6 @@ void writeSuggestions(
 }
 
 //------------------------------------------------------------------------------
-bool vtkFeatureCurveSuggestion::IsProposedName(const std::string& name)
-{
-  return flattening::isProposedName(name);
-}
-
-//------------------------------------------------------------------------------
 vtkFeatureCurveSuggestion::vtkFeatureCurveSuggestion()
 {
   this->SetTablePort(6);
@@ -201,6 +195,7 @@ int vtkFeatureCurveSuggestion::RequestData(
   static_assert(static_cast<int>(flattening::SuggestedCuts::Seams) == SEAMS, "");
   static_assert(static_cast<int>(flattening::SuggestedCuts::All) == DARTS_AND_SEAMS, "");
   static_assert(static_cast<int>(flattening::SuggestedCuts::Lines) == LINES, "");
+  static_assert(static_cast<int>(flattening::SuggestedCuts::Gores) == GORES, "");
   this->Begin(outputVector);
   flattening::CurveSuggestions suggestions;
   const auto source = this->LoadInput(inputVector);

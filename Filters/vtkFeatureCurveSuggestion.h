@@ -96,29 +96,29 @@ public:
     DARTS = 0,
     SEAMS = 1,
     DARTS_AND_SEAMS = 2,
-    LINES = 3
+    LINES = 3,
+    GORES = 4
   };
 
   ///@{
   /**
    * Which cuts are proposed: DARTS, SEAMS, or DARTS_AND_SEAMS. What opens a closed surface, a tube
    * or a handle is proposed with each of these. LINES: no cuts, but centre and grain lines, girths
-   * and style lines; Bound and the limits of cuts do not matter then. Default: DARTS_AND_SEAMS.
+   * and style lines; Bound and the limits of cuts do not matter then. GORES: seams through the axis
+   * of a round surface, the fewest within the bound. Default: DARTS_AND_SEAMS.
    */
-  vtkSetClampMacro(SuggestedCuts, int, DARTS, LINES);
+  vtkSetClampMacro(SuggestedCuts, int, DARTS, GORES);
   vtkGetMacro(SuggestedCuts, int);
   void SetSuggestedCutsToDarts() { this->SetSuggestedCuts(DARTS); }
   void SetSuggestedCutsToSeams() { this->SetSuggestedCuts(SEAMS); }
   void SetSuggestedCutsToDartsAndSeams() { this->SetSuggestedCuts(DARTS_AND_SEAMS); }
   void SetSuggestedCutsToLines() { this->SetSuggestedCuts(LINES); }
+  void SetSuggestedCutsToGores() { this->SetSuggestedCuts(GORES); }
   const char* GetSuggestedCutsAsString() const
   {
     return this->GetOptionWord("SuggestedCuts", this->SuggestedCuts);
   }
   ///@}
-
-  /// Whether a proposed cut or line may have this name, such as "dart 3".
-  static bool IsProposedName(const std::string& name);
 
   ///@{
   /**

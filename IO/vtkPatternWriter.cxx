@@ -11,17 +11,14 @@
 #include "GradingData.h"
 #include "Input/StatusWords.h"
 #include "ListChanges.h"
-#include "OptionVisitor.h"
 #include "Outlines/DrawingSource.h"
 #include "PatternInput.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
-#include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
 #include "vtkFeatureCurveAlgorithm.h"
-#include "vtkFeatureCurveSuggestion.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -29,14 +26,13 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
-#include <cctype>
+#include <variant>
 
 vtkStandardNewMacro(vtkPatternWriter);
 
 namespace
 {
 namespace pattern = flattening::pattern;
-using flattening::OptionValue;
 using flattening::Status;
 using flattening::StatusCode;
 
@@ -58,13 +54,6 @@ vtkAlgorithm* flatteningBehind(vtkAlgorithmOutput* connection)
   return nullptr;
 }
 
-const pattern::PatternOption& optionNamed(const std::string& property)
-{
-  const auto& table = pattern::patternOptionTable();
-  return *std::find_if(table.begin(), table.end(),
-    [&property](const pattern::PatternOption& option) { return option.property == property; });
-}
-
 unsigned long errorCodeOf(StatusCode code)
 {
   return code == StatusCode::FileNotWritten ? vtkErrorCode::CannotOpenFileError
@@ -81,15 +70,13 @@ double valueOf(
 
 //------------------------------------------------------------------------------
 vtkPatternWriter::vtkPatternWriter()
-  : Fair(std::make_unique<pattern::FairCache>())
+  : Options(std::make_unique<flattening::OptionValues>(pattern::patternOptions()))
+  , Lists(std::make_unique<pattern::PatternOptions>())
+  , Fair(std::make_unique<pattern::FairCache>())
   , StatusRemedies(vtkSmartPointer<vtkStringArray>::New())
   , StatusRemedySubjects(vtkSmartPointer<vtkStringArray>::New())
 {
   this->SetNumberOfInputPorts(4);
-  flattening::bridge::OptionVisitor defaults([](const std::string& property, OptionValue& value) {
-    value = optionNamed(property).byDefault;
-  });
-  this->VisitOptions(defaults);
 }
 
 //------------------------------------------------------------------------------
@@ -106,61 +93,61 @@ const char* vtkPatternWriter::GetFileFormatAsString() const
 }
 
 //------------------------------------------------------------------------------
-const char* vtkPatternWriter::GetOptionWord(const char* property, int value) const
+void vtkPatternWriter::SetNumberOption(const char* property, double value)
 {
-  return optionNamed(property).words[static_cast<std::size_t>(value)].name.c_str();
+  const flattening::Option& option = *this->Options->find(property);
+  // Where the option follows from the input -1 is that.
+  const double least = std::min(option.minimum, std::get<double>(option.byDefault));
+  const double most = option.words.empty() ? option.maximum : option.words.size() - 1.0;
+  const bool ranged = option.type != flattening::OptionType::Flag;
+  const double within = ranged ? std::min(std::max(value, least), most) : value;
+  if (within != this->GetNumberOption(property))
+  {
+    this->Options->set(property, within);
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
-void vtkPatternWriter::VisitOptions(flattening::bridge::OptionVisitor& visit)
+double vtkPatternWriter::GetNumberOption(const char* property) const
 {
-  visit("Allowance", this->Allowance);
-  visit("NotchSpacing", this->NotchSpacing);
-  visit("CutDartsOut", this->CutDartsOut);
-  visit("DartTip", this->DartTip);
-  visit("CutOnFold", this->CutOnFold);
-  visit("CutPairs", this->CutPairs);
-  visit("FairTolerance", this->FairTolerance);
-  visit("Quantity", this->Quantity);
-  visit("PatternName", this->PatternName);
-  visit("PatternSize", this->PatternSize);
-  visit("UpAxis", this->UpAxis);
-  visit("JoinMarks", this->JoinMarks);
-  visit("NotchCorners", this->NotchCorners);
-  visit("NotchCurveEnds", this->NotchCurveEnds);
-  visit("NotchLength", this->NotchLength);
-  visit("MitreLimit", this->MitreLimit);
-  visit("WarpCompensation", this->WarpCompensation);
-  visit("WeftCompensation", this->WeftCompensation);
-  visit("Thickness", this->Thickness);
-  visit("GlueTab", this->GlueTab);
-  visit("Symmetrize", this->Symmetrize);
-  visit("FabricWidth", this->FabricWidth);
-  visit("FabricNap", this->FabricNap);
-  visit("FabricGap", this->FabricGap);
-  visit("Paper", this->Paper);
-  visit("WalkTable", this->WalkTable);
-  visit("PageOverlap", this->PageOverlap);
-  visit("MaximumPages", this->MaximumPages);
-  visit("LaserColors", this->LaserColors);
-  visit("CutterStyle", this->CutterStyle);
+  return this->Options->number(property);
+}
+
+//------------------------------------------------------------------------------
+void vtkPatternWriter::SetTextOption(const char* property, const std::string& text)
+{
+  if (text != this->GetTextOption(property))
+  {
+    this->Options->set(property, text);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPatternWriter::GetTextOption(const char* property) const
+{
+  return this->Options->text(property);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkPatternWriter::GetOptionWord(const char* property) const
+{
+  const auto word = static_cast<std::size_t>(this->GetNumberOption(property));
+  return this->Options->find(property)->words[word].name.c_str();
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::SetOptions(const flattening::OptionValues& values)
 {
-  flattening::bridge::OptionVisitor visit(
-    [&values](const std::string& property, OptionValue& value) { value = values[property]; });
-  this->VisitOptions(visit);
+  *this->Options = values;
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::GetOptions(flattening::OptionValues& values)
 {
-  flattening::bridge::OptionVisitor visit(
-    [&values](const std::string& property, OptionValue& value) { values.set(property, value); });
-  this->VisitOptions(visit);
+  values = *this->Options;
 }
 
 //------------------------------------------------------------------------------
@@ -298,41 +285,6 @@ Status vtkPatternWriter::WritePattern(int format)
 }
 
 //------------------------------------------------------------------------------
-bool vtkPatternWriter::CheckCurveNames(vtkPolyData* curves, bool proposals)
-{
-  pattern::PatternSource source;
-  const auto add = [&source](const std::string& name) {
-    source.wires.emplace_back();
-    source.wires.back().type = pattern::WireType::Accessory;
-    source.wires.back().name = name;
-  };
-  auto* const names = vtkStringArray::SafeDownCast(
-    curves ? curves->GetCellData()->GetAbstractArray("CurveName") : nullptr);
-  for (vtkIdType k = 0; names && k < names->GetNumberOfValues(); ++k)
-  {
-    add(names->GetValue(k));
-  }
-  const auto addProposed = [&add, proposals](const std::string& name) {
-    if (proposals && vtkFeatureCurveSuggestion::IsProposedName(name))
-    {
-      add(name);
-    }
-  };
-  const auto named = this->GetCurvesWithOptions();
-  for (vtkIdType k = 0; k < named->GetNumberOfValues(); ++k)
-  {
-    addProposed(pattern::curveSide(named->GetValue(k)).first);
-  }
-  const Status status = pattern::checkPatternOptions(source, this->MakeOptions(AUTOMATIC).pattern);
-  this->Keep(status);
-  if (!status.ok())
-  {
-    this->Refuse(errorCodeOf(status.code), status);
-  }
-  return status.ok();
-}
-
-//------------------------------------------------------------------------------
 void vtkPatternWriter::WriteData()
 {
   this->Keep({});
@@ -414,11 +366,11 @@ void vtkPatternWriter::SetPieceName(int piece, const std::string& name)
     return;
   }
   const std::size_t index = static_cast<std::size_t>(piece);
-  if (this->PieceNames.size() <= index)
+  if (this->Lists->pieceNames.size() <= index)
   {
-    this->PieceNames.resize(index + 1);
+    this->Lists->pieceNames.resize(index + 1);
   }
-  flattening::bridge::change(this, this->PieceNames[index], name);
+  flattening::bridge::change(this, this->Lists->pieceNames[index], name);
 }
 
 //------------------------------------------------------------------------------
@@ -431,61 +383,61 @@ void vtkPatternWriter::SetPieceQuantity(int piece, int quantity)
     return;
   }
   const auto index = static_cast<std::size_t>(piece);
-  if (this->PieceQuantities.size() <= index)
+  if (this->Lists->pieceQuantities.size() <= index)
   {
-    this->PieceQuantities.resize(index + 1, 0);
+    this->Lists->pieceQuantities.resize(index + 1, 0);
   }
-  flattening::bridge::change(this, this->PieceQuantities[index], quantity);
+  flattening::bridge::change(this, this->Lists->pieceQuantities[index], quantity);
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllPieceQuantities()
 {
-  flattening::bridge::changeToNone(this, this->PieceQuantities);
+  flattening::bridge::changeToNone(this, this->Lists->pieceQuantities);
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllPieceNames()
 {
-  flattening::bridge::changeToNone(this, this->PieceNames);
+  flattening::bridge::changeToNone(this, this->Lists->pieceNames);
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::SetCurveAllowance(const std::string& curve, double allowance)
 {
-  flattening::bridge::changeEntry(this, this->CurveAllowances, curve, allowance);
+  flattening::bridge::changeEntry(this, this->Lists->allowanceOfCurve, curve, allowance);
 }
 
 //------------------------------------------------------------------------------
 double vtkPatternWriter::GetCurveAllowance(const std::string& curve) const
 {
-  return valueOf(this->CurveAllowances, curve, this->Allowance);
+  return valueOf(this->Lists->allowanceOfCurve, curve, this->GetAllowance());
 }
 
 //------------------------------------------------------------------------------
 bool vtkPatternWriter::HasCurveAllowance(const std::string& curve) const
 {
-  return this->CurveAllowances.count(curve) > 0;
+  return this->Lists->allowanceOfCurve.count(curve) > 0;
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllCurveAllowances()
 {
-  flattening::bridge::changeToNone(this, this->CurveAllowances);
+  flattening::bridge::changeToNone(this, this->Lists->allowanceOfCurve);
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::AddCurveNotch(const std::string& curve, double distance)
 {
-  this->CurveNotches[curve].push_back(distance);
+  this->Lists->notchesOfCurve[curve].push_back(distance);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 int vtkPatternWriter::GetNumberOfCurveNotches(const std::string& curve) const
 {
-  const auto found = this->CurveNotches.find(curve);
-  return found == this->CurveNotches.end() ? 0 : static_cast<int>(found->second.size());
+  const auto found = this->Lists->notchesOfCurve.find(curve);
+  return found == this->Lists->notchesOfCurve.end() ? 0 : static_cast<int>(found->second.size());
 }
 
 //------------------------------------------------------------------------------
@@ -496,19 +448,19 @@ double vtkPatternWriter::GetCurveNotch(const std::string& curve, int notch) cons
     vtkErrorMacro("The curve '" << curve << "' has no notch " << notch << " of its own.");
     return 0.0;
   }
-  return this->CurveNotches.at(curve)[static_cast<std::size_t>(notch)];
+  return this->Lists->notchesOfCurve.at(curve)[static_cast<std::size_t>(notch)];
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllCurveNotches()
 {
-  flattening::bridge::changeToNone(this, this->CurveNotches);
+  flattening::bridge::changeToNone(this, this->Lists->notchesOfCurve);
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::AddDoubleNotches(const std::string& curve)
 {
-  if (this->DoubleNotches.insert(curve).second)
+  if (this->Lists->doubleNotches.insert(curve).second)
   {
     this->Modified();
   }
@@ -517,43 +469,43 @@ void vtkPatternWriter::AddDoubleNotches(const std::string& curve)
 //------------------------------------------------------------------------------
 bool vtkPatternWriter::HasDoubleNotches(const std::string& curve) const
 {
-  return this->DoubleNotches.count(curve) > 0;
+  return this->Lists->doubleNotches.count(curve) > 0;
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllDoubleNotches()
 {
-  flattening::bridge::changeToNone(this, this->DoubleNotches);
+  flattening::bridge::changeToNone(this, this->Lists->doubleNotches);
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::SetCurveFairTolerance(const std::string& curve, double tolerance)
 {
-  flattening::bridge::changeEntry(this, this->CurveFairTolerances, curve, tolerance);
+  flattening::bridge::changeEntry(this, this->Lists->fairToleranceOfCurve, curve, tolerance);
 }
 
 //------------------------------------------------------------------------------
 double vtkPatternWriter::GetCurveFairTolerance(const std::string& curve) const
 {
-  return valueOf(this->CurveFairTolerances, curve, this->FairTolerance);
+  return valueOf(this->Lists->fairToleranceOfCurve, curve, this->GetFairTolerance());
 }
 
 //------------------------------------------------------------------------------
 bool vtkPatternWriter::HasCurveFairTolerance(const std::string& curve) const
 {
-  return this->CurveFairTolerances.count(curve) > 0;
+  return this->Lists->fairToleranceOfCurve.count(curve) > 0;
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllCurveFairTolerances()
 {
-  flattening::bridge::changeToNone(this, this->CurveFairTolerances);
+  flattening::bridge::changeToNone(this, this->Lists->fairToleranceOfCurve);
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::AddFold(const std::string& curve)
 {
-  if (this->Folds.insert(curve).second)
+  if (this->Lists->foldsAlong.insert(curve).second)
   {
     this->Modified();
   }
@@ -562,52 +514,38 @@ void vtkPatternWriter::AddFold(const std::string& curve)
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllFolds()
 {
-  flattening::bridge::changeToNone(this, this->Folds);
+  flattening::bridge::changeToNone(this, this->Lists->foldsAlong);
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::SetCurveDartTip(const std::string& curve, double distance)
 {
-  flattening::bridge::changeEntry(this, this->CurveDartTips, curve, distance);
+  flattening::bridge::changeEntry(this, this->Lists->dartTipOfCurve, curve, distance);
 }
 
 //------------------------------------------------------------------------------
 double vtkPatternWriter::GetCurveDartTip(const std::string& curve) const
 {
-  return valueOf(this->CurveDartTips, curve, this->DartTip);
+  return valueOf(this->Lists->dartTipOfCurve, curve, this->GetDartTip());
 }
 
 //------------------------------------------------------------------------------
 bool vtkPatternWriter::HasCurveDartTip(const std::string& curve) const
 {
-  return this->CurveDartTips.count(curve) > 0;
+  return this->Lists->dartTipOfCurve.count(curve) > 0;
 }
 
 //------------------------------------------------------------------------------
 void vtkPatternWriter::RemoveAllCurveDartTips()
 {
-  flattening::bridge::changeToNone(this, this->CurveDartTips);
+  flattening::bridge::changeToNone(this, this->Lists->dartTipOfCurve);
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkStringArray> vtkPatternWriter::GetCurvesWithOptions() const
 {
-  std::set<std::string> names = this->DoubleNotches;
-  names.insert(this->Folds.begin(), this->Folds.end());
-  for (const auto* const ofCurve :
-    { &this->CurveAllowances, &this->CurveDartTips, &this->CurveFairTolerances })
-  {
-    for (const auto& entry : *ofCurve)
-    {
-      names.insert(entry.first);
-    }
-  }
-  for (const auto& entry : this->CurveNotches)
-  {
-    names.insert(entry.first);
-  }
   auto list = vtkSmartPointer<vtkStringArray>::New();
-  for (const std::string& name : names)
+  for (const std::string& name : pattern::curvesWithOptions(*this->Lists))
   {
     list->InsertNextValue(name);
   }
@@ -624,20 +562,15 @@ flattening::pattern::FileOptions vtkPatternWriter::MakeOptions(int format)
   static_assert(static_cast<int>(pattern::FileFormat::RuleTable) == RULE_TABLE, "");
   pattern::FileOptions options;
   options.format = static_cast<pattern::FileFormat>(format);
+  options.pattern = *this->Lists;
   options.pattern.unit = static_cast<flattening::Unit>(this->Unit);
-  options.pattern.pieceQuantities = this->PieceQuantities;
-  options.pattern.pieceNames = this->PieceNames;
-  options.pattern.allowanceOfCurve = this->CurveAllowances;
-  options.pattern.notchesOfCurve = this->CurveNotches;
-  options.pattern.doubleNotches = this->DoubleNotches;
-  options.pattern.foldsAlong = this->Folds;
-  options.pattern.dartTipOfCurve = this->CurveDartTips;
-  options.pattern.fairToleranceOfCurve = this->CurveFairTolerances;
-  flattening::bridge::OptionVisitor copy(
-    [&options](const std::string& property, OptionValue& value) {
-      optionNamed(property).setIn(options, value);
-    });
-  this->VisitOptions(copy);
+  for (const pattern::PatternOption& option : pattern::patternOptionTable())
+  {
+    if (option.setIn)
+    {
+      option.setIn(options, (*this->Options)[option.property]);
+    }
+  }
   return options;
 }
 
@@ -647,27 +580,30 @@ void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "FileFormat: " << this->GetFileFormatAsString() << "\n";
-  flattening::bridge::OptionVisitor print(
-    [&os, indent](const std::string& property, OptionValue& value) {
-      os << indent << property << ": " << printed(optionNamed(property), value) << "\n";
-    });
-  this->VisitOptions(print);
+  for (const flattening::Option* const option : this->Options->options())
+  {
+    if (option->type != flattening::OptionType::List)
+    {
+      os << indent << option->property << ": "
+         << printed(*option, (*this->Options)[option->property]) << "\n";
+    }
+  }
   os << indent << "Status: " << this->StatusName << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
   os << indent << "Unit: " << this->GetUnitAsString() << "\n";
-  for (std::size_t p = 0; p < this->PieceQuantities.size(); ++p)
+  for (std::size_t p = 0; p < this->Lists->pieceQuantities.size(); ++p)
   {
-    os << indent << "PieceQuantity " << p << ": " << this->PieceQuantities[p] << "\n";
+    os << indent << "PieceQuantity " << p << ": " << this->Lists->pieceQuantities[p] << "\n";
   }
-  for (std::size_t p = 0; p < this->PieceNames.size(); ++p)
+  for (std::size_t p = 0; p < this->Lists->pieceNames.size(); ++p)
   {
-    os << indent << "PieceName " << p << ": " << this->PieceNames[p] << "\n";
+    os << indent << "PieceName " << p << ": " << this->Lists->pieceNames[p] << "\n";
   }
-  for (const auto& entry : this->CurveAllowances)
+  for (const auto& entry : this->Lists->allowanceOfCurve)
   {
     os << indent << "CurveAllowance " << entry.first << ": " << entry.second << "\n";
   }
-  for (const auto& [curve, distances] : this->CurveNotches)
+  for (const auto& [curve, distances] : this->Lists->notchesOfCurve)
   {
     os << indent << "CurveNotches " << curve << ":";
     for (const double distance : distances)
@@ -676,19 +612,19 @@ void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
     }
     os << "\n";
   }
-  for (const std::string& curve : this->DoubleNotches)
+  for (const std::string& curve : this->Lists->doubleNotches)
   {
     os << indent << "DoubleNotches: " << curve << "\n";
   }
-  for (const std::string& curve : this->Folds)
+  for (const std::string& curve : this->Lists->foldsAlong)
   {
     os << indent << "Fold: " << curve << "\n";
   }
-  for (const auto& entry : this->CurveDartTips)
+  for (const auto& entry : this->Lists->dartTipOfCurve)
   {
     os << indent << "CurveDartTip " << entry.first << ": " << entry.second << "\n";
   }
-  for (const auto& entry : this->CurveFairTolerances)
+  for (const auto& entry : this->Lists->fairToleranceOfCurve)
   {
     os << indent << "CurveFairTolerance " << entry.first << ": " << entry.second << "\n";
   }

@@ -95,9 +95,7 @@
 #include "vtkSmartPointer.h"    // for the remedies
 #include "vtkWriter.h"
 
-#include <map>
 #include <memory> // for what is kept from file to file
-#include <set>    // for the allowances
 #include <string> // for names
 #include <vector> // for the names of pieces
 
@@ -105,20 +103,45 @@ namespace flattening
 {
 struct Status;
 class OptionValues;
-namespace bridge
-{
-class OptionVisitor;
-}
 namespace pattern
 {
 class FairCache;
 struct FileOptions;
+struct PatternOptions;
 }
 }
 
 class vtkDataObject;
 class vtkPolyData;
 class vtkStringArray;
+
+/// A property that is an option of the table, which has its default and range.
+#define vtkPatternNumberMacro(name, type)                                                          \
+  virtual void Set##name(type value)                                                               \
+  {                                                                                                \
+    this->SetNumberOption(#name, value);                                                           \
+  }                                                                                                \
+  virtual type Get##name() const                                                                   \
+  {                                                                                                \
+    return static_cast<type>(this->GetNumberOption(#name));                                        \
+  }
+#define vtkPatternFlagMacro(name)                                                                  \
+  virtual void Set##name(bool value)                                                               \
+  {                                                                                                \
+    this->SetNumberOption(#name, value ? 1.0 : 0.0);                                               \
+  }                                                                                                \
+  virtual bool Get##name() const                                                                   \
+  {                                                                                                \
+    return this->GetNumberOption(#name) != 0.0;                                                    \
+  }                                                                                                \
+  virtual void name##On()                                                                          \
+  {                                                                                                \
+    this->Set##name(true);                                                                         \
+  }                                                                                                \
+  virtual void name##Off()                                                                         \
+  {                                                                                                \
+    this->Set##name(false);                                                                        \
+  }
 
 class VTKIOPATTERN_EXPORT vtkPatternWriter : public vtkWriter
 {
@@ -182,9 +205,7 @@ public:
    * key curves ff00ff, other curves 808000, notches 00ff00, marks on darts 008000, drill
    * holes 00ffff, the grain 000000. Default: off.
    */
-  vtkSetMacro(LaserColors, bool);
-  vtkGetMacro(LaserColors, bool);
-  vtkBooleanMacro(LaserColors, bool);
+  vtkPatternFlagMacro(LaserColors);
   ///@}
 
   ///@{
@@ -194,9 +215,7 @@ public:
    * curves, notches, drill holes, grain) and TEXT, polylines with arcs that are within 0.03 mm of
    * the drawing, no points; sheet materials have no grainline. Default: off.
    */
-  vtkSetMacro(CutterStyle, bool);
-  vtkGetMacro(CutterStyle, bool);
-  vtkBooleanMacro(CutterStyle, bool);
+  vtkPatternFlagMacro(CutterStyle);
   ///@}
 
   /**
@@ -216,22 +235,20 @@ public:
    * Paper of a PDF. SHEET: one page as large as the pattern, or where that is
    * larger than 5080 mm, which PDF allows, pages of that size to be joined. Default: A4.
    */
-  vtkSetClampMacro(Paper, int, A4, SHEET);
-  vtkGetMacro(Paper, int);
+  vtkPatternNumberMacro(Paper, int);
   void SetPaperToA4() { this->SetPaper(A4); }
   void SetPaperToLetter() { this->SetPaper(LETTER); }
   void SetPaperToA3() { this->SetPaper(A3); }
   void SetPaperToA0() { this->SetPaper(A0); }
   void SetPaperToSheet() { this->SetPaper(SHEET); }
-  const char* GetPaperAsString() const { return this->GetOptionWord("Paper", this->Paper); }
+  const char* GetPaperAsString() const { return this->GetOptionWord("Paper"); }
   ///@}
 
   ///@{
   /**
    * How far pages of a PDF overlap, in millimetres. Default: 10. Range: 0 to 50.
    */
-  vtkSetClampMacro(PageOverlap, double, 0.0, 50.0);
-  vtkGetMacro(PageOverlap, double);
+  vtkPatternNumberMacro(PageOverlap, double);
   ///@}
 
   ///@{
@@ -239,8 +256,7 @@ public:
    * A pattern that needs more pages is refused, since its unit is likely wrong. Default: 200.
    * Range: 1 to 100000.
    */
-  vtkSetClampMacro(MaximumPages, int, 1, 100000);
-  vtkGetMacro(MaximumPages, int);
+  vtkPatternNumberMacro(MaximumPages, int);
   ///@}
 
   ///@{
@@ -248,9 +264,7 @@ public:
    * Add the walk of the seams to a PDF, a table on A4 pages after the pattern, which do not count
    * as its pages. Default: off.
    */
-  vtkSetMacro(WalkTable, bool);
-  vtkGetMacro(WalkTable, bool);
-  vtkBooleanMacro(WalkTable, bool);
+  vtkPatternFlagMacro(WalkTable);
   ///@}
 
   ///@{
@@ -310,24 +324,23 @@ public:
   /**
    * Name of the pattern, any UTF-8 text. Default: "pattern".
    */
-  vtkSetMacro(PatternName, std::string);
-  vtkGetMacro(PatternName, std::string);
+  void SetPatternName(const std::string& name) { this->SetTextOption("PatternName", name); }
+  std::string GetPatternName() const { return this->GetTextOption("PatternName"); }
   ///@}
 
   ///@{
   /**
    * Size that the pattern is for, any UTF-8 text. Without one none is written. Default: empty.
    */
-  vtkSetMacro(PatternSize, std::string);
-  vtkGetMacro(PatternSize, std::string);
+  void SetPatternSize(const std::string& size) { this->SetTextOption("PatternSize", size); }
+  std::string GetPatternSize() const { return this->GetTextOption("PatternSize"); }
   ///@}
 
   ///@{
   /**
    * How many of each piece are cut. Default: 1. Range: 1 to 1000000.
    */
-  vtkSetClampMacro(Quantity, int, 1, 1000000);
-  vtkGetMacro(Quantity, int);
+  vtkPatternNumberMacro(Quantity, int);
   ///@}
 
   ///@{
@@ -355,8 +368,7 @@ public:
    * Seam allowance, in millimetres, where no curve has its own; -1: 10, and 0 of a material whose
    * edges do not fray. Default: -1. Range: 0 to 1e6, or -1.
    */
-  vtkSetClampMacro(Allowance, double, -1.0, 1e6);
-  vtkGetMacro(Allowance, double);
+  vtkPatternNumberMacro(Allowance, double);
   ///@}
 
   ///@{
@@ -378,8 +390,7 @@ public:
    * A corner of the cut line is no farther from its sew line's corner than this many allowances.
    * Default: 2. Range: 1 to 100.
    */
-  vtkSetClampMacro(MitreLimit, double, 1.0, 100.0);
-  vtkGetMacro(MitreLimit, double);
+  vtkPatternNumberMacro(MitreLimit, double);
   ///@}
 
   ///@{
@@ -391,8 +402,7 @@ public:
    * the largest piece. A stretch with 10000 notches is an error. Default: -1. Range: 0 to
    * 1e6, or -1.
    */
-  vtkSetClampMacro(NotchSpacing, double, -1.0, 1e6);
-  vtkGetMacro(NotchSpacing, double);
+  vtkPatternNumberMacro(NotchSpacing, double);
   ///@}
 
   ///@{
@@ -426,12 +436,8 @@ public:
    * notch where a corner points into the cloth); and the border where feature curves and edges with
    * names end on it, and opposite on what is sewn to it, but at corners. Default: all off.
    */
-  vtkSetMacro(NotchCorners, bool);
-  vtkGetMacro(NotchCorners, bool);
-  vtkBooleanMacro(NotchCorners, bool);
-  vtkSetMacro(NotchCurveEnds, bool);
-  vtkGetMacro(NotchCurveEnds, bool);
-  vtkBooleanMacro(NotchCurveEnds, bool);
+  vtkPatternFlagMacro(NotchCorners);
+  vtkPatternFlagMacro(NotchCurveEnds);
   ///@}
 
   ///@{
@@ -439,8 +445,7 @@ public:
    * Length of a notch, in millimetres; it never reaches the sew line. Default: 5. Range: 0 to
    * 1e6.
    */
-  vtkSetClampMacro(NotchLength, double, 0.0, 1e6);
-  vtkGetMacro(NotchLength, double);
+  vtkPatternNumberMacro(NotchLength, double);
   ///@}
 
   /**
@@ -462,14 +467,13 @@ public:
    * or sizes are connected. UP_AUTOMATIC: of y and z the axis along which the surface is
    * larger; UP_NONE: no piece is turned. Default: UP_AUTOMATIC.
    */
-  vtkSetClampMacro(UpAxis, int, UP_AUTOMATIC, UP_NONE);
-  vtkGetMacro(UpAxis, int);
+  vtkPatternNumberMacro(UpAxis, int);
   void SetUpAxisToAutomatic() { this->SetUpAxis(UP_AUTOMATIC); }
   void SetUpAxisToX() { this->SetUpAxis(UP_X); }
   void SetUpAxisToY() { this->SetUpAxis(UP_Y); }
   void SetUpAxisToZ() { this->SetUpAxis(UP_Z); }
   void SetUpAxisToNone() { this->SetUpAxis(UP_NONE); }
-  const char* GetUpAxisAsString() const { return this->GetOptionWord("UpAxis", this->UpAxis); }
+  const char* GetUpAxisAsString() const { return this->GetOptionWord("UpAxis"); }
   ///@}
 
   ///@{
@@ -478,9 +482,7 @@ public:
    * AA, in the middle and, where there is room, near both ends; a PDF on A4, letter or A3
    * lists them. Folded darts have none. Default: on.
    */
-  vtkSetMacro(JoinMarks, bool);
-  vtkGetMacro(JoinMarks, bool);
-  vtkBooleanMacro(JoinMarks, bool);
+  vtkPatternFlagMacro(JoinMarks);
   ///@}
 
   ///@{
@@ -488,10 +490,8 @@ public:
    * Draw pieces longer along their grain (warp) and across it (weft), in per cent; below 0 shorter.
    * Default: all 0. Range: -20 to 20.
    */
-  vtkSetClampMacro(WarpCompensation, double, -20.0, 20.0);
-  vtkGetMacro(WarpCompensation, double);
-  vtkSetClampMacro(WeftCompensation, double, -20.0, 20.0);
-  vtkGetMacro(WeftCompensation, double);
+  vtkPatternNumberMacro(WarpCompensation, double);
+  vtkPatternNumberMacro(WeftCompensation, double);
   ///@}
 
   ///@{
@@ -499,10 +499,8 @@ public:
    * Thickness of the material, with which tables of joins have their bevels, and width of tabs to
    * glue on the first side of each join, in millimetres. Default: all 0. Range: 0 to 1e6.
    */
-  vtkSetClampMacro(Thickness, double, 0.0, 1e6);
-  vtkGetMacro(Thickness, double);
-  vtkSetClampMacro(GlueTab, double, 0.0, 1e6);
-  vtkGetMacro(GlueTab, double);
+  vtkPatternNumberMacro(Thickness, double);
+  vtkPatternNumberMacro(GlueTab, double);
   ///@}
 
   ///@{
@@ -511,9 +509,7 @@ public:
    * cannot be folded (with branches, or with legs that are not each other's partners) are
    * always cut out. Default: off.
    */
-  vtkSetMacro(CutDartsOut, bool);
-  vtkGetMacro(CutDartsOut, bool);
-  vtkBooleanMacro(CutDartsOut, bool);
+  vtkPatternFlagMacro(CutDartsOut);
   ///@}
 
   ///@{
@@ -522,9 +518,7 @@ public:
    * to be cut on the fold of the cloth. A note says so, and by how much the halves differed.
    * Other pieces are drawn whole. Default: off.
    */
-  vtkSetMacro(CutOnFold, bool);
-  vtkGetMacro(CutOnFold, bool);
-  vtkBooleanMacro(CutOnFold, bool);
+  vtkPatternFlagMacro(CutOnFold);
   ///@}
 
   ///@{
@@ -547,8 +541,7 @@ public:
    * say. More than half of a dart's depth is an error when writing. Default: 0. Range: 0 to
    * 1e6.
    */
-  vtkSetClampMacro(DartTip, double, 0.0, 1e6);
-  vtkGetMacro(DartTip, double);
+  vtkPatternNumberMacro(DartTip, double);
   ///@}
 
   ///@{
@@ -565,9 +558,7 @@ public:
    * included, draw the first alone, to be cut in pairs of which one is turned over. Off, both
    * are drawn and named each other's mirror image. Default: off.
    */
-  vtkSetMacro(CutPairs, bool);
-  vtkGetMacro(CutPairs, bool);
-  vtkBooleanMacro(CutPairs, bool);
+  vtkPatternFlagMacro(CutPairs);
   ///@}
 
   ///@{
@@ -581,8 +572,7 @@ public:
    * stays. Panels of vtkGarmentCodeReader keep their edges but along curves with a
    * CurveFairTolerance. 0: as the mesh has them. Default: 0.2. Range: 0 to 100.
    */
-  vtkSetClampMacro(FairTolerance, double, 0.0, 100.0);
-  vtkGetMacro(FairTolerance, double);
+  vtkPatternNumberMacro(FairTolerance, double);
   ///@}
 
   ///@{
@@ -605,19 +595,8 @@ public:
    * other, and why a piece is not drawn so. It is an error when writing where no line is
    * smooth. Default: off.
    */
-  vtkSetMacro(Symmetrize, bool);
-  vtkGetMacro(Symmetrize, bool);
-  vtkBooleanMacro(Symmetrize, bool);
+  vtkPatternFlagMacro(Symmetrize);
   ///@}
-
-  /**
-   * For use before a flattening that takes long: whether all curves that have an option here
-   * are among the lines of `curves` (cell array `CurveName`, as of the output 1 of
-   * vtkFeatureCurveImprinter), or "boundary"; with `proposals` also whether their names are
-   * those that vtkFeatureCurveSuggestion gives, such as "dart 3". False is an error like one
-   * of Write().
-   */
-  bool CheckCurveNames(vtkPolyData* curves, bool proposals = false);
 
   /**
    * The names of all curves that have an option of their own, each once, in alphabetical
@@ -634,8 +613,7 @@ public:
    * work, with the same result on every machine. A piece that is wider is an error when
    * writing (PatternTooLarge). Needs Clipper. 0: in rows. Default: 0. Range: 0 to 1e5.
    */
-  vtkSetClampMacro(FabricWidth, double, 0.0, 1e5);
-  vtkGetMacro(FabricWidth, double);
+  vtkPatternNumberMacro(FabricWidth, double);
   ///@}
 
   ///@{
@@ -643,9 +621,7 @@ public:
    * The cloth of FabricWidth has an up and a down, as velvet and prints have, and all pieces lie
    * the same way; off, they may be turned by half a turn. Default: off.
    */
-  vtkSetMacro(FabricNap, bool);
-  vtkGetMacro(FabricNap, bool);
-  vtkBooleanMacro(FabricNap, bool);
+  vtkPatternFlagMacro(FabricNap);
   ///@}
 
   ///@{
@@ -653,8 +629,7 @@ public:
    * Least distance of pieces on the cloth of FabricWidth, in millimetres. Default: 5. Range: 0 to
    * 1000.
    */
-  vtkSetClampMacro(FabricGap, double, 0.0, 1000.0);
-  vtkGetMacro(FabricGap, double);
+  vtkPatternNumberMacro(FabricGap, double);
   ///@}
 
   ///@{
@@ -725,9 +700,12 @@ private:
   vtkPatternWriter(const vtkPatternWriter&) = delete;
   void operator=(const vtkPatternWriter&) = delete;
 
-  /// Visits the members that are options of the table.
-  void VisitOptions(flattening::bridge::OptionVisitor& visit);
-  const char* GetOptionWord(const char* property, int value) const;
+  // Options of the table by their names.
+  void SetNumberOption(const char* property, double value);
+  double GetNumberOption(const char* property) const;
+  void SetTextOption(const char* property, const std::string& text);
+  std::string GetTextOption(const char* property) const;
+  const char* GetOptionWord(const char* property) const;
   flattening::pattern::FileOptions MakeOptions(int format);
   /// The data set of a port; null where there is none.
   vtkPolyData* DataOf(int port);
@@ -743,46 +721,9 @@ private:
 
   char* FileName = nullptr;
   int FileFormat = AUTOMATIC;
-  // Options of the table have its defaults.
-  bool LaserColors = false;
-  bool CutterStyle = false;
-  int Paper = 0;
-  double PageOverlap = 0.0;
-  int MaximumPages = 0;
-  bool WalkTable = false;
+  std::unique_ptr<flattening::OptionValues> Options;          ///< of the table, but lists
+  std::unique_ptr<flattening::pattern::PatternOptions> Lists; ///< of single curves and pieces
   int Unit = UNSPECIFIED;
-  std::string PatternName;
-  std::string PatternSize;
-  int Quantity = 0;
-  std::vector<int> PieceQuantities;
-  std::vector<std::string> PieceNames;
-  double Allowance = 0.0;
-  std::map<std::string, double> CurveAllowances;
-  std::map<std::string, std::vector<double>> CurveNotches;
-  double MitreLimit = 0.0;
-  std::set<std::string> DoubleNotches;
-  double NotchSpacing = 0.0;
-  bool NotchCorners = false;
-  bool NotchCurveEnds = false;
-  double NotchLength = 0.0;
-  bool JoinMarks = true;
-  int UpAxis = UP_AUTOMATIC;
-  bool CutDartsOut = false;
-  bool CutOnFold = false;
-  std::set<std::string> Folds;
-  double DartTip = 0.0;
-  std::map<std::string, double> CurveDartTips;
-  bool CutPairs = false;
-  double FairTolerance = 0.0;
-  double WarpCompensation = 0.0;
-  double WeftCompensation = 0.0;
-  double Thickness = 0.0;
-  double GlueTab = 0.0;
-  bool Symmetrize = false;
-  std::map<std::string, double> CurveFairTolerances;
-  double FabricWidth = 0.0;
-  bool FabricNap = false;
-  double FabricGap = 0.0;
   double FabricLength = 0.0;
   double FabricEfficiency = 0.0;
   bool FollowPipeline = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening.h"
 
+#include "CurveWords.h"
 #include "Design/KeyPrices.h"
 #include "Flattening/FlatteningResult.h"
 #include "Input/ClothInput.h"
@@ -174,6 +175,31 @@ DataSet readSeams(const std::string& path, const SurfaceContents& contents, cons
   }
 }
 
+/// Where the plane between front and back cuts a surface, across the shorter of its sides that are
+/// level: up is of y and z the axis along which it is larger, as patterns have it.
+DataSet sideSeams(const DataSet& surface)
+{
+  const Eigen::AlignedBox3d box = boxOf(listTriangles(surface));
+  const Point3 sides = box.sizes();
+  const int level = sides.y() > sides.z() ? 2 : 1;
+  const int ahead = sides.x() >= sides[level] ? level : 0;
+  std::ostringstream plane;
+  plane << "plane "
+        << "xyz"[ahead] << '=' << std::setprecision(17) << box.center()[ahead];
+  std::string fault;
+  Points3 places;
+  CurveList curves;
+  for (const CurveWords::Line& line : CurveWords(surface).lines(plane.str(), false, fault))
+  {
+    curves.add(line.points, places, { *curveKindOf("seam"), "side" });
+  }
+  if (!fault.empty())
+  {
+    throw InputError("--template front-back: " + fault);
+  }
+  return curves.over(std::make_shared<const Points3>(std::move(places)));
+}
+
 /// A surface and its curves in their files.
 struct RunInput
 {
@@ -257,9 +283,9 @@ RunInput readInput(const Options& options, const std::string& base, Flattening& 
     }
     connect(path, curves.curves);
   }
-  if (options.seams.given())
+  if (options.seams == "front-back")
   {
-    connect("--template", seamsOf(options.seams, owner));
+    connect("--template", sideSeams(owner));
   }
   result.curveDistance = largestDistance(input.surface, input.curves);
   return input;
@@ -661,7 +687,7 @@ Flattening flattenOne(const Options& options, const std::string& base)
     const RunInput input = readInput(options, base, result);
     result.secondsRead = secondsSince(start);
     SurfaceRun run(options, input, result);
-    checkCurveNames(options, input.surface, curvesOf(input), run.settings(), result);
+    checkPattern(options, input.surface, curvesOf(input), run.settings(), result);
     if (result.refused())
     {
       result.message = options.surface + ": " + result.message;

@@ -33,7 +33,10 @@ Curves
   vertex ids of SURFACE, counted from 0, or points as x,y,z. Instead of them may stand
     plane x=0              where a plane across x, y or z cuts SURFACE, all lines of it, or those on
                            one side of others: plane x=0 y>10 z<50
-    opening 2              all around an opening, as wirewarp check numbers them
+    opening 2              all around an opening, as wirewarp check numbers them; its name is then
+                           NAME, as in edge waist opening 2
+    between waist and hem  the straight way from an opening (opening N) or curve above to another
+  In a .csv they stand in the column x.
   Polylines in SURFACE itself are curves too. Points of curves
   need not be vertices: they are laid on SURFACE if no farther from it than --curve-distance.
   Curves without a name are called "curve N", N counted from 0 over all curves. Where several share a

@@ -56,6 +56,20 @@ const std::vector<Kind>& kinds()
   return all;
 }
 
+/// What a template sets.
+std::vector<DefaultOption> defaultsOfTemplate(const std::string& name)
+{
+  static const std::map<std::string, std::vector<DefaultOption>> all{
+    { "front-back", { { "--kind", "darts" } } }, // the seams are there
+    { "gores", { { "--kind", "gores" } } },
+    { "foam-shell",
+      { { "--kind", "seams" }, { "--material", "eva-foam" }, { "--neutral-layer", "2.5" },
+        { "--cut-darts-out", "" } } },
+  };
+  const auto found = all.find(CLI::detail::to_lower(name));
+  return found == all.end() ? std::vector<DefaultOption>() : found->second;
+}
+
 /// Of all kinds: a pattern within some ten seconds.
 const DefaultOption effort{ "--effort", "quick" };
 
@@ -221,55 +235,40 @@ void addMaking(CLI::App& app, Options& options)
     ->type_name(words)
     ->default_str(names.front());
   app
-    .add_option("--template", options.seams.name,
-      "Seams to begin with: front-back, gores, strips. Front-back: where the plane between both "
-      "cuts the surface; gores: through its upright axis, as many as --pieces (6); strips: none "
-      "wider than --max-width. Darts alone (front-back), or seams as well, are proposed beside "
-      "them "
-      "where they are needed")
-    ->transform(
-      CLI::IsMember({ "front-back", "gores", "strips" }, CLI::ignore_case).description(""))
+    .add_option("--template", options.seams,
+      "Seams to begin with: front-back, gores, strips, foam-shell. Front-back: where the plane "
+      "between both cuts the surface, and darts where they are needed; gores: of a round surface, "
+      "as many as --pieces or the fewest within the bound; strips: none wider than --max-width; "
+      "foam-shell: seams alone, drawn for the middle of eva-foam 5 mm thick inside the surface "
+      "(--neutral-layer)")
+    ->transform(CLI::IsMember({ "front-back", "gores", "strips", "foam-shell" }, CLI::ignore_case)
+                  .description(""))
     ->type_name("TEMPLATE");
   app.footer(text + "\n  all: " + effort.option + ' ' + effort.value + "\n\n" + app.get_footer());
 }
 
-void checkTemplate(Options& options)
+void checkTemplate(const Options& options)
 {
-  SeamTemplate& seams = options.seams;
-  if (seams.name == "strips" && options.values.number("MaximumWidth") <= 0.0)
+  if (options.seams == "strips" && options.values.number("MaximumWidth") <= 0.0)
   {
     throw CLI::ValidationError("--template", "strips needs --max-width, the width of the roll");
-  }
-  if (seams.name != "gores" || !options.values.isGiven("PieceCount"))
-  {
-    return;
-  }
-  seams.pieces = options.values.integer("PieceCount");
-  options.values.set("PieceCount", 0.0); // no search is needed for them
-  if (seams.pieces < 4 || seams.pieces % 2 != 0)
-  {
-    throw CLI::ValidationError("--template", "gores are an even number from 4 (--pieces)");
   }
 }
 
 std::vector<std::string> withOptionsOfKind(std::vector<std::string> arguments)
 {
   const std::string name = valueIn(arguments, "--for", kinds().front().name);
-  std::vector<DefaultOption> defaults;
+  std::vector<DefaultOption> defaults = defaultsOfTemplate(valueIn(arguments, "--template", ""));
   for (const Kind& kind : kinds())
   {
     if (CLI::detail::to_lower(name) == kind.name)
     {
-      defaults = kind.defaults;
+      defaults.insert(defaults.end(), kind.defaults.begin(), kind.defaults.end());
     }
   }
   if (!hasOption(arguments, "--max-work"))
   {
     defaults.push_back(effort);
-  }
-  if (CLI::detail::to_lower(valueIn(arguments, "--template", "")) == "front-back")
-  {
-    defaults.insert(defaults.begin(), { "--kind", "darts" }); // the seams are there
   }
   const std::vector<std::string> given = arguments;
   for (const DefaultOption& option : defaults)

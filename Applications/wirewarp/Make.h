@@ -17,9 +17,8 @@ struct Options;
 /// Adds --for, which names what is made.
 void addMaking(CLI::App& app, Options& options);
 
-/// Checks the template of seams, whose gores are as many as --pieces says. Throws
-/// CLI::ValidationError.
-void checkTemplate(Options& options);
+/// Throws CLI::ValidationError where a template needs an option that is not given.
+void checkTemplate(const Options& options);
 
 /// Arguments of `wirewarp make` with the options of what is made behind them, but for those that
 /// are given.

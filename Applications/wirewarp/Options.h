@@ -5,7 +5,6 @@
 #include "Options/OptionTable.h"
 #include "Patterns.h"
 #include "Picture.h"
-#include "SeamTemplate.h"
 #include "Sizes.h"
 
 #include <string>
@@ -29,7 +28,7 @@ struct Options
   std::string batchCommand = "flatten";  ///< that a batch runs on each surface
   std::vector<std::string> batchOutputs; ///< files of each surface in its folder
   std::string madeFor;                   ///< a kind of Make.cxx; empty: not made
-  SeamTemplate seams;
+  std::string seams;                     ///< template of make
   std::string surface;
   std::string source; ///< the folder of a result that takes the place of a flattening; empty: none
   std::vector<std::string> curves;

@@ -16,6 +16,8 @@
 #include "Suggestion/CurveSuggestions.h"
 #include "TableOptions.h"
 #include "TextFile.h"
+#include "TriangleList.h"
+#include "Units.h"
 
 #include <CLI/CLI.hpp>
 
@@ -37,6 +39,10 @@ namespace pattern = flattening::pattern;
 using flattening::OptionValues;
 using flattening::Status;
 using pattern::NoteKind;
+
+/// Of the surface's area, that of a pattern at least: half of symmetric pieces is drawn on a fold,
+/// one of a pair, and cloth gives.
+constexpr double leastShareDrawn = 0.2;
 
 /// Hands entries NAME=MM on.
 template <class Set>
@@ -121,33 +127,49 @@ std::string refusalOf(const Status& status, const std::string& path)
   return messageOf(at == 0 ? defect.substr(path.size() + 1) : defect, remediesOf(status));
 }
 
-std::set<std::string> curvesWithOptions(const pattern::PatternOptions& options)
+/// Whether only PDF files on pages are wanted, and their pages cannot hold the surface.
+Status pagesFor(const Options& options, const flattening::DataSet& surface,
+  const pattern::FileOptions& drawn, const std::string& unit)
 {
-  std::set<std::string> names = options.doubleNotches;
-  names.insert(options.foldsAlong.begin(), options.foldsAlong.end());
-  for (const auto* const ofCurve :
-    { &options.allowanceOfCurve, &options.dartTipOfCurve, &options.fairToleranceOfCurve })
+  const std::vector<PatternFile>& files = options.pattern.files;
+  const bool alone = !files.empty() && options.outputs.size() == files.size() &&
+    std::all_of(files.begin(), files.end(),
+      [](const PatternFile& file) { return file.format == pattern::FileFormat::Pdf; });
+  if (!alone)
   {
-    for (const auto& entry : *ofCurve)
-    {
-      names.insert(entry.first);
-    }
+    return {};
   }
-  for (const auto& entry : options.notchesOfCurve)
+  const TriangleList list = listTriangles(surface);
+  double area = 0.0;
+  for (const ListedTriangle& triangle : list.triangles)
   {
-    names.insert(entry.first);
+    const Point3& a = list.point(triangle.corners[0]);
+    area +=
+      0.5 * (list.point(triangle.corners[1]) - a).cross(list.point(triangle.corners[2]) - a).norm();
   }
-  return names;
+  const double millimetres = millimetresOf(unit);
+  return pattern::checkPages(leastShareDrawn * area * millimetres * millimetres, drawn.pages);
 }
 }
 
-void checkCurveNames(const Options& options, const flattening::DataSet& surface,
+void checkPattern(const Options& options, const flattening::DataSet& surface,
   flattening::CurveInput curves, const flattening::OptionStructures& settings, Flattening& result)
 {
   const PatternRequest& request = options.pattern;
-  const pattern::PatternOptions drawn = optionsOf(request, options.surface, result.unit).pattern;
-  const std::set<std::string> named = curvesWithOptions(drawn);
-  if (!request.any() || named.empty())
+  const pattern::FileOptions file = optionsOf(request, options.surface, result.unit);
+  const pattern::PatternOptions& drawn = file.pattern;
+  const std::set<std::string> named = pattern::curvesWithOptions(drawn);
+  const auto refuse = [&result](const Status& status) {
+    result.exitCode = InputRefused;
+    result.status = flattening::statusName(status.code);
+    result.message = refusalOf(status, "");
+  };
+  const Status pages = pagesFor(options, surface, file, result.unit);
+  if (!pages.ok())
+  {
+    refuse(pages);
+  }
+  if (!pages.ok() || !request.any() || named.empty())
   {
     return;
   }
@@ -178,9 +200,7 @@ void checkCurveNames(const Options& options, const flattening::DataSet& surface,
   const Status status = pattern::checkPatternOptions(source, drawn);
   if (!status.ok())
   {
-    result.exitCode = InputRefused;
-    result.status = flattening::statusName(status.code);
-    result.message = refusalOf(status, "");
+    refuse(status);
   }
 }
 

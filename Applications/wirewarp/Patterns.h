@@ -49,9 +49,10 @@ void addDrawing(CLI::App& app, PatternRequest& request);
 /// How they are laid on cloth.
 void addNesting(CLI::App& app, PatternRequest& request);
 
-/// Before the surface is flattened: refuses options for curves that are not there.
+/// Before the surface is flattened: refuses options for curves that are not there, and pages that
+/// cannot hold the surface.
 /// \param curves of the surface, beside which others may be proposed
-void checkCurveNames(const Options& options, const flattening::DataSet& surface,
+void checkPattern(const Options& options, const flattening::DataSet& surface,
   flattening::CurveInput curves, const flattening::OptionStructures& settings, Flattening& result);
 
 /// Adds the files of a pattern. Throws InputError where one cannot be drawn. What was done goes

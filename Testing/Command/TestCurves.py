@@ -82,11 +82,37 @@ class Curves(command.CommandTest):
         self.assertIn("openings: 2", listed)
         self.assertIn("opening 1: %.4g cm long, around 0, 0, 2" % (1.4 * rim), listed.replace("-0,", "0,"))
 
+    def test_a_line_between_openings_is_the_shortest_way(self):
+        self.tube()
+        side = math.hypot(2.0, 0.4)
+        for ends in ("opening 1 and hem", "opening 2 and opening 1", "hem and \"the top\""):
+            lengths = self.lengths("edge hem opening 2\nedge \"the top\" opening 1\nseam side between " + ends + "\n")
+            self.assertAlmostEqual(sum(lengths["side"]), side, delta=1e-9)
+        lengths = self.lengths("edge hem opening 2\nseam side plane y=0 x>0\naccessory waist plane z=0.9\n"
+                               "accessory line between waist and hem\n")
+        self.assertAlmostEqual(sum(lengths["line"]), side * 0.45, delta=1e-9)
+
+    def test_a_table_names_planes_and_openings_too(self):
+        self.tube()
+        rows = (("side", "seam", "plane y=0 x>0"), ("top", "edge", "opening 1"), ("the hem", "edge", "opening 2"))
+        text = "".join("%s %s %s\n" % (kind, '"%s"' % name, form) for name, kind, form in rows)
+        self.write("words.csv", "name,type,x,y,z\n" + "".join('%s,%s,"%s",,\n' % row for row in rows) +
+                   "line,accessory,-1,0,0\nline,,-1.2,0,1\n")
+        wanted = self.lengths(text + "accessory line -1,0,0 -1.2,0,1\n")
+        report = self.flatten("tube.obj", "words.csv", "--unit", "cm")
+        self.assertEqual({curve["name"] for curve in report["curves"]}, {"side", "top", "the hem", "line"})
+        for curve in report["curves"]:
+            self.assertTrue(any(abs(curve["length_3d"] - length) < 1e-9 for length in wanted[curve["name"]]), curve)
+
     def test_what_a_line_of_words_lacks_is_told(self):
         self.tube()
         for text, words in (("seam side plane w=0", "write plane x=NUMBER"), ("seam side plane x=0 y=1", "write plane x=NUMBER"),
                             ("seam side plane x=9", "does not meet the surface"),
                             ("edge hem opening 3", "N from 1 to 2"), ("edge hem opening", "N from 1 to 2"),
+                            ("edge hem plane z=0", "lies along the boundary"),
+                            ("seam side between hem and top", "names of curves above this line"),
+                            ("seam side between opening 1 opening 2", "write between A and B"),
+                            ("seam side between opening 1 and opening 1", "both meet"),
                             ("accessory line 1,0 2,0,0", "is not a point")):
             with self.subTest(text):
                 self.write("words.txt", text + "\n")

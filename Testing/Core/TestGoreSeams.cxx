@@ -118,7 +118,7 @@ TEST(GoreSeams, HaveEqualWidthsInTheMiddleWhereTheSurfaceIsNotRound)
   const TriangleMesh pebble(points, sphere(4).triangles());
   const Cut cut = cutInto(pebble, [](SearchOptions& search) {
     search.pieces = 8;
-    search.maximumWork = 5.0; // other seams take more
+    search.cuts = SuggestedCuts::Gores;
   });
   ASSERT_EQ(cut.found.curves.size(), 8U);
   // Where seams cross the middle.
@@ -167,4 +167,7 @@ TEST(GoreSeams, LeaveRingsToOtherSeams)
   const Cut cut = cutInto(torus(16, 3.0), [](SearchOptions&) {});
   EXPECT_TRUE(cut.found.boundMet);
   EXPECT_LE(cut.worst, 0.05);
+  SuggestionOptions options;
+  options.search.cuts = SuggestedCuts::Gores;
+  EXPECT_EQ(suggestCurves(torus(16, 3.0), {}, options).status.code, StatusCode::InvalidOption);
 }

@@ -284,15 +284,16 @@ void addSolver(Table& table)
 
 void addSuggestion(Table& table)
 {
-  const OptionCondition cuts{ "SuggestedCuts", { "darts", "seams", "all" } };
+  const OptionCondition cuts{ "SuggestedCuts", { "darts", "seams", "all", "gores" } };
   table.group(OptionOwner::Suggestion, "Suggestions");
   table.add("SuggestedCuts", [](All& all) { return &all.search.cuts; })
     .spelled("kind", "cuts")
     .words({ { "darts", "Darts" }, { "seams", "Seams" }, { "all", "DartsAndSeams" },
-      { "lines", "Lines" } })
-    .help("What is proposed: darts, seams, or all; or lines: no cuts, but center and grain lines, "
-          "girths and style lines, each with its cost. What opens a closed surface, a tube or a "
-          "handle is proposed with each kind of cut.");
+      { "lines", "Lines" }, { "gores", "Gores" } })
+    .help("What is proposed: darts, seams, or all; gores of a round surface, the fewest within the "
+          "bound; or lines: no cuts, but center and grain lines, girths and style lines, each with "
+          "its cost. What opens a closed surface, a tube or a handle is proposed with darts, seams "
+          "and all.");
   table.add("Bound", [](All& all) { return &all.search.bound; })
     .spelled("max-strain", "bound")
     .form("STRAIN")
@@ -322,7 +323,7 @@ void addSuggestion(Table& table)
     .spelled("pieces", "pieces")
     .range(0.0, std::numeric_limits<int>::max())
     .slider(0.0, 50.0)
-    .where({ "SuggestedCuts", { "seams", "all" } })
+    .where({ "SuggestedCuts", { "seams", "all", "gores" } })
     .help(
       "About the number of pieces into which seams part the surface, with as little strain as that "
       "allows; 0: as few as the bound takes.");

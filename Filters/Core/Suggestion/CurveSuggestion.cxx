@@ -154,6 +154,14 @@ public:
           {}, { { Remedy::Give, "a number from " + std::to_string(needed) } } });
       }
     }
+    if (this->Options.search.cuts == SuggestedCuts::Gores && best.cuts.empty() &&
+      !this->isFlat(best))
+    {
+      return refusal({ StatusCode::InvalidOption,
+        this->Curves.empty() ? "half planes through no axis of the surface part it into gores"
+                             : "gores are of surfaces without other curves",
+        {}, { { Remedy::Give, "another kind of cuts" } } });
+    }
     this->Result.curves = best.cuts;
     if (!isPaired(best.cuts))
     {
@@ -274,8 +282,9 @@ private:
   {
     const SearchOptions& wanted = this->Options.search;
     const bool limited = wanted.maximumWidth > 0.0;
-    if (limited && uncut.outcome.valid && wanted.pieces == 0 &&
-      wanted.cuts != SuggestedCuts::Darts && uncut.outcome.strainP95 <= chartStrain * wanted.bound)
+    if (limited && wanted.cuts != SuggestedCuts::Gores && uncut.outcome.valid &&
+      wanted.pieces == 0 && wanted.cuts != SuggestedCuts::Darts &&
+      uncut.outcome.strainP95 <= chartStrain * wanted.bound)
     {
       CutSet strips = this->withStrips(uncut);
       strips = strips.cuts.empty() ? strips : this->improved(std::move(strips));
@@ -333,6 +342,10 @@ private:
       this->Result.end = SearchEnd::BoundMet;
       return uncut;
     }
+    if (wanted.cuts == SuggestedCuts::Gores)
+    {
+      return this->goreSet();
+    }
     const bool strained = wanted.pieces > 0 || !uncut.outcome.valid ||
       uncut.outcome.strainP95 > chartStrain * wanted.bound;
     bool creased = false;
@@ -361,6 +374,20 @@ private:
       return std::move(gores.set);
     }
     return set;
+  }
+
+  /// Gores, whatever other cuts would do. No cuts where there are none.
+  CutSet goreSet()
+  {
+    const std::optional<SurfaceMirror>& mirror = this->Result.mirror;
+    const std::optional<SymmetryPlane> plane =
+      mirror && mirror->plane() ? std::optional(*mirror->plane()) : findSymmetryPlane(this->Mesh);
+    Gores gores = plane && this->Curves.empty()
+      ? findGores(this->Mesh, *plane, this->Whole, this->Options.search, this->Budget, this->Run)
+      : Gores();
+    this->Result.end = this->isFlat(gores.set) ? SearchEnd::BoundMet : SearchEnd::NothingHelps;
+    this->Result.mirror = SurfaceMirror(gores.plane);
+    return this->allowed(gores.set) ? std::move(gores.set) : CutSet();
   }
 
   /// The best of charts and of cuts one by one.

@@ -21,6 +21,7 @@ enum class SuggestedCuts
   Seams,
   All,
   Lines, ///< no cuts: suggestLines()
+  Gores, ///< seams between gores alone, see findGores()
 };
 
 /// All lengths are in units of R = sqrt(area / pi) of the piece, except where said.

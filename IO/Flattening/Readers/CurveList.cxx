@@ -71,6 +71,19 @@ void CurveList::add(const std::vector<std::int64_t>& ids, const CurveTitle& titl
 }
 
 //------------------------------------------------------------------------------
+void CurveList::add(const Points3& line, Points3& places, const CurveTitle& title)
+{
+  std::vector<std::int64_t> ids;
+  for (const Point3& point : line)
+  {
+    const bool closes = ids.size() > 1 && ids.size() + 1 == line.size() && point == line.front();
+    ids.push_back(closes ? ids.front() : static_cast<std::int64_t>(places.size()));
+    places.insert(places.end(), closes ? 0 : 1, point);
+  }
+  this->add(ids, title);
+}
+
+//------------------------------------------------------------------------------
 DataSet CurveList::over(std::shared_ptr<const Points3> points) const
 {
   DataSet curves;

@@ -53,6 +53,8 @@ class CurveList
 {
 public:
   void add(const std::vector<std::int64_t>& ids, const CurveTitle& title);
+  /// A curve through new points, which are added to others; closed where it ends as it begins.
+  void add(const Points3& line, Points3& places, const CurveTitle& title);
   bool empty() const { return this->Lines.size() == 0; }
   /// The curves over points, with the cell arrays CurveType, CurveName and, where one is straight,
   /// KeyShape.

@@ -3,6 +3,7 @@
 
 #include "BorderWays.h"
 #include "CurveList.h"
+#include "CurveWords.h"
 #include "InputError.h"
 #include "TextFile.h"
 
@@ -103,12 +104,14 @@ struct CsvReader
     : path(file)
     , lines(text, false)
     , surface(owner)
+    , named(owner)
   {
   }
 
   const std::string& path;
   LineReader lines;
   const DataSet& surface;
+  CurveWords named;
   std::optional<BorderWays> ways = std::nullopt; ///< made where an edge asks for them
   char divider = ',';
   std::array<std::size_t, 5> column{}; ///< of name, type, x, y, z
@@ -272,8 +275,27 @@ struct CsvReader
         this->followBorder();
       }
       this->curves.add(this->ids, this->title.curve);
+      for (const std::int64_t id : this->ids)
+      {
+        this->named.keep(this->title.curve.name, { this->points[static_cast<std::size_t>(id)] });
+      }
     }
     this->ids.clear();
+  }
+
+  /// Words in the column x.
+  void readWords(const std::string& words)
+  {
+    std::string fault;
+    for (const CurveWords::Line& line : this->named.lines(words, this->title.isEdge, fault))
+    {
+      this->curves.add(line.points, this->points, this->title.curve);
+      this->named.keep(this->title.curve.name, line.points);
+    }
+    if (!fault.empty())
+    {
+      this->refuse("curve " + inQuotes(this->title.curve.name) + ": " + fault);
+    }
   }
 
   void readRow(const std::string& line)
@@ -284,6 +306,13 @@ struct CsvReader
     {
       this->endCurve();
       this->title = std::move(next);
+    }
+    const std::string words = this->field(row, 2);
+    if (CurveWords::areWords(words))
+    {
+      this->endCurve();
+      this->readWords(words);
+      return;
     }
     Point3 x;
     for (std::size_t k = 0; k < 3; ++k)

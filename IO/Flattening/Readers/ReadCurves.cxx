@@ -4,8 +4,8 @@
 #include "BorderWays.h"
 #include "BoundaryLoops.h"
 #include "CurveList.h"
+#include "CurveWords.h"
 #include "InputError.h"
-#include "PlaneSection.h"
 #include "ReadCsvCurves.h"
 #include "ReadDxfCurves.h"
 #include "ReadObj.h"
@@ -50,6 +50,7 @@ struct CurveReader
   std::string path;
   LineReader lines;
   const DataSet& surface;
+  CurveWords named;
   std::optional<BorderWays> ways = std::nullopt; ///< made where an edge needs them
   std::shared_ptr<Points3> points = nullptr;     ///< those of the surface and new ones, if any
 
@@ -98,7 +99,8 @@ struct CurveReader
     }
     if (!isEdge)
     {
-      return this->addPoint(x);
+      this->newPoints().push_back(x);
+      return static_cast<std::int64_t>(this->points->size()) - 1;
     }
     double distance = 0.0;
     const std::int64_t vertex = this->borders().nearest(x, distance);
@@ -110,14 +112,13 @@ struct CurveReader
     return vertex;
   }
 
-  std::int64_t addPoint(const Point3& x)
+  Points3& newPoints()
   {
     if (!this->points)
     {
       this->points = std::make_shared<Points3>(*this->surface.points);
     }
-    this->points->push_back(x);
-    return static_cast<std::int64_t>(this->points->size()) - 1;
+    return *this->points;
   }
 
   std::vector<std::int64_t> readIds(std::string_view rest, const std::string& name, bool isEdge)
@@ -134,52 +135,32 @@ struct CurveReader
     return ids;
   }
 
-  /// All around an opening, by its number.
-  std::vector<std::int64_t> readOpening(std::string_view rest, const std::string& name) const
+  /// Curves that words give.
+  void readWords(std::string_view words, const CurveTitle& title, bool isEdge, CurveList& curves)
   {
-    const std::vector<BoundaryLoop> all = openings(listTriangles(this->surface));
-    long long number = 0;
-    const std::string_view word = takeWord(rest);
-    if (!parseInteger(word, number) || number < 1 || !takeWord(rest).empty() ||
-      number > static_cast<long long>(all.size()))
+    std::string fault;
+    for (const CurveWords::Line& line : this->named.lines(words, isEdge, fault))
     {
-      this->refuse("curve " + inQuotes(name) +
-        ": there is no such opening; write opening N, N from 1 to " + std::to_string(all.size()) +
-        " as wirewarp check lists them");
+      line.vertices.empty() ? curves.add(line.points, this->newPoints(), title)
+                            : curves.add(line.vertices, title);
+      this->named.keep(title.name, line.points);
     }
-    std::vector<std::int64_t> ids = all[static_cast<std::size_t>(number - 1)].points;
-    ids.push_back(ids.front());
-    return ids;
+    if (!fault.empty())
+    {
+      this->refuse("curve " + inQuotes(title.name) + ": " + fault);
+    }
   }
 
-  /// The lines in which a plane cuts the surface.
-  std::vector<std::vector<std::int64_t>> readPlane(std::string_view rest, const std::string& name)
+  /// Makes the curve known for words of others.
+  void keep(const std::string& name, const std::vector<std::int64_t>& ids)
   {
-    const std::optional<SectionPlane> plane = sectionPlaneOf(rest);
-    if (!plane)
+    const Points3& places = this->points ? *this->points : *this->surface.points;
+    Points3 line;
+    for (const std::int64_t id : ids)
     {
-      this->refuse("curve " + inQuotes(name) +
-        ": write plane x=NUMBER (or y, z), and behind it where it runs, as y>NUMBER z<NUMBER");
+      line.push_back(places[static_cast<std::size_t>(id)]);
     }
-    std::vector<std::vector<std::int64_t>> found;
-    for (const SectionLine& line : sectionOf(listTriangles(this->surface), *plane))
-    {
-      std::vector<std::int64_t>& ids = found.emplace_back();
-      for (const Point3& x : line)
-      {
-        ids.push_back(this->addPoint(x));
-      }
-      if (line.front() == line.back())
-      {
-        ids.back() = ids.front();
-      }
-    }
-    if (found.empty())
-    {
-      this->refuse("curve " + inQuotes(name) +
-        ": the plane does not meet the surface there; see its size with wirewarp check");
-    }
-    return found;
+    this->named.keep(name, line);
   }
 
   BorderWays& borders()
@@ -208,7 +189,7 @@ DataSet readCurveText(const std::string& path, const DataSet& surface)
 {
   const std::string text = readWholeFile(path);
   CurveList curves;
-  CurveReader reader{ path, LineReader(text), surface };
+  CurveReader reader{ path, LineReader(text), surface, CurveWords(surface) };
   std::string line;
   while (reader.lines.next(line))
   {
@@ -234,23 +215,15 @@ DataSet readCurveText(const std::string& path, const DataSet& surface)
     {
       reader.refuse("the curve has no name; write TYPE NAME v0 v1 ...");
     }
-    std::string_view after = rest;
-    const std::string_view form = takeWord(after);
-    if (form == "plane" && !isEdge)
+    if (CurveWords::areWords(rest))
     {
-      for (const std::vector<std::int64_t>& ids : reader.readPlane(after, *name))
-      {
-        curves.add(ids, { *kind, *name });
-      }
+      reader.readWords(rest, { *kind, *name }, isEdge, curves);
       continue;
     }
-    if (form == "opening")
-    {
-      curves.add(reader.readOpening(after, *name), { *kind, *name });
-      continue;
-    }
-    const std::vector<std::int64_t> ids = reader.readIds(rest, *name, isEdge);
-    curves.add(isEdge ? reader.alongBorder(ids, *name) : ids, { *kind, *name });
+    std::vector<std::int64_t> ids = reader.readIds(rest, *name, isEdge);
+    ids = isEdge ? reader.alongBorder(ids, *name) : ids;
+    curves.add(ids, { *kind, *name });
+    reader.keep(*name, ids);
   }
   return curves.over(reader.points ? reader.points : surface.points);
 }

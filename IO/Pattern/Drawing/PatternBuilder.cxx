@@ -95,6 +95,25 @@ struct CurveOptionCheck
 };
 }
 
+std::set<std::string> curvesWithOptions(const PatternOptions& options)
+{
+  std::set<std::string> names = options.doubleNotches;
+  names.insert(options.foldsAlong.begin(), options.foldsAlong.end());
+  for (const auto* const ofCurve :
+    { &options.allowanceOfCurve, &options.dartTipOfCurve, &options.fairToleranceOfCurve })
+  {
+    for (const auto& entry : *ofCurve)
+    {
+      names.insert(entry.first);
+    }
+  }
+  for (const auto& entry : options.notchesOfCurve)
+  {
+    names.insert(entry.first);
+  }
+  return names;
+}
+
 Status checkPatternOptions(const PatternSource& source, const PatternOptions& options)
 {
   if (!std::isfinite(options.allowance))

@@ -5,12 +5,18 @@
 #include "Outlines/Pattern.h"
 #include "Outlines/PatternSource.h"
 
+#include <set>
+#include <string>
+
 namespace flattening::pattern
 {
 class FairCache;
 
 /// Errors: InvalidOption where a value is out of range, or a curve is named that is not there.
 Status checkPatternOptions(const PatternSource& source, const PatternOptions& options);
+
+/// The names of all curves that have an option of their own, with sides as "NAME:2".
+std::set<std::string> curvesWithOptions(const PatternOptions& options);
 
 /// The options with the lengths that they leave to the pieces.
 PatternOptions completed(PatternOptions options, const PatternSource& source);

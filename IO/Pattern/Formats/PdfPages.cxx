@@ -317,6 +317,20 @@ bool hasPage(const PagePlan& plan, const Tile& tile)
     [&tile](const Tile& page) { return page.row == tile.row && page.column == tile.column; });
 }
 
+Status checkPages(double area, const PageOptions& options)
+{
+  const Point2 printable = paperExtent(options.paper) - Point2::Constant(2.0 * pageMargin);
+  const double fewest = std::ceil(area / printable.prod());
+  if (options.paper == PaperSize::Sheet || fewest <= options.maximumPages)
+  {
+    return {};
+  }
+  return { StatusCode::PatternTooLarge,
+    "the pattern would need at least " + formatNumber(fewest, 0) + " pages " +
+      paperName(options.paper) + ", more than " + std::to_string(options.maximumPages),
+    {}, { Remedy::CheckUnit, Remedy::TakeLargerPaper } };
+}
+
 Status planPages(const Pattern& pattern, const PageOptions& options, PagePlan& plan)
 {
   if (!(options.overlap >= 0.0 && options.overlap <= 50.0) || options.maximumPages < 1)

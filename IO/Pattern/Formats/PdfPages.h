@@ -62,6 +62,10 @@ Point2 legendExtent(bool withMap);
 /// \return TooLarge where more than maximumPages are needed
 Status planPages(const Pattern& pattern, const PageOptions& options, PagePlan& plan);
 
+/// Before a pattern is there: whether pieces of this area, in mm2, may fit on the pages.
+/// \return PatternTooLarge where they do not
+Status checkPages(double area, const PageOptions& options);
+
 /// "A1": row A, column 1.
 std::string tileName(const Tile& tile);
 

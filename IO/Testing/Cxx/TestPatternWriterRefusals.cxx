@@ -81,43 +81,6 @@ private:
   std::string Folder;
 };
 
-/// Before there is a flattening.
-void namesOfCurves(Checks& checks)
-{
-  vtkNew<vtkPolyData> curves;
-  vtkNew<vtkStringArray> names;
-  names->SetName("CurveName");
-  names->InsertNextValue("hem");
-  names->InsertNextValue("centre");
-  curves->GetCellData()->AddArray(names);
-  using Prepare = std::function<void(vtkPatternWriter*, const char*)>;
-  for (const Prepare& prepare :
-    { Prepare([](vtkPatternWriter*writer, const char*name) { writer->AddFold(name); }),
-      Prepare([](vtkPatternWriter*writer, const char*name) { writer->AddDoubleNotches(name); }),
-      Prepare([](vtkPatternWriter*writer, const char*name) { writer->AddCurveNotch(name, 9.0); }),
-      Prepare(
-        [](vtkPatternWriter*writer, const char*name) { writer->SetCurveDartTip(name, 9.0); }) })
-  {
-    for (const char* name : { "hem", "boundary", "hen", "dart 2", "seam x" })
-    {
-      for (const bool proposals : { false, true })
-      {
-        vtkNew<vtkPatternWriter> writer;
-        const Messages messages(writer);
-        prepare(writer, name);
-        const std::string text = name;
-        const bool known = text == "hem" || text == "boundary" || (proposals && text == "dart 2");
-        checks.equal(writer->CheckCurveNames(curves, proposals), known, text + " is known");
-        checks.equal(std::string(writer->GetStatusName()),
-          std::string(known ? "Ok" : "InvalidOption"), text + ", the status");
-        checks.equal(messages.errors.size(), std::size_t{ known ? 0U : 1U }, text + ", errors");
-        checks.equal(writer->CheckCurveNames(nullptr, proposals), known && text != "hem",
-          text + " of no curves");
-      }
-    }
-  }
-}
-
 void statusOfSuccess(Checks& checks, const std::string& folder)
 {
   vtkNew<vtkPatternWriter> writer;
@@ -195,7 +158,6 @@ int TestPatternWriterRefusals(int argc, char* argv[])
   refusals.refuse(
     "FileNotWritten", grid, [&](vtkPatternWriter& writer) { writer.SetFileName(nowhere.c_str()); },
     { nowhere, "No such file", "name another file" }, vtkErrorCode::CannotOpenFileError);
-  namesOfCurves(checks);
   statusOfSuccess(checks, folder);
   return checks.result();
 }

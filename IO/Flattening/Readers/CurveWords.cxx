@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CurveWords.h"
+
+#include "BoundaryLoops.h"
+#include "Paths/PlaneSection.h"
+#include "Paths/StraightPath.h"
+#include "Report/FlatteningData.h"
+#include "Surface/EdgePaths.h"
+#include "Surface/SurfacePreparation.h"
+#include "TextFile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace wirewarp
+{
+using flattening::Index;
+using flattening::SurfacePoint;
+
+/// A plane across an axis, and between which planes across axes its section is taken.
+struct SectionPlane
+{
+  struct Bound
+  {
+    Eigen::Index axis = 0;
+    double place = 0.0;
+    bool above = true;
+  };
+  Eigen::Index axis = 0;
+  double place = 0.0;
+  std::vector<Bound> bounds = {};
+
+  bool holds(const Point3& a, const Point3& b) const
+  {
+    return std::all_of(this->bounds.begin(), this->bounds.end(), [&](const Bound& bound) {
+      const double middle = (a[bound.axis] + b[bound.axis]) / 2.0;
+      return bound.above ? middle > bound.place : middle < bound.place;
+    });
+  }
+};
+
+namespace
+{
+/// "x=0", "z=120 y>0 x<30". None where the words are not of this form.
+std::optional<SectionPlane> planeOf(std::string_view words)
+{
+  constexpr std::string_view axes = "xyz";
+  SectionPlane plane;
+  bool first = true;
+  for (std::string_view word = takeWord(words); !word.empty(); word = takeWord(words))
+  {
+    const std::size_t axis = axes.find(word.front());
+    const char sign = word.size() > 1 ? word[1] : ' ';
+    double place = 0.0;
+    if (axis == std::string_view::npos ||
+      !parseNumber(word.substr(std::min<std::size_t>(2, word.size())), place) ||
+      !std::isfinite(place) || (first ? sign != '=' : sign != '<' && sign != '>'))
+    {
+      return std::nullopt;
+    }
+    if (first)
+    {
+      plane.axis = static_cast<Eigen::Index>(axis);
+      plane.place = place;
+    }
+    else
+    {
+      plane.bounds.push_back({ static_cast<Eigen::Index>(axis), place, sign == '>' });
+    }
+    first = false;
+  }
+  return first ? std::nullopt : std::optional(plane);
+}
+
+/// The stretches of a section within the bounds of its plane. A closed one is begun outside them.
+void addStretches(const Points3& points, const SectionPlane& plane, std::vector<Points3>& lines)
+{
+  const std::size_t count = points.size() - 1;
+  const auto holds = [&](std::size_t k) { return plane.holds(points[k], points[k + 1]); };
+  std::size_t start = 0;
+  while (points.front() == points.back() && start < count && holds(start))
+  {
+    ++start;
+  }
+  Points3 line;
+  for (std::size_t k = start; k < start + count; ++k)
+  {
+    if (holds(k % count))
+    {
+      line.insert(line.end(), line.empty() ? 1 : 0, points[k % count]);
+      line.push_back(points[k % count + 1]);
+    }
+    if (!line.empty() && (!holds(k % count) || k + 1 == start + count))
+    {
+      lines.push_back(std::move(line));
+      line.clear();
+    }
+  }
+}
+
+double lengthOf(const Points3& line)
+{
+  double length = 0.0;
+  for (std::size_t k = 0; k + 1 < line.size(); ++k)
+  {
+    length += (line[k + 1] - line[k]).norm();
+  }
+  return length;
+}
+
+/// The surface as Core takes it, with what can be healed.
+flattening::PreparedSurface preparedSurface(const DataSet& surface, std::string& fault)
+{
+  DataSet healed;
+  const bool mended = !flattening::healData(surface, healed).empty();
+  const flattening::SurfaceTriangles read = flattening::readTriangles(mended ? healed : surface);
+  flattening::PreparedSurface prepared = flattening::prepareSurface(read.points, read.triangles);
+  fault = prepared.status.ok() ? "" : prepared.status.message;
+  return prepared;
+}
+
+/// Points of a curve on the surface, by the vertices next to them.
+std::map<Index, SurfacePoint> endsOn(const flattening::TriangleMesh& mesh, const Points3& points)
+{
+  const flattening::SurfaceLocator locator(mesh);
+  const flattening::SnapDistance snap(mesh, 1e-9);
+  std::map<Index, SurfacePoint> ends;
+  for (const Point3& point : points)
+  {
+    const flattening::ClosestPoint closest = locator.closest(point);
+    const auto nearest = std::max_element(closest.weights.begin(), closest.weights.end());
+    ends.emplace(mesh.triangle(closest.triangle)[nearest - closest.weights.begin()],
+      flattening::snapToMesh(mesh, snap, closest));
+  }
+  return ends;
+}
+
+Points3 placesOf(const flattening::SurfacePath& path, bool closed)
+{
+  Points3 places;
+  for (const SurfacePoint& point : path.points)
+  {
+    places.push_back(point.position);
+  }
+  places.back() = closed ? places.front() : places.back();
+  return places;
+}
+}
+
+//------------------------------------------------------------------------------
+bool CurveWords::areWords(std::string_view text)
+{
+  const std::string_view first = takeWord(text);
+  return first == "plane" || first == "opening" || first == "between";
+}
+
+//------------------------------------------------------------------------------
+void CurveWords::keep(const std::string& name, const Points3& points)
+{
+  Points3& all = this->Known[name];
+  all.insert(all.end(), points.begin(), points.end());
+}
+
+//------------------------------------------------------------------------------
+std::vector<CurveWords::Line> CurveWords::lines(
+  std::string_view words, bool isEdge, std::string& fault) const
+{
+  const std::string_view form = takeWord(words);
+  if (form == "opening")
+  {
+    return this->opening(words, fault);
+  }
+  if (isEdge)
+  {
+    fault = "an edge lies along the boundary; write opening N, or make the curve accessory";
+    return {};
+  }
+  return form == "plane" ? this->sections(words, fault) : this->between(words, fault);
+}
+
+//------------------------------------------------------------------------------
+std::vector<CurveWords::Line> CurveWords::opening(std::string_view words, std::string& fault) const
+{
+  const TriangleList list = listTriangles(this->Surface);
+  const std::vector<BoundaryLoop> all = openings(list);
+  long long number = 0;
+  const std::string_view word = takeWord(words);
+  if (!parseInteger(word, number) || number < 1 || !takeWord(words).empty() ||
+    number > static_cast<long long>(all.size()))
+  {
+    fault = "there is no such opening; write opening N, N from 1 to " + std::to_string(all.size()) +
+      " as wirewarp check lists them";
+    return {};
+  }
+  Line line;
+  line.vertices = all[static_cast<std::size_t>(number - 1)].points;
+  line.vertices.push_back(line.vertices.front());
+  for (const std::int64_t vertex : line.vertices)
+  {
+    line.points.push_back(list.point(vertex));
+  }
+  return { std::move(line) };
+}
+
+//------------------------------------------------------------------------------
+std::vector<CurveWords::Line> CurveWords::sections(std::string_view words, std::string& fault) const
+{
+  const std::optional<SectionPlane> plane = planeOf(words);
+  if (!plane)
+  {
+    fault = "write plane x=NUMBER (or y, z), and behind it where it runs, as y>NUMBER z<NUMBER";
+    return {};
+  }
+  const flattening::PreparedSurface prepared = preparedSurface(this->Surface, fault);
+  const Point3 normal = Point3::Unit(plane->axis);
+  std::vector<Points3> found;
+  for (const flattening::PlaneSection& section : fault.empty()
+      ? flattening::planeSections(prepared.mesh, plane->place * normal, normal)
+      : std::vector<flattening::PlaneSection>())
+  {
+    if (section.path.points.size() > 1)
+    {
+      addStretches(placesOf(section.path, section.closed), *plane, found);
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+    [](const Points3& a, const Points3& b) { return lengthOf(a) > lengthOf(b); });
+  if (found.empty() && fault.empty())
+  {
+    fault = "the plane does not meet the surface there; see its size with wirewarp check";
+  }
+  std::vector<Line> lines;
+  std::transform(found.begin(), found.end(), std::back_inserter(lines),
+    [](Points3& points) { return Line{ std::move(points) }; });
+  return lines;
+}
+
+//------------------------------------------------------------------------------
+/// An opening, or a curve by its name.
+Points3 CurveWords::pointsOf(std::string_view& words, std::string& fault) const
+{
+  const std::string name = takeName(words).value_or("");
+  if (name == "opening")
+  {
+    const std::vector<Line> found = this->opening(takeWord(words), fault);
+    return found.empty() ? Points3() : found.front().points;
+  }
+  const auto known = this->Known.find(name);
+  if (known == this->Known.end())
+  {
+    fault = "write between A and B; A and B are opening N, or names of curves above this line";
+    return {};
+  }
+  return known->second;
+}
+
+//------------------------------------------------------------------------------
+std::vector<CurveWords::Line> CurveWords::between(std::string_view words, std::string& fault) const
+{
+  const Points3 first = this->pointsOf(words, fault);
+  const bool joined = takeWord(words) == "and";
+  const Points3 second = fault.empty() ? this->pointsOf(words, fault) : Points3();
+  if (fault.empty() && (!joined || !takeWord(words).empty()))
+  {
+    fault = "write between A and B, with names of several words in quotes";
+  }
+  const flattening::PreparedSurface prepared =
+    fault.empty() ? preparedSurface(this->Surface, fault) : flattening::PreparedSurface();
+  if (!fault.empty())
+  {
+    return {};
+  }
+  const std::map<Index, SurfacePoint> starts = endsOn(prepared.mesh, first);
+  const std::map<Index, SurfacePoint> ends = endsOn(prepared.mesh, second);
+  flattening::Indices sources;
+  for (const auto& [vertex, place] : starts)
+  {
+    sources.push_back(vertex);
+  }
+  const flattening::EdgePaths ways(
+    prepared.mesh, sources, {}, flattening::EdgePaths::Through::Boundary);
+  const auto nearest =
+    std::min_element(ends.begin(), ends.end(), [&](const auto& a, const auto& b) {
+      return std::pair(!ways.reaches(a.first), ways.distance(a.first)) <
+        std::pair(!ways.reaches(b.first), ways.distance(b.first));
+    });
+  if (!ways.reaches(nearest->first) || ways.distance(nearest->first) == 0.0)
+  {
+    fault = ways.reaches(nearest->first) ? "both meet; there is no way between them"
+                                         : "both lie on separate parts of the surface";
+    return {};
+  }
+  const flattening::PathGraph graph(prepared.mesh);
+  const flattening::StraightPath path =
+    flattening::straightPath(graph, starts.at(ways.path(nearest->first).front()), nearest->second);
+  fault = path.status.ok() ? "" : path.status.message;
+  return fault.empty() ? std::vector<Line>{ { placesOf(path.path, false) } } : std::vector<Line>();
+}
+}
