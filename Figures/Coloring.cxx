@@ -90,6 +90,7 @@ vtkSmartPointer<vtkLookupTable> makeDistinctColors(double greatest)
 }
 
 constexpr double rightAngle = 90.0;
+constexpr double leastEnd = 1e-3;    ///< of a diverging scale, from its middle
 constexpr double turnedOver = 100.0; ///< strain of such a triangle, and the largest, in percent
 
 /// By how many degrees the threads' angle may change, of the pieces' material.
@@ -99,8 +100,8 @@ double lockingAngle(const FlatPiece& piece)
   return std::isnan(limit) ? rightAngle : limit;
 }
 
-/// The value that 99 % of an array do not exceed.
-double nearlyLargest(vtkDataArray* values)
+/// The values of an array that shares of all do not exceed.
+std::array<double, 2> quantiles(vtkDataArray* values, const std::array<double, 2>& shares)
 {
   std::vector<double> sorted;
   for (vtkIdType k = 0; values && k < values->GetNumberOfTuples(); ++k)
@@ -108,7 +109,12 @@ double nearlyLargest(vtkDataArray* values)
     sorted.push_back(values->GetComponent(k, 0));
   }
   std::sort(sorted.begin(), sorted.end());
-  return sorted.empty() ? 0.0 : sorted[(sorted.size() - 1) * 99 / 100];
+  std::array<double, 2> found{};
+  for (std::size_t k = 0; k < shares.size() && !sorted.empty(); ++k)
+  {
+    found[k] = sorted[static_cast<std::size_t>(shares[k] * (sorted.size() - 1.0))];
+  }
+  return found;
 }
 
 /// 1, 2, 5, 10, ... and what lies between by tens: at least the value, and an end of a scale.
@@ -123,6 +129,16 @@ double roundedUp(double value)
     }
   }
   return 10.0 * power;
+}
+
+/// A cell array that is good in the middle, in colors to both sides as far as 5 to 95 % of it go.
+ColorMap divergingMap(
+  const FlatPiece& piece, const char* name, const std::string& title, double middle)
+{
+  const auto ends = quantiles(piece.flat->GetCellData()->GetArray(name), { 0.05, 0.95 });
+  const double farthest = std::max(std::abs(ends[0] - middle), std::abs(ends[1] - middle));
+  const double end = roundedUp(std::max(farthest, leastEnd));
+  return { name, false, title, makeDivergingColors(middle - end, middle, middle + end), 5 };
 }
 
 ColorMap colorMapOf(Coloring coloring, const FlatPiece& piece)
@@ -141,12 +157,11 @@ ColorMap colorMapOf(Coloring coloring, const FlatPiece& piece)
       return { "AspectRatio", false, "aspect ratio (1 is ideal)", makeSequentialColors(indexRange),
         6 };
     case Coloring::Area:
-      return { "AreaRatio", false, "area in the plane / on the surface",
-        makeDivergingColors(0.8, 1.0, 1.2), 5 };
+      return divergingMap(piece, "AreaRatio", "area in the plane / on the surface", 1.0);
     case Coloring::Strain:
     {
       const char* const name = "Strain";
-      const double largest = nearlyLargest(piece.flat->GetCellData()->GetArray(name));
+      const double largest = quantiles(piece.flat->GetCellData()->GetArray(name), { 0.0, 0.99 })[1];
       return { name, false, "strain (%)",
         makeSequentialColors({ 0.0, roundedUp(std::max(largest, 0.1)) }), 6 };
     }
@@ -171,11 +186,9 @@ ColorMap colorMapOf(Coloring coloring, const FlatPiece& piece)
       return { name, false, "", makeDistinctColors(values ? values->GetRange()[1] : 0.0), 0 };
     }
     case Coloring::Warp:
-      return { "StrainWarp", false, "strain of the warp (drawn above 0)",
-        makeDivergingColors(-0.05, 0.0, 0.05), 5 };
+      return divergingMap(piece, "StrainWarp", "strain of the warp (drawn above 0)", 0.0);
     case Coloring::Weft:
-      return { "StrainWeft", false, "strain of the weft (drawn above 0)",
-        makeDivergingColors(-0.05, 0.0, 0.05), 5 };
+      return divergingMap(piece, "StrainWeft", "strain of the weft (drawn above 0)", 0.0);
     case Coloring::Shear:
     {
       const double limit = lockingAngle(piece);

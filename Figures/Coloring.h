@@ -53,8 +53,9 @@ struct ColorMap
 /// Magnitudes are in viridis, light where good and dark where poor; what goes either way from 0 or
 /// 1 is diverging. Of areas, blue is smaller and red larger than on the surface. The largest
 /// stretch has steps of 2.5 % from 100 to 120 %; of warp and weft, blue is compressed and red
-/// drawn; of the shear, blue and red are its two senses, up to the material's limit, where threads
-/// lock, or 15 degrees where it has none.
+/// drawn; these three reach as far from the middle as the triangles from 5 to 95 %; of the shear,
+/// blue and red are its two senses, up to the material's limit, where threads lock, or 15 degrees
+/// where it has none.
 /// @param piece what is colored: the ranges of developability and distance follow its largest value,
 ///              that of the strain what 99 % of the triangles have
 /// @param range of the colors in place of these; its ends are equal where it is none

@@ -4,13 +4,16 @@
 #include "Files.h"
 #include "ScaleBar.h"
 
+#include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+#include <vtkTriangle.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -106,6 +109,45 @@ std::vector<std::string> errorTable(const FlatPiece& piece, std::size_t maximumR
   return rows;
 }
 
+//------------------------------------------------------------------------------
+std::string extremesOf(const FlatPiece& piece, const ColorMap& map)
+{
+  vtkDataSetAttributes* const arrays = map.onPoints
+    ? static_cast<vtkDataSetAttributes*>(piece.flat->GetPointData())
+    : static_cast<vtkDataSetAttributes*>(piece.flat->GetCellData());
+  vtkDataArray* const values = arrays->GetArray(map.array);
+  vtkDataArray* const ids = piece.flat->GetCellData()->GetArray("PieceId");
+  if (!values || values->GetNumberOfTuples() == 0 || map.labels == 0)
+  {
+    return "";
+  }
+  vtkIdType least = 0;
+  vtkIdType largest = 0;
+  double sum = 0.0;
+  double weights = 0.0;
+  for (vtkIdType k = 0; k < values->GetNumberOfTuples(); ++k)
+  {
+    const double value = values->GetComponent(k, 0);
+    least = value < values->GetComponent(least, 0) ? k : least;
+    largest = value > values->GetComponent(largest, 0) ? k : largest;
+    auto* const cell = vtkTriangle::SafeDownCast(map.onPoints ? nullptr : piece.cut->GetCell(k));
+    const double weight = cell ? cell->ComputeArea() : 1.0;
+    sum += weight * value;
+    weights += weight;
+  }
+  const auto words = [&](vtkIdType k) {
+    const std::string text = formatted("%.3g", values->GetComponent(k, 0));
+    return map.onPoints || !ids || ids->GetRange()[1] < 1.0
+      ? text
+      : text + formatted(" on piece %d", static_cast<int>(ids->GetComponent(k, 0)) + 1);
+  };
+  double place[3];
+  piece.cut->GetPoint(map.onPoints ? largest : piece.cut->GetCell(largest)->GetPointId(0), place);
+  return "largest " + words(largest) +
+    formatted(" at %.4g, %.4g, %.4g; least ", place[0], place[1], place[2]) + words(least) +
+    (weights > 0.0 ? formatted("; mean %.3g", sum / weights) : "");
+}
+
 namespace
 {
 /// A window with two panels and, below them, an overlay of texts.
@@ -159,6 +201,7 @@ PatternPicture::PatternPicture(const PatternScene& given, int width, int height)
   if (map.labels > 0)
   {
     this->drawScale(map);
+    this->addText(extremesOf(scene.piece, map), margin, 2 * margin + line / 2, legendSize, black);
   }
   this->Window->Render();
 }
@@ -229,7 +272,7 @@ int PatternPicture::addText(const std::string& text, int x, int y, int size, con
 void PatternPicture::drawTexts(const PatternScene& scene)
 {
   this->addText(scene.title, margin, margin, legendSize + 4, black, TextStyle::Bold, true);
-  constexpr std::size_t rows = (strip - 2 * margin) / line - 2;
+  constexpr std::size_t rows = (strip - 2 * margin) / line - 3;
   const int top = strip - margin - line;
   int right = 0;
   int y = top;

@@ -25,6 +25,10 @@ struct PatternScene
 /// them the errors, the colors of the wires and the scale of the colors. Throws std::runtime_error.
 void writePatternPicture(const PatternScene& scene, int width, int height, const std::string& path);
 
+/// The largest and the least value that the colors show, on which piece and where on the surface,
+/// and the mean by area.
+std::string extremesOf(const FlatPiece& piece, const ColorMap& map);
+
 /// One row of measures a piece, in columns of equal width, with a head.
 std::vector<std::string> errorTable(const FlatPiece& piece, std::size_t maximumRows);
 }

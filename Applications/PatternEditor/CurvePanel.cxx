@@ -15,23 +15,23 @@
 
 namespace editor
 {
-namespace
-{
-constexpr double percent = 100.0;
-constexpr int swatchSize = 12; // pixels
-
-/// The colour in which curves of a type are drawn.
-QColor colorOf(int type)
+//------------------------------------------------------------------------------
+QColor colorOfType(int type)
 {
   std::array<unsigned char, 3> color;
   vtkFeatureCurveRepresentation::GetTypeColor(type, color.data());
   return { color[0], color[1], color[2] };
 }
 
+namespace
+{
+constexpr double percent = 100.0;
+constexpr int swatchSize = 12; // pixels
+
 QIcon swatch(int type)
 {
   QPixmap square(swatchSize, swatchSize);
-  square.fill(colorOf(type));
+  square.fill(colorOfType(type));
   return QIcon(square);
 }
 
@@ -42,7 +42,7 @@ QLabel* makeLegend()
   for (int type = 0; type < 4; ++type)
   {
     words += QString("<span style='color:%1'>&#9632;</span>&nbsp;%2 ")
-               .arg(colorOf(type).name())
+               .arg(colorOfType(type).name())
                .arg(vtkFeatureCurveRepresentation::GetTypeName(type));
   }
   auto* const legend = new QLabel(words);

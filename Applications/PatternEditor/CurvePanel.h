@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QCheckBox>
+#include <QColor>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -16,6 +17,9 @@ class vtkFeatureCurveEditor;
 
 namespace editor
 {
+/// The color in which curves of a type are drawn.
+QColor colorOfType(int type);
+
 /// The list of curves, and what the chosen one is.
 class CurvePanel : public QWidget
 {

@@ -5,14 +5,21 @@
 #include "PatternDialog.h"
 
 #include <QActionGroup>
+#include <QCompleter>
 #include <QFileDialog>
+#include <QInputDialog>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPainter>
 #include <QRegularExpression>
+#include <QStyle>
 #include <QToolBar>
 
+#include <algorithm>
 #include <array>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
@@ -67,6 +74,44 @@ bool isSwitch(int action)
   }
 }
 
+/// Signs of vtkFeatureCurveWidget::Actions in their order; the types of curves have squares in
+/// their colors.
+constexpr std::array<const char*, vtkFeatureCurveWidget::NUMBER_OF_ACTIONS> signs{ "\u270E",
+  "\u223F", "\u2713", "\u2296", "\u2715", "\u25CB", "\u25CE", "\u2702", "\u22C8", "\u2225",
+  "\u21CB", "\u25A0", "\u25A0", "\u25A0", "\u25A0", "\u2502", "\u2312", "\u25B1", "\u25B3",
+  "\u223C", "\u2299", "\u2316", "\u21B6", "\u21B7" };
+
+/// A sign as an icon of the style's size, in a color or that of texts.
+QIcon signIcon(const QString& sign, const QWidget& window, std::optional<QColor> color = {})
+{
+  const int size = window.style()->pixelMetric(QStyle::PM_SmallIconSize);
+  QPixmap drawn(QSize(size, size) * window.devicePixelRatioF());
+  drawn.setDevicePixelRatio(window.devicePixelRatioF());
+  drawn.fill(Qt::transparent);
+  QPainter painter(&drawn);
+  QFont font = window.font();
+  font.setPixelSize(size);
+  painter.setFont(font);
+  painter.setPen(color.value_or(window.palette().color(QPalette::WindowText)));
+  painter.drawText(QRect(0, 0, size, size), Qt::AlignCenter, sign);
+  return QIcon(drawn);
+}
+
+/// The actions of a menu and of those in it that can be pressed now.
+void addEnabled(const QList<QAction*>& actions, std::map<QString, QAction*>& found)
+{
+  for (QAction* const action : actions)
+  {
+    if (action->menu())
+    {
+      addEnabled(action->menu()->actions(), found);
+    }
+    else if (action->isEnabled() && !action->isSeparator())
+    {
+      found.emplace(action->text() + "  [" + action->shortcut().toString() + "]", action);
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -135,14 +180,20 @@ void EditorWindow::makeHandActions()
     action->setShortcuts(keys);
     action->setCheckable(isSwitch(id));
     action->setIconText(action->text() + "  [" + key.toString() + "]");
+    const int type = id - vtkFeatureCurveWidget::MAKE_ACCESSORY;
+    action->setIcon(signIcon(signs[static_cast<std::size_t>(id)], *this,
+      type >= 0 && type < 4 ? std::optional(colorOfType(type)) : std::nullopt));
     QObject::connect(action, &QAction::triggered, [this, id] {
       this->Hand->Do(id);
       this->followChoice();
     });
     this->HandActions[static_cast<std::size_t>(id)] = action;
   }
+  this->addAction(edit, "Find a command...", "Ctrl+K", &EditorWindow::askCommand);
   this->OffsetAction =
     this->addAction(curve, "Offset by a distance...", "Ctrl+L", &EditorWindow::askOffset);
+  this->OffsetAction->setIcon(
+    signIcon(signs[static_cast<std::size_t>(vtkFeatureCurveWidget::OFFSET)], *this));
 }
 
 //------------------------------------------------------------------------------
@@ -201,7 +252,7 @@ void EditorWindow::makeViewMenu()
 void EditorWindow::makeBar()
 {
   auto* const bar = new QToolBar("Curves");
-  bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   for (const QAction* entry : this->menuBar()->actions())
   {
     if (entry->text() == "&File")
@@ -221,11 +272,51 @@ void EditorWindow::makeBar()
     }
   }
   bar->addSeparator();
-  for (QAction* const action : this->BarActions)
+  bar->addActions({ this->BarActions.begin(), this->BarActions.end() });
+  for (QAction* const action : bar->actions())
   {
-    bar->addAction(action);
+    const QString words = action->text();
+    if (action->icon().isNull() && !action->isSeparator())
+    {
+      action->setIcon(words.startsWith("Open") ? this->style()->standardIcon(QStyle::SP_DirOpenIcon)
+          : words.startsWith("Save")    ? this->style()->standardIcon(QStyle::SP_DialogSaveButton)
+          : words.startsWith("Propose") ? signIcon("\u2605", *this)
+          : words.startsWith("Export")  ? this->style()->standardIcon(QStyle::SP_FileIcon)
+                                        : signIcon("\u2315", *this));
+    }
   }
   this->addToolBar(Qt::LeftToolBarArea, bar);
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::askCommand()
+{
+  std::map<QString, QAction*> all;
+  addEnabled(this->menuBar()->actions(), all);
+  QStringList words;
+  for (const auto& [word, action] : all)
+  {
+    words.append(word);
+  }
+  QInputDialog dialog(this);
+  dialog.setWindowTitle("Find a command");
+  dialog.setLabelText("Some letters of a command:");
+  dialog.setComboBoxItems(words);
+  dialog.setComboBoxEditable(true);
+  dialog.setTextValue("");
+  if (auto* const box = dialog.findChild<QComboBox*>())
+  {
+    box->completer()->setCompletionMode(QCompleter::PopupCompletion);
+    box->completer()->setFilterMode(Qt::MatchContains);
+  }
+  const bool accepted = dialog.exec() == QDialog::Accepted;
+  const QString typed = dialog.textValue().trimmed();
+  const auto found = std::find_if(all.begin(), all.end(),
+    [&typed](const auto& entry) { return entry.first.contains(typed, Qt::CaseInsensitive); });
+  if (accepted && !typed.isEmpty() && found != all.end())
+  {
+    found->second->trigger();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -116,6 +116,8 @@ private:
   QAction* addAction(
     QMenu* menu, const QString& name, const QString& key, void (EditorWindow::*run)());
 
+  /// Does what is chosen of all that the menus have now.
+  void askCommand();
   void askSurface();
   void askCurves();
   /// A file to be read, or "".

@@ -331,7 +331,7 @@ const std::vector<Command>& commands()
     { "picture", "Draw surface and flat pieces into a PNG file", "SOURCE", "FILE.png|DIR",
       "File for the picture (default: <name of SOURCE>.png)",
       [](CLI::App& app, Options& options) { addPicture(app, options.picture); },
-      { "--color", "--range", "--material" } },
+      { "--color", "--color-range", "--material" } },
     { "prices", "Print what the planar shape of each key curve costs", "SURFACE", "DIR",
       "A folder that keeps the result with report.json", nothing, { "--material", "--scheme" } },
     { "batch", "Flatten the surfaces of a list, or run another command on each", nullptr, "DIR",

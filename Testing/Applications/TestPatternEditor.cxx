@@ -9,7 +9,10 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <QInputDialog>
+#include <QStyle>
 #include <QTemporaryDir>
+#include <QToolBar>
 
 #include <memory>
 
@@ -238,6 +241,37 @@ TEST_F(PatternEditor, AllThatCanBeDoneIsInTheMenusWithAKeyOfItsOwn)
     }
   }
   EXPECT_GE(keys.size(), Hand::NUMBER_OF_ACTIONS + 10U);
+}
+
+TEST_F(PatternEditor, TheBarHasIconsOfTheStylesSize)
+{
+  const auto* const bar = this->window->findChild<QToolBar*>();
+  const int size = this->window->style()->pixelMetric(QStyle::PM_SmallIconSize);
+  for (QAction* action : bar->actions())
+  {
+    if (!action->isSeparator())
+    {
+      const QImage drawn = action->icon().pixmap(size, size).toImage();
+      bool visible = false;
+      for (int k = 0; k < drawn.width() * drawn.height(); ++k)
+      {
+        visible = visible || qAlpha(drawn.pixel(k % drawn.width(), k / drawn.width())) > 0;
+      }
+      EXPECT_TRUE(visible) << action->text().toStdString();
+    }
+  }
+}
+
+TEST_F(PatternEditor, ACommandIsFoundBySomeOfItsLetters)
+{
+  QTimer::singleShot(300, [] {
+    auto* const dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    dialog->setTextValue("STROKE");
+    dialog->accept();
+  });
+  QTest::keyClick(this->window.get(), Qt::Key_K, Qt::ControlModifier);
+  EXPECT_TRUE(this->window->action(Hand::FREEHAND)->isChecked());
 }
 
 TEST_F(PatternEditor, KeysDoWhatTheBarDoes)

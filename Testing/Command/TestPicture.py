@@ -55,13 +55,13 @@ class Picture(CommandTest):
     def test_the_strain_is_shown_by_default_and_the_range_may_be_chosen(self):
         default, strain, same, wide = (
             self.draw(f"{k}.png", *words) for k, words in enumerate((
-                (), ("--color", "strain"), ("--range", "0", "50", "--color", "strain"), ("--range", "0", "1e3"))))
+                (), ("--color", "strain"), ("--color-range", "0", "50", "--color", "strain"), ("--range", "0", "1e3"))))
         self.assertTrue((default == strain).all())
         for other in (same, wide):
             self.assertGreater((other != strain).any(axis=2).mean(), 0.1)
-        run = self.run_command("picture", SURFACE, "-o", "a.png", "--range", "2", "1")
+        run = self.run_command("picture", SURFACE, "-o", "a.png", "--color-range", "2", "1")
         self.assertEqual(run.returncode, 2)
-        self.assertIn("--range", run.stderr)
+        self.assertIn("--color-range", run.stderr)
 
     def test_its_size_may_be_chosen(self):
         self.assertEqual(self.draw("shirt.png", "--size", "800", "500").shape, (500, 800, 3))

@@ -64,11 +64,11 @@ void addPicture(CLI::App& app, PictureRequest& request)
     ->capture_default_str();
   app
     .add_option_function<std::vector<double>>(
-      "--range",
+      "--color-range,--range",
       [&request](const std::vector<double>& ends) {
         if (!(ends[0] < ends[1]))
         {
-          throw CLI::ValidationError("--range", "the first number must be below the second");
+          throw CLI::ValidationError("--color-range", "the first number must be below the second");
         }
         request.range = { ends[0], ends[1] };
       },
