@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // wirewarp-read PARENT SECONDS BYTES FILE: reads FILE with VTK's readers for readVtk() of a
 // program.
+#include "DataSetBytes.h"
 #include "GuardedProcess.h"
 #include "InputError.h"
-#include "PolyDataBytes.h"
+#include "PolyDataSets.h"
 #include "ReadVtk.h"
 #include "TextFile.h"
 #include "VtkMessages.h"
@@ -74,7 +75,7 @@ std::string runReader(const std::string& path, Reader* reader)
     throw InputError("is damaged, truncated or of another format" +
       (reason.empty() ? "" : " (" + reason + ")") + "; write the file again");
   }
-  return packPolyData(reader->GetOutput());
+  return packDataSet(flattening::bridge::dataSetOf(reader->GetOutput()));
 }
 
 std::string readXml(const std::string& path)
@@ -128,7 +129,7 @@ std::string readGltf(const std::string& path)
       (reason.empty() ? "" : " (" + reason + ")") + "; export the surface again");
   }
   scene->Update();
-  return packPolyData(scene->GetOutput());
+  return packDataSet(flattening::bridge::dataSetOf(scene->GetOutput()));
 }
 
 std::string answerOf(const std::string& path)

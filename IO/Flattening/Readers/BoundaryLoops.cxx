@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoundaryLoops.h"
 
+#include "Base/CompressedRows.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include <cstdint>
 #include <map>
 #include <set>
-#include <unordered_map>
 #include <utility>
 
 namespace wirewarp
@@ -94,56 +95,20 @@ double lengthOf(const TriangleList& list, const std::vector<std::int64_t>& loop)
   return length;
 }
 
-/// Connected parts of the surface, by the points that stand for them.
-class Parts
-{
-public:
-  explicit Parts(const TriangleList& list)
-    : Parent(list.points->size())
-  {
-    for (std::size_t p = 0; p < this->Parent.size(); ++p)
-    {
-      this->Parent[p] = static_cast<std::int64_t>(p);
-    }
-    for (const ListedTriangle& triangle : list.triangles)
-    {
-      this->join(triangle.corners[0], triangle.corners[1]);
-      this->join(triangle.corners[0], triangle.corners[2]);
-    }
-  }
-  std::int64_t of(std::int64_t point)
-  {
-    for (;;)
-    {
-      std::int64_t& parent = this->Parent[static_cast<std::size_t>(point)];
-      if (parent == point)
-      {
-        return point;
-      }
-      parent = this->Parent[static_cast<std::size_t>(parent)];
-      point = parent;
-    }
-  }
-
-private:
-  void join(std::int64_t a, std::int64_t b)
-  {
-    const std::int64_t first = this->of(a);
-    const std::int64_t second = this->of(b);
-    this->Parent[static_cast<std::size_t>(std::max(first, second))] = std::min(first, second);
-  }
-
-  std::vector<std::int64_t> Parent;
-};
-
 void markOutermost(const TriangleList& list, std::vector<BoundaryLoop>& loops)
 {
-  Parts parts(list);
-  std::unordered_map<std::int64_t, std::pair<double, std::size_t>> longest;
+  flattening::JoinedSets parts(static_cast<flattening::Index>(list.points->size()));
+  const auto indexOf = [](std::int64_t point) { return static_cast<flattening::Index>(point); };
+  for (const ListedTriangle& triangle : list.triangles)
+  {
+    parts.join(indexOf(triangle.corners[0]), indexOf(triangle.corners[1]));
+    parts.join(indexOf(triangle.corners[0]), indexOf(triangle.corners[2]));
+  }
+  std::map<std::int64_t, std::pair<double, std::size_t>> longest;
   for (std::size_t k = 0; k < loops.size(); ++k)
   {
     const double length = loops[k].length;
-    auto& best = longest[parts.of(loops[k].points.front())];
+    auto& best = longest[parts.find(indexOf(loops[k].points.front()))];
     if (length > best.first)
     {
       best = { length, k };

@@ -3,11 +3,10 @@
 
 #include "BoundaryLoops.h"
 
-#include "Base/Types.h"
+#include "Base/CompressedRows.h"
 
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -15,6 +14,8 @@ namespace wirewarp
 {
 namespace
 {
+using flattening::Index;
+
 /// Degrees between triangles at the rim of a sheet; that of a square one has 90.
 constexpr double rimAngle = 60.0;
 
@@ -24,65 +25,38 @@ Point3 twiceArea(const TriangleList& list, const ListedTriangle& triangle)
   return (list.point(triangle.corners[1]) - a).cross(list.point(triangle.corners[2]) - a);
 }
 
-/// Things that hang together, each known by the number of one of them.
-class Regions
+/// Per member the number of its set.
+flattening::Indices numbersOf(flattening::JoinedSets& sets, std::size_t count)
 {
-public:
-  explicit Regions(std::size_t count)
-    : Parent(count)
+  flattening::Indices numbers(count);
+  for (std::size_t k = 0; k < count; ++k)
   {
-    std::iota(this->Parent.begin(), this->Parent.end(), std::size_t{ 0 });
+    numbers[k] = sets.find(static_cast<Index>(k));
   }
-  std::size_t of(std::size_t k)
-  {
-    while (this->Parent[k] != k)
-    {
-      this->Parent[k] = this->Parent[this->Parent[k]];
-      k = this->Parent[k];
-    }
-    return k;
-  }
-  void join(std::size_t a, std::size_t b)
-  {
-    a = this->of(a);
-    b = this->of(b);
-    this->Parent[std::max(a, b)] = std::min(a, b);
-  }
-  std::vector<std::size_t> all()
-  {
-    std::vector<std::size_t> result(this->Parent.size());
-    for (std::size_t k = 0; k < result.size(); ++k)
-    {
-      result[k] = this->of(k);
-    }
-    return result;
-  }
-
-private:
-  std::vector<std::size_t> Parent;
-};
+  return numbers;
+}
 
 /// Per triangle its part, of those that hang together by points.
-std::vector<std::size_t> partsOf(const TriangleList& list)
+flattening::Indices partsOf(const TriangleList& list)
 {
-  Regions parts(list.triangles.size());
-  std::map<std::int64_t, std::size_t> firstAt;
-  for (std::size_t t = 0; t < list.triangles.size(); ++t)
+  flattening::JoinedSets parts(static_cast<Index>(list.triangles.size()));
+  std::map<std::int64_t, Index> firstAt;
+  for (Index t = 0; t < static_cast<Index>(list.triangles.size()); ++t)
   {
     for (const std::int64_t corner : list.triangles[t].corners)
     {
       parts.join(firstAt.emplace(corner, t).first->second, t);
     }
   }
-  return parts.all();
+  return numbersOf(parts, list.triangles.size());
 }
 
 /// Per triangle its side, of those that hang together by edges that are not sharp.
-std::vector<std::size_t> sidesOf(const TriangleList& list)
+flattening::Indices sidesOf(const TriangleList& list)
 {
   struct Use
   {
-    std::size_t triangle;
+    Index triangle;
     bool forwards;
   };
   std::map<std::pair<std::int64_t, std::int64_t>, std::vector<Use>> edges;
@@ -92,10 +66,10 @@ std::vector<std::size_t> sidesOf(const TriangleList& list)
     {
       const std::int64_t a = list.triangles[t].corners[k];
       const std::int64_t b = list.triangles[t].corners[(k + 1) % 3];
-      edges[std::minmax(a, b)].push_back({ t, a < b });
+      edges[std::minmax(a, b)].push_back({ static_cast<Index>(t), a < b });
     }
   }
-  Regions sides(list.triangles.size());
+  flattening::JoinedSets sides(static_cast<Index>(list.triangles.size()));
   for (const auto& [edge, uses] : edges)
   {
     if (uses.size() != 2)
@@ -111,7 +85,7 @@ std::vector<std::size_t> sidesOf(const TriangleList& list)
       sides.join(uses[0].triangle, uses[1].triangle);
     }
   }
-  return sides.all();
+  return numbersOf(sides, list.triangles.size());
 }
 }
 
@@ -119,11 +93,11 @@ std::vector<std::size_t> sidesOf(const TriangleList& list)
 std::string takeOuterSide(TriangleList& list)
 {
   const std::size_t count = list.triangles.size();
-  const std::vector<std::size_t> part = partsOf(list);
-  const std::vector<std::size_t> side = sidesOf(list);
+  const flattening::Indices part = partsOf(list);
+  const flattening::Indices side = sidesOf(list);
 
-  std::set<std::size_t> open;
-  std::map<std::int64_t, std::size_t> partOfPolygon;
+  std::set<Index> open;
+  std::map<std::int64_t, Index> partOfPolygon;
   for (std::size_t t = 0; t < count; ++t)
   {
     partOfPolygon[list.triangles[t].polygon] = part[t];
@@ -132,12 +106,12 @@ std::string takeOuterSide(TriangleList& list)
   {
     open.insert(partOfPolygon[loop.polygon]);
   }
-  std::map<std::size_t, std::map<std::size_t, double>> areas; // by part, by side
+  std::map<Index, std::map<Index, double>> areas; // by part, by side
   for (std::size_t t = 0; t < count; ++t)
   {
     areas[part[t]][side[t]] += twiceArea(list, list.triangles[t]).norm();
   }
-  std::map<std::size_t, std::size_t> outer;
+  std::map<Index, Index> outer;
   for (const auto& [region, sides] : areas)
   {
     for (const auto& [candidate, area] : sides)

@@ -20,24 +20,48 @@ namespace wirewarp
 {
 namespace
 {
-enum class PlyScalar
+template <typename T>
+double decode(const char* bytes, bool swap)
 {
-  Int8,
-  UInt8,
-  Int16,
-  UInt16,
-  Int32,
-  UInt32,
-  Float32,
-  Float64,
+  std::array<char, sizeof(T)> copy{};
+  std::copy_n(bytes, sizeof(T), copy.begin());
+  if (swap)
+  {
+    std::reverse(copy.begin(), copy.end());
+  }
+  T value{};
+  std::memcpy(&value, copy.data(), sizeof(T));
+  return static_cast<double>(value);
+}
+
+/// A type of numbers, by the names that it has.
+struct PlyScalar
+{
+  std::string_view name;
+  std::string_view otherName;
+  std::size_t size = 0; ///< bytes
+  double (*decode)(const char* bytes, bool swap) = nullptr;
 };
+
+constexpr std::array<PlyScalar, 8> scalars{ { { "char", "int8", 1, &decode<std::int8_t> },
+  { "uchar", "uint8", 1, &decode<std::uint8_t> }, { "short", "int16", 2, &decode<std::int16_t> },
+  { "ushort", "uint16", 2, &decode<std::uint16_t> }, { "int", "int32", 4, &decode<std::int32_t> },
+  { "uint", "uint32", 4, &decode<std::uint32_t> }, { "float", "float32", 4, &decode<float> },
+  { "double", "float64", 8, &decode<double> } } };
+
+/// Null where no type has the name.
+const PlyScalar* scalarNamed(std::string_view name)
+{
+  const auto* const found = std::find_if(scalars.begin(), scalars.end(),
+    [name](const PlyScalar& scalar) { return name == scalar.name || name == scalar.otherName; });
+  return found == scalars.end() ? nullptr : found;
+}
 
 struct PlyProperty
 {
   std::string name;
-  PlyScalar type = PlyScalar::Float32;
-  bool list = false;
-  PlyScalar countType = PlyScalar::UInt8;
+  const PlyScalar* type = nullptr;
+  const PlyScalar* countType = nullptr; ///< of a list
 };
 
 struct PlyElement
@@ -58,119 +82,73 @@ struct PlyHeader
 {
   PlyEncoding encoding = PlyEncoding::Ascii;
   std::vector<PlyElement> elements;
-  std::size_t size = 0; ///< bytes up to the data
+  std::string_view data; ///< behind the header
 };
 
-bool parseScalar(std::string_view name, PlyScalar& type)
-{
-  struct Entry
-  {
-    std::string_view name;
-    PlyScalar type;
-  };
-  static constexpr std::array<Entry, 16> entries{ { { "char", PlyScalar::Int8 },
-    { "int8", PlyScalar::Int8 }, { "uchar", PlyScalar::UInt8 }, { "uint8", PlyScalar::UInt8 },
-    { "short", PlyScalar::Int16 }, { "int16", PlyScalar::Int16 }, { "ushort", PlyScalar::UInt16 },
-    { "uint16", PlyScalar::UInt16 }, { "int", PlyScalar::Int32 }, { "int32", PlyScalar::Int32 },
-    { "uint", PlyScalar::UInt32 }, { "uint32", PlyScalar::UInt32 }, { "float", PlyScalar::Float32 },
-    { "float32", PlyScalar::Float32 }, { "double", PlyScalar::Float64 },
-    { "float64", PlyScalar::Float64 } } };
-  const auto* const found = std::find_if(
-    entries.begin(), entries.end(), [name](const Entry& entry) { return entry.name == name; });
-  if (found == entries.end())
-  {
-    return false;
-  }
-  type = found->type;
-  return true;
-}
-
 //------------------------------------------------------------------------------
+/// Reads the header of a PLY file. Throws InputError with file and line.
 class HeaderParser
 {
 public:
+  /// \param text of the whole file \param path for messages
   HeaderParser(const std::string& path, std::string_view text)
     : Path(path)
-    , Rest(text)
-    , Size(text.size())
+    , Lines(text, false)
   {
   }
 
   PlyHeader parse()
   {
-    std::string_view line = this->line();
-    if (takeWord(line) != "ply")
+    std::string line;
+    this->Lines.next(line);
+    std::string_view rest(line);
+    if (takeWord(rest) != "ply")
     {
       this->refuse("is no PLY file: its first line is not 'ply'");
     }
-    for (;;)
+    while (this->Lines.next(line))
     {
-      if (this->Rest.empty())
-      {
-        this->refuse("has no 'end_header' line; the file may be truncated");
-      }
-      line = this->line();
-      const std::string_view keyword = takeWord(line);
+      rest = line;
+      const std::string_view keyword = takeWord(rest);
       if (keyword == "end_header")
       {
-        break;
+        this->Result.data = this->Lines.rest();
+        return this->Result;
       }
       if (keyword == "format")
       {
-        this->parseFormat(line);
+        this->parseFormat(rest);
       }
       else if (keyword == "element")
       {
-        this->parseElement(line);
+        this->parseElement(rest);
       }
       else if (keyword == "property")
       {
-        this->parseProperty(line);
+        this->parseProperty(rest);
       }
     }
-    this->Result.size = this->Size - this->Rest.size();
-    return this->Result;
+    this->refuse("has no 'end_header' line; the file may be truncated");
   }
 
 private:
   [[noreturn]] void refuse(const std::string& text) const
   {
-    throw InputError(this->Path, this->Line, text);
-  }
-
-  std::string_view line()
-  {
-    const std::size_t end = std::min(this->Rest.find('\n'), this->Rest.size());
-    std::string_view line = this->Rest.substr(0, end);
-    this->Rest.remove_prefix(std::min(end + 1, this->Rest.size()));
-    if (!line.empty() && line.back() == '\r')
-    {
-      line.remove_suffix(1);
-    }
-    ++this->Line;
-    return line;
+    throw InputError(this->Path, this->Lines.number(), text);
   }
 
   void parseFormat(std::string_view rest)
   {
+    static constexpr std::array<std::string_view, 3> names{ "ascii", "binary_little_endian",
+      "binary_big_endian" };
     const std::string_view name = takeWord(rest);
-    if (name == "ascii")
-    {
-      this->Result.encoding = PlyEncoding::Ascii;
-    }
-    else if (name == "binary_little_endian")
-    {
-      this->Result.encoding = PlyEncoding::LittleEndian;
-    }
-    else if (name == "binary_big_endian")
-    {
-      this->Result.encoding = PlyEncoding::BigEndian;
-    }
-    else
+    const auto* const found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
     {
       this->refuse("unknown format " + inQuotes(name) +
         "; use ascii, binary_little_endian or binary_big_endian");
     }
+    this->Result.encoding = static_cast<PlyEncoding>(found - names.begin());
   }
 
   void parseElement(std::string_view rest)
@@ -192,14 +170,14 @@ private:
     }
     PlyProperty property;
     std::string_view type = takeWord(rest);
-    bool known = true;
-    if (type == "list")
+    const bool list = type == "list";
+    if (list)
     {
-      property.list = true;
-      known = parseScalar(takeWord(rest), property.countType);
+      property.countType = scalarNamed(takeWord(rest));
       type = takeWord(rest);
     }
-    if (!parseScalar(type, property.type) || !known)
+    property.type = scalarNamed(type);
+    if (!property.type || (list && !property.countType))
     {
       this->refuse("unknown property type; use one of PLY's, such as float, double, uchar, int");
     }
@@ -207,53 +185,10 @@ private:
     this->Result.elements.back().properties.push_back(property);
   }
 
-  std::string Path;
-  std::string_view Rest;
-  std::size_t Size;
-  std::size_t Line = 0;
+  const std::string& Path;
+  LineReader Lines;
   PlyHeader Result;
 };
-
-/// Reads the header of a PLY file. \param bytes of the whole file; \param path for messages.
-/// Throws InputError with file and line.
-PlyHeader parsePlyHeader(const std::string& path, std::string_view bytes)
-{
-  return HeaderParser(path, bytes).parse();
-}
-
-std::size_t sizeOf(PlyScalar type)
-{
-  switch (type)
-  {
-    case PlyScalar::Int8:
-    case PlyScalar::UInt8:
-      return 1;
-    case PlyScalar::Int16:
-    case PlyScalar::UInt16:
-      return 2;
-    case PlyScalar::Int32:
-    case PlyScalar::UInt32:
-    case PlyScalar::Float32:
-      return 4;
-    case PlyScalar::Float64:
-      break;
-  }
-  return 8;
-}
-
-template <typename T>
-double decode(const char* bytes, bool swap)
-{
-  std::array<char, sizeof(T)> copy{};
-  std::copy_n(bytes, sizeof(T), copy.begin());
-  if (swap)
-  {
-    std::reverse(copy.begin(), copy.end());
-  }
-  T value{};
-  std::memcpy(&value, copy.data(), sizeof(T));
-  return static_cast<double>(value);
-}
 
 bool hostIsLittleEndian()
 {
@@ -276,18 +211,18 @@ public:
   }
 
   /// False where the data ends or holds no number.
-  bool next(PlyScalar type, double& value)
+  bool next(const PlyScalar& type, double& value)
   {
     if (this->Text)
     {
       return parseNumber(this->nextWord(), value);
     }
-    if (this->Data.size() < sizeOf(type))
+    if (this->Data.size() < type.size)
     {
       return false;
     }
-    value = this->decodeFront(type);
-    this->Data.remove_prefix(sizeOf(type));
+    value = type.decode(this->Data.data(), this->Swap);
+    this->Data.remove_prefix(type.size);
     return true;
   }
 
@@ -301,31 +236,6 @@ private:
     const std::string_view word = this->Data.substr(0, end);
     this->Data.remove_prefix(end);
     return word;
-  }
-
-  double decodeFront(PlyScalar type) const
-  {
-    const char* const bytes = this->Data.data();
-    switch (type)
-    {
-      case PlyScalar::Int8:
-        return decode<std::int8_t>(bytes, false);
-      case PlyScalar::UInt8:
-        return decode<std::uint8_t>(bytes, false);
-      case PlyScalar::Int16:
-        return decode<std::int16_t>(bytes, this->Swap);
-      case PlyScalar::UInt16:
-        return decode<std::uint16_t>(bytes, this->Swap);
-      case PlyScalar::Int32:
-        return decode<std::int32_t>(bytes, this->Swap);
-      case PlyScalar::UInt32:
-        return decode<std::uint32_t>(bytes, this->Swap);
-      case PlyScalar::Float32:
-        return decode<float>(bytes, this->Swap);
-      case PlyScalar::Float64:
-        break;
-    }
-    return decode<double>(bytes, this->Swap);
   }
 
   std::string_view Data;
@@ -351,12 +261,12 @@ public:
     for (std::size_t p = 0; p < element.properties.size(); ++p)
     {
       const PlyProperty& property = element.properties[p];
-      if (!property.list)
+      if (!property.countType)
       {
-        this->Scalars[p] = this->value(property.type, element, index);
+        this->Scalars[p] = this->value(*property.type, element, index);
         continue;
       }
-      const double count = this->value(property.countType, element, index);
+      const double count = this->value(*property.countType, element, index);
       if (!(count >= 0.0) || count != std::floor(count))
       {
         throw InputError(this->Path,
@@ -366,7 +276,7 @@ public:
       this->Lists[p].clear();
       for (double k = 0.0; k < count; k += 1.0)
       {
-        this->Lists[p].push_back(this->value(property.type, element, index));
+        this->Lists[p].push_back(this->value(*property.type, element, index));
       }
     }
   }
@@ -374,7 +284,7 @@ public:
   const std::vector<double>& list(std::size_t property) const { return this->Lists[property]; }
 
 private:
-  double value(PlyScalar type, const PlyElement& element, long long index)
+  double value(const PlyScalar& type, const PlyElement& element, long long index)
   {
     double number = 0.0;
     if (!this->Values.next(type, number))
@@ -398,7 +308,7 @@ std::size_t findProperty(const std::string& path, const PlyElement& element, con
   for (std::size_t p = 0; p < element.properties.size(); ++p)
   {
     const PlyProperty& property = element.properties[p];
-    if (property.list == list &&
+    if ((property.countType != nullptr) == list &&
       (property.name == name || (otherName && property.name == otherName)))
     {
       return p;
@@ -511,8 +421,8 @@ void checkIds(
 DataSet readPly(const std::string& path)
 {
   const std::string bytes = readWholeFile(path);
-  const PlyHeader header = parsePlyHeader(path, bytes);
-  ValueReader values(std::string_view(bytes).substr(header.size), header.encoding);
+  const PlyHeader header = HeaderParser(path, bytes).parse();
+  ValueReader values(header.data, header.encoding);
   ElementReader reader(path, values);
 
   Points3 points;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReadVtk.h"
 
+#include "DataSetBytes.h"
 #include "GuardedProcess.h"
 #include "InputError.h"
-#include "PolyDataBytes.h"
-#include "PolyDataSets.h"
 #include "TextFile.h"
-#include "VtkMessages.h"
 
 #include <csignal>
 #include <cstddef>
@@ -80,8 +78,7 @@ DataSet readVtk(const std::string& path)
   }
   try
   {
-    const VtkMessages messages; // of data that a reader has damaged
-    return flattening::bridge::dataSetOf(unpackPolyData(content));
+    return unpackDataSet(content);
   }
   catch (const std::runtime_error& error)
   {

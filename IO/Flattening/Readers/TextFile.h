@@ -42,6 +42,8 @@ public:
   bool next(std::string& line);
   /// Where the last line started, counted from 1.
   std::size_t number() const { return this->Number; }
+  /// What follows.
+  std::string_view rest() const { return this->Rest; }
 
 private:
   bool nextPhysical(std::string_view& line);
