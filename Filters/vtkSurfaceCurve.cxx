@@ -4,8 +4,7 @@
 #include "Base/Types.h"
 #include "CurveEditorData.h"
 #include "CurvedPolyData.h"
-#include "Editing/CurveDrawing.h"
-#include "Editing/DerivedCurves.h"
+#include "Editing/ControlledCurve.h"
 #include "SurfaceInput.h"
 
 #include "vtkCellData.h"
@@ -64,80 +63,6 @@ std::vector<Points3> readControlPoints(vtkPolyData* data)
   return curves;
 }
 
-bool allFinite(const Points3& points)
-{
-  return std::all_of(
-    points.begin(), points.end(), [](const Point3& point) { return isFinite(point); });
-}
-
-/// Nodes of a curve at its control points, each once where several in a row mean the same point.
-Status placeNodes(const DrawingSurface& surface, const Points3& points, EditedCurve& curve)
-{
-  if (!allFinite(points))
-  {
-    return { StatusCode::NonFinitePoint, "a control point has a coordinate that is not finite", {},
-      { Remedy::MendPoints } };
-  }
-  for (const Point3& point : points)
-  {
-    const SurfacePoint node = surface.pointNear(point);
-    if (curve.nodes.empty() || curve.nodes.back().position != node.position)
-    {
-      curve.nodes.push_back(node);
-    }
-  }
-  // A polyline that ends where it starts is closed.
-  const bool returns =
-    curve.nodes.size() > 2 && curve.nodes.front().position == curve.nodes.back().position;
-  if (returns)
-  {
-    curve.nodes.pop_back();
-    curve.closed = true;
-  }
-  return {};
-}
-
-Status drawCurveOf(const DrawingSurface& surface, const Points3& points,
-  const std::optional<MirrorPlane>& mirror, SegmentKind kind, EditedCurve& curve)
-{
-  Status status = placeNodes(surface, points, curve);
-  if (!status.ok())
-  {
-    return status;
-  }
-  const std::size_t fewest = curve.closed && kind != SegmentKind::Section ? 3 : 2;
-  if (curve.nodes.size() < fewest)
-  {
-    const char* const more = curve.closed && curve.nodes.size() == 2
-      ? "more control points, or the kind Section, which goes round through two"
-      : "more control points";
-    return { StatusCode::CurveTooShort,
-      std::to_string(curve.nodes.size()) + " different control points are given where " +
-        std::to_string(fewest) + " are needed",
-      {}, { { Remedy::Give, more } } };
-  }
-  curve.kinds.assign(segmentCount(curve.nodes.size(), curve.closed), kind);
-  return drawCurve(surface, { {}, mirror }, nullptr, curve);
-}
-
-/// Puts what follows from a curve, the last one, in its place.
-Status replaceCurve(const DrawingSurface& surface, const std::optional<MirrorPlane>& mirror,
-  DerivedCurves derived, std::vector<EditedCurve>& curves)
-{
-  const EditedCurve drawn = std::move(curves.back());
-  curves.pop_back();
-  Status status = std::move(derived.status);
-  for (EditedCurve& part : derived.curves)
-  {
-    if (!status.refused())
-    {
-      part.traits = drawn.traits;
-      status = drawCurve(surface, { {}, mirror }, nullptr, part);
-      curves.push_back(std::move(part));
-    }
-  }
-  return status;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -252,7 +177,7 @@ int vtkSurfaceCurve::RequestData(vtkInformation* vtkNotUsed(request),
   {
     const Point3 normal(this->MirrorNormal);
     set.mirror = MirrorPlane{ Point3(this->MirrorOrigin), normal.stableNormalized() };
-    if (!(normal.stableNorm() > 0.0) || !allFinite({ normal, set.mirror->origin }))
+    if (!(normal.stableNorm() > 0.0) || !isFinite(normal) || !isFinite(set.mirror->origin))
     {
       status = { StatusCode::InvalidOption, "the mirror plane has no normal", {},
         { { Remedy::Give, "a MirrorNormal that is not zero" } } };
@@ -271,44 +196,25 @@ int vtkSurfaceCurve::RequestData(vtkInformation* vtkNotUsed(request),
       controls.back().emplace_back(point.data());
     }
   }
+  CurveControl control;
+  control.traits.name = this->CurveName;
+  control.traits.type = static_cast<flattening::CurveType>(this->CurveType);
+  control.traits.keyShape = static_cast<flattening::KeyShape>(this->KeyShape);
+  control.traits.tolerance = this->LengthTolerance;
+  control.traits.mirrored = this->Mirror;
+  control.kind = static_cast<flattening::SegmentKind>(this->SegmentKind);
+  control.closed = this->Closed;
+  control.tight = this->Tight;
+  control.offset = this->Offset;
+  control.mirror = set.mirror;
   std::vector<EditedCurve> curves;
-  std::size_t drawn = 0; // polylines
-  for (; drawn < controls.size() && !status.refused(); ++drawn)
+  if (!status.refused())
   {
-    EditedCurve curve;
-    curve.closed = this->Closed;
-    curve.traits.type = static_cast<flattening::CurveType>(this->CurveType);
-    curve.traits.keyShape = static_cast<flattening::KeyShape>(this->KeyShape);
-    curve.traits.tolerance = this->LengthTolerance;
-    curve.traits.mirrored = this->Mirror;
-    status = drawCurveOf(*this->Drawn->surface, controls[drawn], set.mirror,
-      static_cast<flattening::SegmentKind>(this->SegmentKind), curve);
-    curves.push_back(std::move(curve));
-    const DrawingSurface& surface = *this->Drawn->surface;
-    if (this->Tight && !status.refused())
-    {
-      status = replaceCurve(surface, set.mirror, tightCurve(surface, curves.back()), curves);
-    }
-    if (this->Offset != 0.0 && !status.refused())
-    {
-      status = replaceCurve(
-        surface, set.mirror, offsetCurves(surface, curves.back(), this->Offset), curves);
-    }
+    status = drawControlledCurves(*this->Drawn->surface, controls, control, curves);
   }
-  if (status.refused() && !curves.empty() && (controls.size() > 1 || !this->CurveName.empty()))
+  for (EditedCurve& curve : curves)
   {
-    const std::string number = controls.size() > 1 ? std::to_string(drawn) : "";
-    status.message = "curve " +
-      (this->CurveName.empty()
-          ? number
-          : "\"" + this->CurveName + (number.empty() ? "" : " " + number) + "\"") +
-      ": " + status.message;
-  }
-  const bool numbered = curves.size() > 1 && !this->CurveName.empty();
-  for (std::size_t k = 0; k < curves.size(); ++k)
-  {
-    curves[k].traits.name = this->CurveName + (numbered ? " " + std::to_string(k + 1) : "");
-    set.curves.push_back(std::make_shared<const EditedCurve>(std::move(curves[k])));
+    set.curves.push_back(std::make_shared<const EditedCurve>(std::move(curve)));
   }
   if (this->Conclude(status))
   {

@@ -2,13 +2,11 @@
 #include "vtkSurfaceDevelopability.h"
 
 #include "AttributeArrays.h"
-#include "FieldArrays.h"
 #include "FilterExecution.h"
-#include "Quality/SurfaceDevelopability.h"
+#include "Report/QualityReport.h"
 #include "SurfaceInput.h"
 
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -31,21 +29,15 @@ int vtkSurfaceDevelopability::RequestData(vtkInformation* vtkNotUsed(request),
   {
     return 1;
   }
-  const std::vector<double> developability =
-    flattening::surfaceDevelopability(surface.prepared.mesh,
-      flattening::cornerAngles(surface.prepared.mesh, flattening::bridge::executionOf(this)));
+  const flattening::Column developability =
+    flattening::developabilityOfPoints(surface, flattening::bridge::executionOf(this));
   output->ShallowCopy(input);
   std::vector<std::string> warnings = surface.mendings;
   output->GetPointData()->ShallowCopy(flattening::bridge::wholePointArrays(input, warnings));
   output->GetCellData()->ShallowCopy(flattening::bridge::wholeCellArrays(input, warnings));
   output->GetFieldData()->ShallowCopy(flattening::bridge::fieldArrays(input, warnings));
   this->Warn(warnings);
-  const flattening::Indices& vertexOfPoint = surface.prepared.vertexOfPoint;
-  flattening::bridge::addRows<vtkDoubleArray>(
-    output->GetPointData(), "Developability", vertexOfPoint.size(), [&](std::size_t point) {
-      const flattening::Index vertex = vertexOfPoint[point];
-      return vertex == flattening::none ? 0.0 : developability[vertex];
-    });
+  flattening::bridge::addColumns(output->GetPointData(), { developability });
   return 1;
 }
 

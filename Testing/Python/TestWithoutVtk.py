@@ -123,8 +123,8 @@ class WithoutVtk(unittest.TestCase):
         self.assertRegex(self.run_program(__file__, "--compare", str(self.folder / "pieces.npz")), r"^1\d pieces")
 
     def test_it_is_loaded_in_no_time(self):
-        said = self.run_program("-c", "import numpy, time; begin = time.perf_counter(); import surfaceflattening; "
-                                "print(time.perf_counter() - begin)")
+        said = self.run_program("-c", "import numpy, time; begin = time.process_time(); import surfaceflattening; "
+                                "print(time.process_time() - begin)")
         self.assertLess(float(said), 0.5)
 
     def test_pieces_are_sewn_drawn_and_graded(self):

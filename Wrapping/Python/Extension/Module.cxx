@@ -371,4 +371,5 @@ PYBIND11_MODULE(_core, module)
   module.def("materials", &materials);
   module.def("remedy_sentence", &remedySentenceOf);
   definePieces(module);
+  defineSurfaces(module);
 }

@@ -275,7 +275,7 @@ py::tuple readCurveFile(const std::string& path, const py::dict& surface)
 
 void definePieces(py::module_& module)
 {
-  py::class_<pattern::Grading>(module, "Grading");
+  py::class_<pattern::Grading>(module, "Grading", py::module_local()); // two versions may be loaded
   module.def("resew", &resew);
   module.def("write_pattern", &writePattern);
   module.def("grade", &grade);

@@ -7,4 +7,6 @@ namespace flattening::python
 {
 /// Adds what is done with flat pieces, and what reads files.
 void definePieces(pybind11::module_& module);
+/// Adds what draws curves and measures.
+void defineSurfaces(pybind11::module_& module);
 }

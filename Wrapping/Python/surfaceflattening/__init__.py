@@ -48,6 +48,7 @@ from ._readers import LoadedSurface, load_curves, load_surface, read_curves, rea
 from ._resewing import Resewn, ResewnShape, resew
 from ._reshaping import Flattenable
 from ._result import Flattening, Wire
+from ._surfaces import Quality, developability, draw_curve, measure
 from ._suggestion import LeftOutLine, MirrorAxis, MirrorPlane, SuggestedCut, Suggestion
 from ._types import (
     BoundaryMode, ClothReport, CoincidentPoints, Coloring, CurveReport, CurveType, CutChoice, DartLegs, Energy,
@@ -60,10 +61,10 @@ __all__ = [
     "CurveType", "CutChoice", "DartLegs", "Energy", "FileError", "Flattenable", "Flattening", "FlatteningError", "FlatteningWarning",
     "GarmentPattern", "GradeRule", "Grading", "Interior", "KeyPrice", "KeyPrices", "KeyShape", "KeyTrial",
     "LeftOutLine", "LoadedSurface", "MirrorAxis", "MirrorPlane", "MissingFileError", "Options", "OutOfMemoryError", "Panel",
-    "PanelEdge", "Paper", "Part", "PieceReport", "Report", "Resewn", "ResewnShape", "Scheme", "SeamSource",
+    "PanelEdge", "Paper", "Part", "PieceReport", "Quality", "Report", "Resewn", "ResewnShape", "Scheme", "SeamSource",
     "SewingTest", "Solver", "Stitch", "SuggestedCut", "Suggestion", "Unit", "UpAxis", "Wire", "WireType", "__version__",
-    "flatten", "flatten_polydata", "grade", "load_curves", "load_surface", "make_curves", "make_flattenable", "make_flattenable_polydata",
-    "make_surface", "materials", "price_keys", "read_curves", "read_garmentcode", "read_surface", "resew",
+    "developability", "draw_curve", "flatten", "flatten_polydata", "grade", "load_curves", "load_surface", "make_curves", "make_flattenable", "make_flattenable_polydata",
+    "make_surface", "materials", "measure", "price_keys", "read_curves", "read_garmentcode", "read_surface", "resew",
     "suggest", "suggest_polydata"]
 
 if not _VTK:

@@ -92,11 +92,11 @@ def _as_array(values: Any, what: str) -> NDArray[Any]:
         raise ArgumentError(f"{what} must be an array with rows of one length: {error}") from None
 
 
-def _as_numbers(values: Any, what: str) -> NDArray[np.float64]:
+def as_numbers(values: Any, what: str) -> NDArray[np.float64]:
     array = _as_array(values, what)
     if np.iscomplexobj(array):
         raise ArgumentError(f"{what} must be real numbers, not {array.dtype}")
-    if array.dtype == np.bool_:
+    if array.dtype.kind in "bmM":
         raise ArgumentError(f"{what} must be numbers, not {array.dtype}")
     if array.dtype.kind in "iu":
         inexact = array[(array > _EXACT) | (array < -_EXACT)]
@@ -155,7 +155,7 @@ def surface_data(points: ArrayLike, triangles: Optional[ArrayLike]) -> Data:
                                 "flatten_polydata(), suggest_polydata() and make_flattenable_polydata()")
     if triangles is None:
         raise ArgumentTypeError("triangles are missing; give the ids of their corners, shape (m, 3)")
-    coordinates = _as_numbers(points, "points")
+    coordinates = as_numbers(points, "points")
     if coordinates.ndim != 2 or coordinates.shape[1] != 3:
         hint = "; add a column of zeros for z" if coordinates.shape[1:] == (2,) else ""
         raise ArgumentError(f"points must have the shape (n, 3), not {coordinates.shape}{hint}")
@@ -177,7 +177,7 @@ def surface_data(points: ArrayLike, triangles: Optional[ArrayLike]) -> Data:
 def _positions_of(curve: Curve, what: str, surface: NDArray[np.float64]) -> NDArray[np.float64]:
     values = _as_array(curve.points, what)
     if values.ndim == 2 and values.shape[1] == 3:
-        positions = _as_numbers(values, what)
+        positions = as_numbers(values, what)
     elif values.ndim == 1:
         ids = _as_ids(curve.points, f"the point ids of {what}")
         outside = ids[(ids < 0) | (ids >= len(surface))]
@@ -217,7 +217,7 @@ def _tolerance_of(curve: Curve, what: str) -> float:
 
 def weights_of(weights: ArrayLike, triangles: int) -> NDArray[np.float64]:
     """A number for each triangle or polygon."""
-    numbers = _as_numbers(weights, "weights")
+    numbers = as_numbers(weights, "weights")
     if numbers.shape != (triangles,):
         raise ArgumentError(
             f"weights must have the shape ({triangles},), a number for each triangle, "
@@ -240,7 +240,7 @@ def _demand_list(curves: Any) -> None:
 
 def curve_data(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) -> Data:
     """The curves given as the algorithms take them, or what is wrong with them; ids are those of these points."""
-    surface = _as_numbers(points, "points")
+    surface = as_numbers(points, "points")
     _demand_list(curves)
     chains: List[NDArray[np.float64]] = []
     shapes: List[NDArray[np.float64]] = []
@@ -257,7 +257,7 @@ def curve_data(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) -> 
                      _tolerance_of(curve, what)))
         expected = (len(chains[-1]), 2)
         shapes.append(np.full(expected, np.nan) if curve.planar_shape is None else
-                      _as_numbers(curve.planar_shape, f"the planar_shape of {what}"))
+                      as_numbers(curve.planar_shape, f"the planar_shape of {what}"))
         if shapes[-1].shape != expected:
             raise ArgumentError(f"the planar_shape of {what} must have the shape {expected}, not {shapes[-1].shape}")
     names, types, key_shapes, tolerances = zip(*rows) if rows else ((), (), (), ())

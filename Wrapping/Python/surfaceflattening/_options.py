@@ -116,7 +116,7 @@ def text_of(what: str, value: Any) -> str:
     return value
 
 
-def _number(what: str, value: Any) -> float:
+def number_of(what: str, value: Any) -> float:
     try:
         if isinstance(value, (str, bytes)):
             raise TypeError("must be a number")
@@ -146,7 +146,7 @@ def _ids(what: str, value: Any) -> Tuple[int, int]:
 def _tolerances(given: Optional[Mapping[str, float]]) -> List[Tuple[Any, ...]]:
     if given is not None and not isinstance(given, Mapping):
         raise ArgumentTypeError(f"tolerance = {given!r} must be a dict of curves' names and fractions")
-    return [(text_of("a curve of tolerance", name), _number(f"tolerance of {name!r}", value))
+    return [(text_of("a curve of tolerance", name), number_of(f"tolerance of {name!r}", value))
             for name, value in (given or {}).items()]
 
 
@@ -158,12 +158,12 @@ def _eases(given: Optional[Mapping[Any, float]]) -> List[Tuple[Any, ...]]:
         name, piece = key if isinstance(key, tuple) and len(key) == 2 else (key, -1)
         if isinstance(piece, bool) or not isinstance(piece, (int, np.integer)) or piece < -1:
             raise ArgumentError(f"ease of {key!r}: {piece!r} is not the number of a piece, from 0")
-        rows.append((text_of("a curve of ease", name), int(piece), _number(f"ease of {key!r}", value)))
+        rows.append((text_of("a curve of ease", name), int(piece), number_of(f"ease of {key!r}", value)))
     return rows
 
 
 def _preferences(given: Optional[Mapping[str, float]]) -> List[Tuple[Any, ...]]:
-    return [(text_of("a curve of prefer", name), _number(f"preference of {name!r}", weight))
+    return [(text_of("a curve of prefer", name), number_of(f"preference of {name!r}", weight))
             for name, weight in (given or {}).items()]
 
 
@@ -209,8 +209,8 @@ def checked(option: Option, value: Any) -> Any:
     if option.type == "ids":
         return _ids(name, value)
     if option.type == "numbers":
-        return tuple(_number(name, component) for component in value)
-    number = _whole(name, value, 32) if option.type == "integer" else _number(name, value)
+        return tuple(number_of(name, component) for component in value)
+    number = _whole(name, value, 32) if option.type == "integer" else number_of(name, value)
     # Of an open range the algorithm says itself what is beyond.
     ranged = option.minimum != option.maximum and not option.open
     if number != number or ranged and not option.minimum <= number <= option.maximum:

@@ -21,7 +21,7 @@ _KINDS: Dict[str, Type[FlatteningError]] = {
     "FileNotWritten": FileError, "FileNotFound": MissingFileError, "OutOfMemory": OutOfMemoryError}
 
 # Keys of the report and columns of the filter's tables.
-_PIECE = {
+MEASURES = {
     "piece": "Piece", "status": "Status", "name": "Name", "message": "StatusDefect",
     "id_kind": "StatusIdKind", "ids": "StatusIds", "size": "SizeInWords", "ease": "EaseInWords",
     "triangles": "Triangles", "vertices": "Vertices", "wire_patches": "WirePatches",
@@ -126,7 +126,7 @@ def _releases(tables: Mapping[str, Table], pieces: List[Row]) -> List[Optional[R
 
 
 def _pieces(tables: Mapping[str, Table]) -> List[Row]:
-    pieces = rows_of(tables["pieces"], _PIECE)
+    pieces = rows_of(tables["pieces"], MEASURES)
     cloths = rows_of(tables["pieces"], _CLOTH) or [{}] * len(pieces)
     remedies = _lists_of(tables["piece_remedies"], {"name": "Remedy", "subject": "Subject"}, len(pieces))
     for piece, cloth, release, ways, angles, sheet in zip(
