@@ -4,7 +4,7 @@
 #include "DataSetBytes.h"
 #include "GuardedProcess.h"
 #include "InputError.h"
-#include "PolyDataSets.h"
+#include "PolyDataOutput.h"
 #include "ReadVtk.h"
 #include "TextFile.h"
 #include "VtkMessages.h"
@@ -75,7 +75,7 @@ std::string runReader(const std::string& path, Reader* reader)
     throw InputError("is damaged, truncated or of another format" +
       (reason.empty() ? "" : " (" + reason + ")") + "; write the file again");
   }
-  return packDataSet(flattening::bridge::dataSetOf(reader->GetOutput()));
+  return packDataSet(dataSetOf(reader->GetOutput()));
 }
 
 std::string readXml(const std::string& path)
@@ -129,7 +129,7 @@ std::string readGltf(const std::string& path)
       (reason.empty() ? "" : " (" + reason + ")") + "; export the surface again");
   }
   scene->Update();
-  return packDataSet(flattening::bridge::dataSetOf(scene->GetOutput()));
+  return packDataSet(dataSetOf(scene->GetOutput()));
 }
 
 std::string answerOf(const std::string& path)

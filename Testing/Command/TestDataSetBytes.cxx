@@ -58,8 +58,7 @@ TEST(DataSetBytes, AllThatAReaderGivesComesThrough)
     const DataSet back = unpackDataSet(packDataSet(data));
     EXPECT_EQ(*back.points, *data.points);
     EXPECT_EQ(back.vertexCells, data.vertexCells);
-    EXPECT_TRUE(
-      back.lines == data.lines && back.faces == data.faces && back.strips == data.strips);
+    EXPECT_TRUE(back.lines == data.lines && back.faces == data.faces && back.strips == data.strips);
     for (const auto arrays : { &DataSet::pointArrays, &DataSet::cellArrays, &DataSet::fieldArrays })
     {
       ASSERT_EQ((back.*arrays).size(), (data.*arrays).size());

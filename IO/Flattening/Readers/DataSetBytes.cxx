@@ -153,7 +153,8 @@ void pass(Stream& stream, Column& column)
   const char* const damaged = "has a damaged array";
   stream.list(column.name);
   pass(stream, column.components, 1, mostComponents, damaged);
-  pass(stream, column.role, -1, static_cast<std::int64_t>(flattening::ArrayRole::Tangents), damaged);
+  pass(
+    stream, column.role, -1, static_cast<std::int64_t>(flattening::ArrayRole::Tangents), damaged);
   std::size_t kind = column.values.index();
   pass(stream, kind, 0, std::variant_size_v<ColumnValues> - 1, damaged);
   if (kind != column.values.index())
