@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GradingData.h"
 
-#include "FieldArrays.h"
+#include "PolyDataSets.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace flattening
 {
@@ -34,81 +29,74 @@ Status invalidSizes(const std::string& what)
     { { Remedy::Give, "the output of vtkPatternGrading" } } };
 }
 
-/// Points as rows of a field array.
-void addPoints(vtkFieldData* field, const char* name, const std::vector<Points2>& rows)
+/// Points as rows of an array.
+Column pointColumn(const char* name, const std::vector<Points2>& rows)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  const std::size_t width = rows.empty() ? 0 : rows.front().size();
-  array->SetNumberOfComponents(static_cast<int>(2 * width));
-  array->SetNumberOfTuples(static_cast<vtkIdType>(rows.size()));
-  for (std::size_t row = 0; row < rows.size(); ++row)
+  std::vector<double> values;
+  for (const Points2& row : rows)
   {
-    for (std::size_t k = 0; k < width; ++k)
+    for (const Point2& point : row)
     {
-      const int column = static_cast<int>(2 * k);
-      array->SetComponent(static_cast<vtkIdType>(row), column, rows[row][k].x());
-      array->SetComponent(static_cast<vtkIdType>(row), column + 1, rows[row][k].y());
+      values.insert(values.end(), { point.x(), point.y() });
     }
   }
-  addUnlessEmpty(field, array);
+  const int width = rows.empty() ? 1 : static_cast<int>(2 * rows.front().size());
+  return { name, std::move(values), std::max(width, 1) };
 }
 
-/// An array of the field data; null where it has other rows or components.
-vtkDataArray* numbers(vtkPolyData* data, const char* name, vtkIdType rows, int components)
+Point2 pointOf(const Column& column, std::size_t row, std::size_t point)
 {
-  vtkDataArray* array = data->GetFieldData()->GetArray(name);
-  return array && array->GetNumberOfTuples() == rows && array->GetNumberOfComponents() == components
-    ? array
+  const int k = static_cast<int>(2 * point);
+  return { column.number(row, k), column.number(row, k + 1) };
+}
+
+/// An array of numbers; null where it has other rows or components.
+const Column* numbers(
+  const Columns& columns, const char* name, std::size_t rows, std::size_t components = 1)
+{
+  const Column* const found = findColumn(columns, name);
+  return found && !found->isText() && found->rows() == rows &&
+      static_cast<std::size_t>(found->components) == components
+    ? found
     : nullptr;
 }
 
-Point2 pointOf(vtkDataArray* array, vtkIdType row, std::size_t point)
+/// An array of texts; null where there is none.
+const Column* texts(const Columns& columns, const char* name)
 {
-  const int column = static_cast<int>(2 * point);
-  return { array->GetComponent(row, column), array->GetComponent(row, column + 1) };
+  const Column* const found = findColumn(columns, name);
+  return found && found->isText() && found->components == 1 ? found : nullptr;
 }
 
 /// A whole number within bounds; none where it is none.
-Index indexBelow(double value, vtkIdType count)
+Index indexBelow(double value, std::size_t count)
 {
-  const bool within = value >= 0.0 && value < static_cast<double>(count);
-  return within ? static_cast<Index>(value) : none;
+  return value >= 0.0 && value < static_cast<double>(count) ? static_cast<Index>(value) : none;
 }
 
 /// The wires of the first size; those of the others are the same.
-Status readWires(vtkPolyData* data, vtkIdType points, vtkIdType pieces, Grading& grading)
+Status readWires(const DataSet& data, std::size_t points, Grading& grading)
 {
-  auto* const names =
-    vtkStringArray::SafeDownCast(data->GetCellData()->GetAbstractArray("CurveName"));
-  vtkDataArray* const sizes = data->GetCellData()->GetArray("SizeId");
-  vtkDataArray* const ofPiece = data->GetCellData()->GetArray("PieceId");
-  const vtkIdType cells = data->GetNumberOfCells();
-  if (!names || !sizes || !ofPiece || names->GetNumberOfTuples() != cells ||
-    sizes->GetNumberOfTuples() != cells || ofPiece->GetNumberOfTuples() != cells ||
-    data->GetNumberOfLines() != cells || !data->GetLines()->IsValid())
+  const std::size_t cells = data.cells();
+  const Column* const names = texts(data.cellArrays, "CurveName");
+  const Column* const sizes = numbers(data.cellArrays, "SizeId", cells);
+  const Column* const ofPiece = numbers(data.cellArrays, "PieceId", cells);
+  if (!names || !sizes || !ofPiece || names->rows() != cells || data.lines.size() != cells)
   {
     return invalidSizes("there are no lines with SizeId, PieceId and CurveName");
   }
-  const auto lines = vtk::TakeSmartPointer(data->GetLines()->NewIterator());
-  for (lines->GoToFirstCell(); !lines->IsDoneWithTraversal(); lines->GoToNextCell())
+  for (std::size_t row = 0; row < cells; ++row)
   {
-    const vtkIdType row = lines->GetCurrentCellId();
-    if (sizes->GetComponent(row, 0) != 0.0)
+    if (sizes->number(row) != 0.0)
     {
       continue;
     }
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    lines->GetCurrentCell(count, ids);
     SourceWire wire;
-    wire.name = names->GetValue(row);
-    wire.piece = indexBelow(ofPiece->GetComponent(row, 0), pieces);
-    for (vtkIdType k = 0; k < count; ++k)
-    {
-      wire.points.push_back(indexBelow(static_cast<double>(ids[k]), points));
-    }
-    if (wire.piece == none || count < 2 ||
+    wire.name = names->text(row);
+    wire.piece = indexBelow(ofPiece->number(row), grading.grains.size());
+    std::transform(data.lines.begin(row), data.lines.end(row), std::back_inserter(wire.points),
+      [points](std::int64_t id) { return indexBelow(static_cast<double>(id), points); });
+    if (wire.piece == none || wire.points.size() < 2 ||
       std::find(wire.points.begin(), wire.points.end(), none) != wire.points.end())
     {
       return invalidSizes("the line " + std::to_string(row) + " is of no piece or of no points");
@@ -118,32 +106,31 @@ Status readWires(vtkPolyData* data, vtkIdType points, vtkIdType pieces, Grading&
   return {};
 }
 
-Status readRules(vtkPolyData* data, vtkIdType points, vtkIdType pieces, Grading& grading)
+Status readRules(const Columns& field, std::size_t points, Grading& grading)
 {
-  auto* const names =
-    vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("RuleName"));
-  const vtkIdType rows = names ? names->GetNumberOfTuples() : 0;
+  const Column* const names = texts(field, "RuleName");
+  const std::size_t rows = names ? names->rows() : 0;
   const std::size_t sizes = grading.sizes.size();
-  vtkDataArray* const ofPiece = numbers(data, "RulePiece", rows, 1);
-  vtkDataArray* const ofPoint = numbers(data, "RulePoint", rows, 1);
-  vtkDataArray* const deltas = numbers(data, "RuleDelta", rows, static_cast<int>(2 * sizes));
+  const Column* const ofPiece = numbers(field, "RulePiece", rows);
+  const Column* const ofPoint = numbers(field, "RulePoint", rows);
+  const Column* const deltas = numbers(field, "RuleDelta", rows, 2 * sizes);
   if (rows > 0 && (!ofPiece || !ofPoint || !deltas))
   {
     return invalidSizes("RulePiece, RulePoint or RuleDelta is missing or has other rows");
   }
-  for (vtkIdType row = 0; row < rows; ++row)
+  for (std::size_t row = 0; row < rows; ++row)
   {
     GradeRule rule;
-    rule.name = names->GetValue(row);
-    rule.piece = indexBelow(ofPiece->GetComponent(row, 0), pieces);
-    rule.point = indexBelow(ofPoint->GetComponent(row, 0), points);
+    rule.name = names->text(row);
+    rule.piece = indexBelow(ofPiece->number(row), grading.grains.size());
+    rule.point = indexBelow(ofPoint->number(row), points);
     if (rule.piece == none || rule.point == none)
     {
       return invalidSizes("the rule " + std::to_string(row) + " is of no piece or of no point");
     }
     for (std::size_t s = 0; s < sizes; ++s)
     {
-      rule.deltas.push_back(pointOf(deltas, row, s));
+      rule.deltas.push_back(pointOf(*deltas, row, s));
     }
     grading.rules.push_back(std::move(rule));
   }
@@ -154,101 +141,89 @@ Status readRules(vtkPolyData* data, vtkIdType points, vtkIdType pieces, Grading&
 //------------------------------------------------------------------------------
 void writeGrading(const Grading& grading, vtkPolyData* output)
 {
-  const std::size_t points = grading.positions.front().size();
-  vtkNew<vtkPoints> places;
-  places->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIntArray> sizeIds;
-  vtkNew<vtkIdTypeArray> pieceIds;
-  vtkNew<vtkStringArray> names;
-  sizeIds->SetName("SizeId");
-  pieceIds->SetName("PieceId");
-  names->SetName("CurveName");
+  const std::size_t count = grading.positions.front().size();
+  DataSet data;
+  Points3 places;
+  std::vector<int> sizeIds;
+  std::vector<std::int64_t> pieceIds;
+  std::vector<std::string> names;
   for (std::size_t s = 0; s < grading.sizes.size(); ++s)
   {
     for (const Point2& p : grading.positions[s])
     {
-      places->InsertNextPoint(p.x(), p.y(), 0.0);
+      places.emplace_back(p.x(), p.y(), 0.0);
     }
     for (const SourceWire& wire : grading.wires)
     {
-      lines->InsertNextCell(static_cast<int>(wire.points.size()));
-      for (const Index point : wire.points)
-      {
-        lines->InsertCellPoint(static_cast<vtkIdType>(s * points) + point);
-      }
-      sizeIds->InsertNextValue(static_cast<int>(s));
-      pieceIds->InsertNextValue(wire.piece);
-      names->InsertNextValue(wire.name);
+      std::vector<std::int64_t> ids(wire.points.begin(), wire.points.end());
+      std::for_each(ids.begin(), ids.end(), [&](std::int64_t& id) { id += s * count; });
+      data.lines.add(ids);
+      sizeIds.push_back(static_cast<int>(s));
+      pieceIds.push_back(wire.piece);
+      names.push_back(wire.name);
     }
   }
-  output->SetPoints(places);
-  output->SetLines(lines);
-  output->GetCellData()->AddArray(sizeIds);
-  output->GetCellData()->AddArray(pieceIds);
-  output->GetCellData()->AddArray(names);
-  vtkFieldData* const field = output->GetFieldData();
-  addStrings(field, "SizeName", grading.sizes);
-  addRows<vtkIntArray>(
-    field, "BaseSize", 1, [&](std::size_t) { return static_cast<int>(grading.base); });
-  addPoints(field, "GrainDirection", std::vector<Points2>(1, grading.grains));
-  const auto& rules = grading.rules;
-  addRows<vtkIdTypeArray>(
-    field, "RulePiece", rules.size(), [&](std::size_t k) { return vtkIdType{ rules[k].piece }; });
-  addRows<vtkIdTypeArray>(
-    field, "RulePoint", rules.size(), [&](std::size_t k) { return vtkIdType{ rules[k].point }; });
-  addRows<vtkStringArray>(
-    field, "RuleName", rules.size(), [&](std::size_t k) { return rules[k].name; });
+  data.points = std::make_shared<const Points3>(std::move(places));
+  data.cellArrays = { { "SizeId", std::move(sizeIds) }, { "PieceId", std::move(pieceIds) },
+    { "CurveName", std::move(names) } };
+  data.fieldArrays = { { "SizeName", grading.sizes },
+    { "BaseSize", std::vector<int>{ static_cast<int>(grading.base) } },
+    pointColumn("GrainDirection", { grading.grains }) };
+  const TableColumns<GradeRule> rules(data.fieldArrays, grading.rules);
+  rules.add("RulePiece", &GradeRule::piece);
+  rules.add("RulePoint", &GradeRule::point);
+  rules.add("RuleName", &GradeRule::name);
   std::vector<Points2> deltas;
-  for (const GradeRule& rule : rules)
-  {
-    deltas.push_back(rule.deltas);
-  }
-  addPoints(field, "RuleDelta", deltas);
+  std::transform(grading.rules.begin(), grading.rules.end(), std::back_inserter(deltas),
+    [](const GradeRule& rule) { return rule.deltas; });
+  data.fieldArrays.push_back(pointColumn("RuleDelta", deltas));
+  fill(output, data);
 }
 
 //------------------------------------------------------------------------------
-Status readGrading(vtkPolyData* data, Grading& grading)
+Status readGrading(vtkPolyData* input, Grading& grading)
 {
   grading = Grading();
-  auto* const names =
-    vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("SizeName"));
-  const vtkIdType sizes = names ? names->GetNumberOfTuples() : 0;
-  vtkDataArray* const base = numbers(data, "BaseSize", 1, 1);
-  vtkDataArray* const grains = data->GetFieldData()->GetArray("GrainDirection");
-  if (sizes < 1 || !base || !grains || grains->GetNumberOfTuples() != 1 ||
-    data->GetNumberOfPoints() % sizes != 0 || data->GetNumberOfPoints() == 0)
+  if (!input->GetLines()->IsValid() || !input->GetPolys()->IsValid())
+  {
+    return invalidSizes("the cells do not fit the list of their points");
+  }
+  const DataSet data = dataSetOf(input);
+  const Column* const names = texts(data.fieldArrays, "SizeName");
+  const std::size_t sizes = names ? names->rows() : 0;
+  const Column* const base = numbers(data.fieldArrays, "BaseSize", 1);
+  const Column* const grains = findColumn(data.fieldArrays, "GrainDirection");
+  if (sizes < 1 || !base || !grains || grains->isText() || grains->rows() != 1 ||
+    data.points->size() % sizes != 0 || data.points->empty())
   {
     return invalidSizes("SizeName, BaseSize or GrainDirection is missing or has other rows");
   }
-  const vtkIdType points = data->GetNumberOfPoints() / sizes;
-  const vtkIdType pieces = grains->GetNumberOfComponents() / 2;
-  const Index chosen = indexBelow(base->GetComponent(0, 0), sizes);
+  const std::size_t points = data.points->size() / sizes;
+  const Index chosen = indexBelow(base->number(0), sizes);
   if (chosen == none)
   {
     return invalidSizes("BaseSize is no size");
   }
   grading.base = static_cast<std::size_t>(chosen);
-  for (vtkIdType s = 0; s < sizes; ++s)
+  for (std::size_t s = 0; s < sizes; ++s)
   {
-    grading.sizes.push_back(names->GetValue(s));
+    grading.sizes.push_back(names->text(s));
     Points2& laid = grading.positions.emplace_back();
-    for (vtkIdType v = 0; v < points; ++v)
+    for (std::size_t v = 0; v < points; ++v)
     {
-      const double* p = data->GetPoint(s * points + v);
-      if (!std::isfinite(p[0]) || !std::isfinite(p[1]))
+      laid.emplace_back((*data.points)[s * points + v].head<2>());
+      if (!laid.back().allFinite())
       {
         return invalidSizes("a point is not finite");
       }
-      laid.emplace_back(p[0], p[1]);
     }
   }
-  for (vtkIdType piece = 0; piece < pieces; ++piece)
+  for (int piece = 0; piece < grains->components / 2; ++piece)
   {
-    grading.grains.push_back(pointOf(grains, 0, static_cast<std::size_t>(piece)));
+    grading.grains.push_back(pointOf(*grains, 0, static_cast<std::size_t>(piece)));
   }
-  Status status = readWires(data, points, pieces, grading);
-  return status.ok() ? readRules(data, points, pieces, grading) : status;
+  Status status = readWires(data, points, grading);
+  return status.ok() ? readRules(data.fieldArrays, points, grading) : status;
 }
 }
 }

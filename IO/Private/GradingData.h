@@ -14,6 +14,6 @@ void writeGrading(const pattern::Grading& grading, vtkPolyData* output);
 
 /// Reads it again.
 /// \return InvalidPattern where arrays are missing, too short, or name what is not there
-flattening::Status readGrading(vtkPolyData* data, pattern::Grading& grading);
+flattening::Status readGrading(vtkPolyData* input, pattern::Grading& grading);
 }
 }

@@ -62,35 +62,22 @@ constexpr int mostHalvings = 10;
 
 const double turn = 8.0 * std::atan(1.0);
 
-DxfPlace combined(const DxfPlace& a, double t, const DxfPlace& b)
-{
-  return a + t * b;
-}
-
-double distance(const DxfPlace& a, const DxfPlace& b)
-{
-  return (a - b).norm();
-}
-
 double sizeOf(const Places& places)
 {
-  DxfPlace low = places.front();
-  DxfPlace high = low;
+  Eigen::AlignedBox3d box;
   for (const DxfPlace& place : places)
   {
-    low = low.cwiseMin(place);
-    high = high.cwiseMax(place);
+    box.extend(place);
   }
-  return distance(low, high);
+  return box.diagonal().norm();
 }
 
 double distanceToChord(const DxfPlace& place, const DxfPlace& from, const DxfPlace& to)
 {
-  const DxfPlace chord = combined(to, -1.0, from);
-  const DxfPlace way = combined(place, -1.0, from);
+  const DxfPlace chord = to - from;
   const double square = chord.squaredNorm();
-  const double t = square > 0.0 ? way.dot(chord) / square : 0.0;
-  return distance(place, combined(from, std::clamp(t, 0.0, 1.0), chord));
+  const double t = square > 0.0 ? (place - from).dot(chord) / square : 0.0;
+  return (from + std::clamp(t, 0.0, 1.0) * chord - place).norm();
 }
 
 /// Chords of a function over an interval.
@@ -163,9 +150,7 @@ struct Plane
 
   DxfPlace inSpace(const DxfPlace& place) const
   {
-    const DxfPlace flat =
-      combined(combined(DxfPlace::Zero(), place[0], this->x), place[1], this->y);
-    return combined(flat, place[2], this->z);
+    return place[0] * this->x + place[1] * this->y + place[2] * this->z;
   }
 };
 
@@ -184,22 +169,19 @@ void addSegment(
   const DxfPlace& from, const DxfPlace& to, double bulge, double tolerance, Places& places)
 {
   const double angle = 4.0 * std::atan(bulge);
-  const double dx = to[0] - from[0];
-  const double dy = to[1] - from[1];
-  if (bulge == 0.0 || (dx == 0.0 && dy == 0.0))
+  const Eigen::Vector2d chord = (to - from).head<2>();
+  if (bulge == 0.0 || chord.isZero(0.0))
   {
     places.push_back(to);
     return;
   }
   const double side = 0.25 * (1.0 - bulge * bulge) / bulge; // of the center, in chords
-  const DxfPlace center{ from[0] + 0.5 * dx - side * dy, from[1] + 0.5 * dy + side * dx, 0.0 };
-  const double rx = from[0] - center[0];
-  const double ry = from[1] - center[1];
+  const Eigen::Vector2d arm = -0.5 * chord - side * Eigen::Vector2d(-chord.y(), chord.x());
+  const Eigen::Vector2d center = from.head<2>() - arm;
   const auto arc = [&](double t) {
-    const double c = std::cos(t * angle);
-    const double s = std::sin(t * angle);
-    return DxfPlace{ center[0] + c * rx - s * ry, center[1] + s * rx + c * ry,
-      from[2] + t * (to[2] - from[2]) };
+    DxfPlace place = from + t * (to - from);
+    place.head<2>() = center + Eigen::Rotation2Dd(t * angle) * arm;
+    return place;
   };
   addChords(arc, 0.0, 1.0, quarters(angle), tolerance, places);
   places.back() = to; // bit for bit, so that curves join
@@ -209,7 +191,7 @@ void addSegment(
 DxfCourse closedOrOpen(Places places, bool closed)
 {
   if (closed && places.size() > 1 &&
-    distance(places.front(), places.back()) <= 1e-9 * sizeOf(places))
+    (places.front() - places.back()).norm() <= 1e-9 * sizeOf(places))
   {
     places.pop_back();
   }
@@ -290,9 +272,7 @@ DxfCourse ellipticArc(const DxfPlace& center, const DxfPlace& x, const DxfPlace&
   const double whole = std::fmod(end - begin, turn);
   const double angle = whole <= 1e-9 ? whole + turn : whole;
   const bool closed = entity.kind == "CIRCLE" || std::abs(angle - turn) < 1e-6;
-  const auto arc = [&](double t) {
-    return combined(combined(center, std::cos(t), x), std::sin(t), y);
-  };
+  const auto arc = [&](double t) -> DxfPlace { return center + std::cos(t) * x + std::sin(t) * y; };
   Places places{ arc(begin) };
   addChords(arc, begin, begin + (closed ? turn : angle), quarters(angle), fineness * size, places);
   return closedOrOpen(std::move(places), closed);
@@ -309,9 +289,9 @@ DxfCourse circularArc(const DxfEntity& entity)
   }
   const bool whole = entity.kind == "CIRCLE";
   const double degree = turn / 360.0;
-  return ellipticArc(plane.inSpace(centers.front()), combined(DxfPlace::Zero(), radius, plane.x),
-    combined(DxfPlace::Zero(), radius, plane.y), whole ? 0.0 : degree * entity.number(50, 0.0),
-    whole ? turn : degree * entity.number(51, 360.0), entity);
+  return ellipticArc(plane.inSpace(centers.front()), radius * plane.x, radius * plane.y,
+    whole ? 0.0 : degree * entity.number(50, 0.0), whole ? turn : degree * entity.number(51, 360.0),
+    entity);
 }
 
 DxfCourse ellipse(const DxfEntity& entity)
@@ -323,9 +303,8 @@ DxfCourse ellipse(const DxfEntity& entity)
   {
     return { {}, false, "has no center or no axis; draw it again" };
   }
-  const DxfPlace minor = plane.z.cross(axes.front());
   return ellipticArc(centers.front(), axes.front(),
-    combined(DxfPlace::Zero(), entity.number(40, 1.0), minor), entity.number(41, 0.0),
+    entity.number(40, 1.0) * plane.z.cross(axes.front()), entity.number(41, 0.0),
     entity.number(42, turn), entity);
 }
 
@@ -412,7 +391,7 @@ DxfCourse spline(const DxfEntity& entity)
       part, begin, end, static_cast<int>(curve.degree), fineness * sizeOf(controls), places);
   }
   const bool closed =
-    places.size() > 2 && distance(places.front(), places.back()) <= 1e-9 * sizeOf(controls);
+    places.size() > 2 && (places.front() - places.back()).norm() <= 1e-9 * sizeOf(controls);
   return closedOrOpen(std::move(places), closed);
 }
 
