@@ -7,7 +7,6 @@
 #include "FilterExecution.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "ListChanges.h"
-#include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
 
@@ -105,17 +104,6 @@ vtkFeatureCurveAlgorithm::vtkFeatureCurveAlgorithm()
 {
   this->SetNumberOfInputPorts(2);
   this->SetDefaultOptions();
-}
-
-//------------------------------------------------------------------------------
-void vtkFeatureCurveAlgorithm::VisitOptions(flattening::bridge::OptionVisitor& visit)
-{
-  this->Superclass::VisitOptions(visit);
-  visit("CoincidentPoints", this->CoincidentPoints);
-  visit("HealSurface", this->HealSurface);
-  visit("SplitTriangles", this->SplitTriangles);
-  visit("ImprintTolerance", this->ImprintTolerance);
-  visit("SnapTolerance", this->SnapTolerance);
 }
 
 //------------------------------------------------------------------------------

@@ -113,15 +113,10 @@ public:
    * AUTOMATIC, joined only where hardly any two triangles share a point, as in files of separate
    * triangles. Default: AUTOMATIC.
    */
-  vtkSetClampMacro(CoincidentPoints, int, AUTOMATIC, KEEP);
-  vtkGetMacro(CoincidentPoints, int);
+  vtkFlatteningWordMacro(CoincidentPoints);
   void SetCoincidentPointsToAutomatic() { this->SetCoincidentPoints(AUTOMATIC); }
   void SetCoincidentPointsToJoin() { this->SetCoincidentPoints(JOIN); }
   void SetCoincidentPointsToKeep() { this->SetCoincidentPoints(KEEP); }
-  const char* GetCoincidentPointsAsString() const
-  {
-    return this->GetOptionWord("CoincidentPoints", this->CoincidentPoints);
-  }
   ///@}
 
   ///@{
@@ -130,9 +125,7 @@ public:
    * collapsed onto neighbors, triangles without area or doubled, fins and edges of more than two
    * triangles, points in which parts touch, specks. Off: all of them are refused. Default: on.
    */
-  vtkSetMacro(HealSurface, bool);
-  vtkGetMacro(HealSurface, bool);
-  vtkBooleanMacro(HealSurface, bool);
+  vtkFlatteningFlagMacro(HealSurface);
   ///@}
 
   ///@{
@@ -140,9 +133,7 @@ public:
    * Split triangles where a curve does not run along mesh edges; off: such a curve is refused
    * (CURVE_NOT_ON_EDGES). Default: on.
    */
-  vtkSetMacro(SplitTriangles, bool);
-  vtkGetMacro(SplitTriangles, bool);
-  vtkBooleanMacro(SplitTriangles, bool);
+  vtkFlatteningFlagMacro(SplitTriangles);
   ///@}
 
   ///@{
@@ -152,8 +143,7 @@ public:
    * message gives the fraction that takes it. The default takes points as pickers and splines give
    * them. Default: 2e-3. Range: [0, 1].
    */
-  vtkSetClampMacro(ImprintTolerance, double, 0.0, 1.0);
-  vtkGetMacro(ImprintTolerance, double);
+  vtkFlatteningNumberMacro(ImprintTolerance, double);
   ///@}
 
   ///@{
@@ -164,8 +154,7 @@ public:
    * point within ImprintTolerance of a vertex moves onto it from up to 1 % of that length, however
    * small the fraction. Default: 1e-3. Range: [0, 0.5].
    */
-  vtkSetClampMacro(SnapTolerance, double, 0.0, 0.5);
-  vtkGetMacro(SnapTolerance, double);
+  vtkFlatteningNumberMacro(SnapTolerance, double);
   ///@}
 
   ///@{
@@ -220,7 +209,6 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void BeginRun(vtkInformationVector** inputVector) override;
   void FinishData(vtkInformationVector* outputVector) override;
-  void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
 
   /**
    * Reads surface and curves. Null after a refusal, which has been told then.
@@ -234,11 +222,6 @@ protected:
   flattening::FlatteningCache* KeptPieces() const;
 
   // Options have the defaults of the algorithms.
-  int CoincidentPoints = 0;
-  bool HealSurface = false;
-  bool SplitTriangles = false;
-  double ImprintTolerance = 0.0;
-  double SnapTolerance = 0.0;
   bool Caching = true;
   int OutputPointsPrecision = DEFAULT_PRECISION;
   std::map<std::string, double> CurveTolerances;

@@ -7,7 +7,6 @@
 #include "FilterExecution.h"
 #include "Flattening/FlatteningOptions.h"
 #include "ListChanges.h"
-#include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
 #include "Report/SuggestionReport.h"
@@ -138,23 +137,10 @@ vtkFeatureCurveSuggestion::vtkFeatureCurveSuggestion()
 }
 
 //------------------------------------------------------------------------------
-void vtkFeatureCurveSuggestion::VisitOptions(flattening::bridge::OptionVisitor& visit)
+void vtkFeatureCurveSuggestion::AddOtherOptions(flattening::OptionValues& values)
 {
-  this->Superclass::VisitOptions(visit);
-  visit("SuggestedCuts", this->SuggestedCuts);
-  visit("Bound", this->Bound);
-  visit("MaximumCuts", this->MaximumCuts);
-  visit("MaximumCutLength", this->MaximumCutLength);
-  visit("MaximumWork", this->MaximumWork);
-  visit("PieceCount", this->PieceCount);
-  visit("MaximumWidth", this->MaximumWidth);
-  visit("Symmetric", this->Symmetric);
-  std::string weights = this->GetWeightArray();
-  visit("WeightArray", weights);
-  if (weights != this->GetWeightArray())
-  {
-    this->SetWeightArray(weights.c_str());
-  }
+  this->Superclass::AddOtherOptions(values);
+  values.set("WeightArray", std::string(this->GetWeightArray()));
 }
 
 //------------------------------------------------------------------------------
@@ -214,7 +200,7 @@ int vtkFeatureCurveSuggestion::RequestData(
       options.search.preferences.push_back({ curve, weight });
     }
     const auto& suggest =
-      this->SuggestedCuts == LINES ? flattening::suggestLines : flattening::suggestCurves;
+      this->GetSuggestedCuts() == LINES ? flattening::suggestLines : flattening::suggestCurves;
     suggestions = suggest(source->surface.prepared.mesh, source->curves.polylines, options,
       flattening::bridge::executionOf(this));
     if (suggestions.end == flattening::SearchEnd::Interrupted)
@@ -249,10 +235,10 @@ int vtkFeatureCurveSuggestion::RequestData(
     flattening::bridge::writeTable(
       flattening::searchTable(suggestions), vtkTable::GetData(outputVector, 6));
     this->LeftOutLines = flattening::bridge::makeTable(flattening::leftOutTable(suggestions));
-    const std::string shortfall = this->SuggestedCuts == LINES
+    const std::string shortfall = this->GetSuggestedCuts() == LINES
       ? std::string()
       : flattening::describeShortfall(
-          suggestions, this->Bound, this->MaximumWidth, source->curves.polylines);
+          suggestions, this->GetBound(), this->GetMaximumWidth(), source->curves.polylines);
     if (!shortfall.empty())
     {
       this->Warn({ shortfall });

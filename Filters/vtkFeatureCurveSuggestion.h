@@ -107,17 +107,12 @@ public:
    * and style lines; Bound and the limits of cuts do not matter then. GORES: seams through the axis
    * of a round surface, the fewest within the bound. Default: DARTS_AND_SEAMS.
    */
-  vtkSetClampMacro(SuggestedCuts, int, DARTS, GORES);
-  vtkGetMacro(SuggestedCuts, int);
+  vtkFlatteningWordMacro(SuggestedCuts);
   void SetSuggestedCutsToDarts() { this->SetSuggestedCuts(DARTS); }
   void SetSuggestedCutsToSeams() { this->SetSuggestedCuts(SEAMS); }
   void SetSuggestedCutsToDartsAndSeams() { this->SetSuggestedCuts(DARTS_AND_SEAMS); }
   void SetSuggestedCutsToLines() { this->SetSuggestedCuts(LINES); }
   void SetSuggestedCutsToGores() { this->SetSuggestedCuts(GORES); }
-  const char* GetSuggestedCutsAsString() const
-  {
-    return this->GetOptionWord("SuggestedCuts", this->SuggestedCuts);
-  }
   ///@}
 
   ///@{
@@ -125,8 +120,7 @@ public:
    * The strain, on 95 % of each piece's area, that is good enough; 0: cut until MaximumCuts or
    * MaximumCutLength are used up. Default: 0.05. Range: [0, 0.99].
    */
-  vtkSetClampMacro(Bound, double, 0.0, 0.99);
-  vtkGetMacro(Bound, double);
+  vtkFlatteningNumberMacro(Bound, double);
   ///@}
 
   ///@{
@@ -134,8 +128,7 @@ public:
    * The most cuts that are proposed; a mirror image counts. 0: as many as the bound takes. Default:
    * 0.
    */
-  vtkSetClampMacro(MaximumCuts, int, 0, VTK_INT_MAX);
-  vtkGetMacro(MaximumCuts, int);
+  vtkFlatteningNumberMacro(MaximumCuts, int);
   ///@}
 
   ///@{
@@ -145,8 +138,7 @@ public:
    * sewn in pairs, or seams cannot be drawn apart, and more where a piece would lie over itself. 0:
    * as few as the bound takes. Default: 0.
    */
-  vtkSetClampMacro(PieceCount, int, 0, VTK_INT_MAX);
-  vtkGetMacro(PieceCount, int);
+  vtkFlatteningNumberMacro(PieceCount, int);
   ///@}
 
   ///@{
@@ -154,8 +146,7 @@ public:
    * The greatest length of all proposed cuts together, in the unit of the surface; 0: no limit.
    * Default: 0.
    */
-  vtkSetClampMacro(MaximumCutLength, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MaximumCutLength, double);
+  vtkFlatteningNumberMacro(MaximumCutLength, double);
   ///@}
 
   ///@{
@@ -165,8 +156,7 @@ public:
    * straight in the plane; where that fails, as by MaximumCuts, a warning says how wide they are.
    * 0: any. Default: 0.
    */
-  vtkSetClampMacro(MaximumWidth, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MaximumWidth, double);
+  vtkFlatteningNumberMacro(MaximumWidth, double);
   ///@}
 
   ///@{
@@ -176,8 +166,7 @@ public:
    * are found by then are proposed, and a warning names it. Work is counted, not timed: cuts are
    * the same on every machine. Default: 90.
    */
-  vtkSetClampMacro(MaximumWork, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MaximumWork, double);
+  vtkFlatteningNumberMacro(MaximumWork, double);
   ///@}
 
   ///@{
@@ -190,8 +179,7 @@ public:
    * "x=0.2", or normal and offset as "1,0,0,0.2". With LINES all but "off" are the same. Default:
    * "on".
    */
-  void SetSymmetric(const char* text) { this->SetText(this->Symmetric, text); }
-  vtkGetCharFromStdStringMacro(Symmetric);
+  vtkFlatteningTextMacro(Symmetric);
   ///@}
 
   ///@{
@@ -226,19 +214,11 @@ protected:
   vtkFeatureCurveSuggestion();
   ~vtkFeatureCurveSuggestion() override = default;
 
+  void AddOtherOptions(flattening::OptionValues& values) override;
+
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
-
   // Options have the defaults of the algorithms.
-  int SuggestedCuts = 0;
-  double Bound = 0.0;
-  int MaximumCuts = 0;
-  double MaximumCutLength = 0.0;
-  double MaximumWidth = 0.0;
-  double MaximumWork = 0.0;
-  int PieceCount = 0;
-  std::string Symmetric;
   std::map<std::string, double> Preferences;
 
 private:

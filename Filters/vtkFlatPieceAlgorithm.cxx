@@ -11,7 +11,6 @@
 #include "Input/ClothInput.h"
 #include "Input/CurvedSurface.h"
 #include "ListChanges.h"
-#include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
 #include "Report/FlatteningArrays.h"
@@ -200,17 +199,6 @@ vtkFlatPieceAlgorithm::vtkFlatPieceAlgorithm()
 }
 
 //------------------------------------------------------------------------------
-void vtkFlatPieceAlgorithm::VisitOptions(flattening::bridge::OptionVisitor& visit)
-{
-  this->Superclass::VisitOptions(visit);
-  visit("SkipClosed", this->SkipClosed);
-  visit("CloseCuts", this->CloseCuts);
-  visit("Material", this->Material);
-  visit("Arrange", this->Arrange);
-  visit("Spacing", this->Spacing);
-}
-
-//------------------------------------------------------------------------------
 void vtkFlatPieceAlgorithm::AddGrain(const std::string& grain)
 {
   if (std::find(this->Grain.begin(), this->Grain.end(), grain) == this->Grain.end())
@@ -292,7 +280,7 @@ void vtkFlatPieceAlgorithm::EndRun(vtkDataObject* input, vtkDataObject* output)
   if (this->BesideSurface)
   {
     flattening::bridge::layBeside(
-      input, output, this->Spacing, flattening::bridge::processesOf(this->GetDistributed()));
+      input, output, this->GetSpacing(), flattening::bridge::processesOf(this->GetDistributed()));
   }
 }
 
@@ -300,7 +288,8 @@ void vtkFlatPieceAlgorithm::EndRun(vtkDataObject* input, vtkDataObject* output)
 flattening::FlatteningOptions vtkFlatPieceAlgorithm::Settings()
 {
   flattening::FlatteningOptions options = this->OptionsForCore().flattening;
-  const std::string& material = this->MaterialFile.empty() ? this->Material : this->MaterialFile;
+  const std::string material =
+    this->MaterialFile.empty() ? std::string(this->GetMaterial()) : this->MaterialFile;
   if (!material.empty())
   {
     options.cloth = flattening::readCloth(material, this->Grain);

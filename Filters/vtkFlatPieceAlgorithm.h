@@ -138,9 +138,7 @@ public:
    * flatten the others; a warning and GetLeftOutPieces() name them. Off: the surface is an error
    * for them (CLOSED_SURFACE, HANDLE), as it is where nothing would remain. Default: off.
    */
-  vtkSetMacro(SkipClosed, bool);
-  vtkGetMacro(SkipClosed, bool);
-  vtkBooleanMacro(SkipClosed, bool);
+  vtkFlatteningFlagMacro(SkipClosed);
   ///@}
 
   ///@{
@@ -150,9 +148,7 @@ public:
    * price of more distortion, and do not count as `Boundary`; patterns are whole there. Off: they
    * overlap, and the status is OVERLAP. Default: off.
    */
-  vtkSetMacro(CloseCuts, bool);
-  vtkGetMacro(CloseCuts, bool);
-  vtkBooleanMacro(CloseCuts, bool);
+  vtkFlatteningFlagMacro(CloseCuts);
   ///@}
 
   ///@{
@@ -165,8 +161,7 @@ public:
    * (INVALID_OPTION); strains that stay beyond the limits on more than 5 % of a piece's area mark
    * it BEYOND_LIMITS. Default: empty, no material.
    */
-  void SetMaterial(const char* text) { this->SetText(this->Material, text); }
-  vtkGetCharFromStdStringMacro(Material);
+  vtkFlatteningTextMacro(Material);
   ///@}
 
   ///@{
@@ -208,9 +203,7 @@ public:
    * beside each other without overlap of their bounding boxes. Off: each stays where its first wire
    * edge put it. Default: on.
    */
-  vtkSetMacro(Arrange, bool);
-  vtkGetMacro(Arrange, bool);
-  vtkBooleanMacro(Arrange, bool);
+  vtkFlatteningFlagMacro(Arrange);
   ///@}
 
   ///@{
@@ -218,8 +211,7 @@ public:
    * Space between the bounding boxes of arranged pieces, as a fraction of the largest side of one.
    * Default: 0.05. Range: 0 to 1e6.
    */
-  vtkSetClampMacro(Spacing, double, 0.0, 1e6);
-  vtkGetMacro(Spacing, double);
+  vtkFlatteningNumberMacro(Spacing, double);
   ///@}
 
   ///@{
@@ -240,7 +232,6 @@ protected:
 
   void FinishData(vtkInformationVector* outputVector) override;
   void EndRun(vtkDataObject* input, vtkDataObject* output) override;
-  void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
 
   /**
    * What the properties say, for Core.
@@ -269,13 +260,8 @@ private:
   std::string SizeWarning;
   double Seconds[4] = { 0.0, 0.0, 0.0, 0.0 };
   // Options have the defaults of the algorithms.
-  bool SkipClosed = false;
-  bool CloseCuts = false;
-  std::string Material;
   std::string MaterialFile;
   std::vector<std::string> Grain;
-  bool Arrange = false;
-  double Spacing = 0.0;
   bool BesideSurface = false;
 };
 

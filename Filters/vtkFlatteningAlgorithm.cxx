@@ -7,7 +7,7 @@
 #include "FieldArrays.h"
 #include "Input/StatusWords.h"
 #include "ListChanges.h"
-#include "OptionVisitor.h"
+#include "OptionProperties.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
 #include "Surface/SurfaceHealing.h"
@@ -163,6 +163,8 @@ vtkFlatteningAlgorithm::vtkFlatteningAlgorithm()
   this->StatusCode = NOT_RUN;
   this->StatusDefect = "the filter has not run";
   this->StatusMessage = this->StatusDefect + "; update it, and see that its input can be read";
+  this->Options =
+    std::make_unique<flattening::OptionValues>(std::vector<const flattening::Option*>());
   this->AllOwners =
     std::make_unique<std::map<const vtkDataObject*, flattening::bridge::SurfaceOwners>>();
   this->Owners = std::make_unique<flattening::bridge::SurfaceOwners>();
@@ -170,59 +172,73 @@ vtkFlatteningAlgorithm::vtkFlatteningAlgorithm()
 }
 
 //------------------------------------------------------------------------------
-void vtkFlatteningAlgorithm::VisitOptions(flattening::bridge::OptionVisitor& vtkNotUsed(visit)) {}
-
-//------------------------------------------------------------------------------
-void vtkFlatteningAlgorithm::SetOptions(const flattening::OptionValues& values)
+std::string vtkFlatteningAlgorithm::DescribeIdleOption(const std::string& given)
 {
-  flattening::bridge::OptionVisitor visit(
-    [this, &values](const std::string& property, flattening::OptionValue& value) {
-      const flattening::Option* const given = values.find(property);
-      if (given && given->owner == findOption(ownerOf(this), property)->owner)
-      {
-        value = values[property];
-      }
-    });
-  this->VisitOptions(visit);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkFlatteningAlgorithm::DescribeIdleOption(const std::string& given, int spelling)
-{
-  // The conformal map is a scheme among others for a program that has one call for all of them.
-  const bool conformal = ownerOf(this) == flattening::OptionOwner::Conformal;
-  flattening::OptionValues values(conformal ? flattening::OptionOwner::Warping : ownerOf(this));
-  if (conformal)
+  flattening::OptionValues values = this->AllOptions();
+  if (ownerOf(this) == flattening::OptionOwner::Conformal)
   {
+    // The conformal map is a scheme among others in what options need.
+    values = flattening::OptionValues(flattening::OptionOwner::Warping);
     values.setWord("Scheme", "lscm");
     values.markGiven("Scheme");
   }
-  flattening::bridge::OptionVisitor visit(
-    [&values](const std::string& property, flattening::OptionValue& value) {
-      values.set(property, value);
-    });
-  this->VisitOptions(visit);
   std::istringstream names(given);
   for (std::string name; names >> name;)
   {
     values.markGiven(name);
   }
-  return flattening::describeIdleOption(values, static_cast<flattening::OptionSpelling>(spelling));
+  return flattening::describeIdleOption(values, flattening::OptionSpelling::Property);
 }
 
 //------------------------------------------------------------------------------
 void vtkFlatteningAlgorithm::SetDefaultOptions()
 {
   // Within a constructor these are the options of its class and of those that it derives from.
-  flattening::bridge::OptionVisitor visit = flattening::bridge::defaultsOf(ownerOf(this));
-  this->VisitOptions(visit);
+  this->Options = std::make_unique<flattening::OptionValues>(ownerOf(this));
 }
 
 //------------------------------------------------------------------------------
-const char* vtkFlatteningAlgorithm::GetOptionWord(const char* property, int value) const
+void vtkFlatteningAlgorithm::SetNumberOption(const char* property, double value)
 {
-  return findOption(ownerOf(this), property)->words[static_cast<std::size_t>(value)].name.c_str();
+  if (flattening::bridge::setNumber(*this->Options, property, value))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkFlatteningAlgorithm::GetNumberOption(const char* property) const
+{
+  return this->Options->number(property);
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::SetTextOption(const char* property, const char* text)
+{
+  if (flattening::bridge::setText(*this->Options, property, text ? text : ""))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFlatteningAlgorithm::GetTextOption(const char* property) const
+{
+  return std::get<std::string>((*this->Options)[property]).c_str();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkFlatteningAlgorithm::GetOptionWord(const char* property) const
+{
+  return flattening::bridge::nameOfWord(*this->Options, property);
+}
+
+//------------------------------------------------------------------------------
+flattening::OptionValues vtkFlatteningAlgorithm::AllOptions()
+{
+  flattening::OptionValues values = *this->Options;
+  this->AddOtherOptions(values);
+  return values;
 }
 
 //------------------------------------------------------------------------------
@@ -235,8 +251,14 @@ void vtkFlatteningAlgorithm::SetText(std::string& kept, const char* text)
 flattening::OptionStructures vtkFlatteningAlgorithm::OptionsForCore()
 {
   flattening::OptionStructures structures;
-  flattening::bridge::OptionVisitor visit = flattening::bridge::copierTo(ownerOf(this), structures);
-  this->VisitOptions(visit);
+  const flattening::OptionValues values = this->AllOptions();
+  for (const flattening::Option* const option : values.options())
+  {
+    if (option->set)
+    {
+      option->set(structures, values[option->property]);
+    }
+  }
   return structures;
 }
 
@@ -648,9 +670,7 @@ void vtkFlatteningAlgorithm::WriteRunStatus(vtkPolyData* output) const
 void vtkFlatteningAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  flattening::bridge::OptionVisitor print =
-    flattening::bridge::printerOf(ownerOf(this), os, indent);
-  this->VisitOptions(print);
+  flattening::bridge::print(this->AllOptions(), os, indent);
   os << indent << "Status: " << this->GetStatusName() << "\n";
   os << indent << "StatusMessage: " << this->StatusMessage << "\n";
   os << indent << "StatusIds: " << this->StatusIds->GetNumberOfValues() << " ids\n";

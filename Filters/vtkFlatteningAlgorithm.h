@@ -65,10 +65,59 @@ class OptionValues;
 struct Status;
 namespace bridge
 {
-class OptionVisitor;
 struct SurfaceOwners;
 }
 }
+
+/// Properties that are options of the table, which has their defaults and ranges.
+#define vtkFlatteningNumberMacro(name, type)                                                       \
+  virtual void Set##name(type value)                                                               \
+  {                                                                                                \
+    this->SetNumberOption(#name, value);                                                           \
+  }                                                                                                \
+  virtual type Get##name() const                                                                   \
+  {                                                                                                \
+    return static_cast<type>(this->GetNumberOption(#name));                                        \
+  }
+#define vtkFlatteningWordMacro(name)                                                               \
+  virtual void Set##name(int value)                                                                \
+  {                                                                                                \
+    this->SetNumberOption(#name, value);                                                           \
+  }                                                                                                \
+  virtual int Get##name() const                                                                    \
+  {                                                                                                \
+    return static_cast<int>(this->GetNumberOption(#name));                                         \
+  }                                                                                                \
+  virtual const char* Get##name##AsString() const                                                  \
+  {                                                                                                \
+    return this->GetOptionWord(#name);                                                             \
+  }
+#define vtkFlatteningFlagMacro(name)                                                               \
+  virtual void Set##name(bool value)                                                               \
+  {                                                                                                \
+    this->SetNumberOption(#name, value ? 1.0 : 0.0);                                               \
+  }                                                                                                \
+  virtual bool Get##name() const                                                                   \
+  {                                                                                                \
+    return this->GetNumberOption(#name) != 0.0;                                                    \
+  }                                                                                                \
+  virtual void name##On()                                                                          \
+  {                                                                                                \
+    this->Set##name(true);                                                                         \
+  }                                                                                                \
+  virtual void name##Off()                                                                         \
+  {                                                                                                \
+    this->Set##name(false);                                                                        \
+  }
+#define vtkFlatteningTextMacro(name)                                                               \
+  virtual void Set##name(const char* text)                                                         \
+  {                                                                                                \
+    this->SetTextOption(#name, text);                                                              \
+  }                                                                                                \
+  virtual const char* Get##name() const                                                            \
+  {                                                                                                \
+    return this->GetTextOption(#name);                                                             \
+  }
 
 class VTKFILTERSFLATTENING_EXPORT vtkFlatteningAlgorithm : public vtkPolyDataAlgorithm
 {
@@ -214,25 +263,10 @@ public:
   ///@}
 
   /**
-   * Sets all properties that are options, for programs that are built with this project.
-   */
-  void SetOptions(const flattening::OptionValues& values);
-
-  /**
-   * How DescribeIdleOption() calls options: as properties, as the command or as Python does.
-   */
-  enum OptionSpellings
-  {
-    PROPERTIES = 0,
-    COMMAND = 1,
-    PYTHON = 2
-  };
-
-  /**
    * What is wrong with the first of these properties (names with blanks between them) that has no
    * effect with the values of the others; empty: nothing. A run ignores such properties.
    */
-  std::string DescribeIdleOption(const std::string& given, int spelling = PROPERTIES);
+  std::string DescribeIdleOption(const std::string& given);
 
   /**
    * A run that was aborted is done again by the next Update(), although nothing was changed.
@@ -251,19 +285,26 @@ protected:
   void SetTablePort(int port);
 
   /**
-   * Visits the members that are options, each by the name of its property.
-   */
-  virtual void VisitOptions(flattening::bridge::OptionVisitor& visit);
-
-  /**
    * Gives all options their defaults; the constructor of each class that has some calls it.
    */
   void SetDefaultOptions();
 
+  ///@{
   /**
-   * The name of a value of an enumeration.
+   * The options by the names of their properties: numbers, within their ranges, and flags; texts,
+   * null for an empty one; the name of the value of an enumeration.
    */
-  const char* GetOptionWord(const char* property, int value) const;
+  void SetNumberOption(const char* property, double value);
+  double GetNumberOption(const char* property) const;
+  void SetTextOption(const char* property, const char* text);
+  const char* GetTextOption(const char* property) const;
+  const char* GetOptionWord(const char* property) const;
+  ///@}
+
+  /**
+   * Sets options that are kept elsewhere.
+   */
+  virtual void AddOtherOptions(flattening::OptionValues& vtkNotUsed(values)) {}
 
   /**
    * Sets a text, null for an empty one; modified by a change alone.
@@ -274,6 +315,7 @@ protected:
    * The values of all options, for Core.
    */
   flattening::OptionStructures OptionsForCore();
+  flattening::OptionValues AllOptions();
 
   /**
    * Called before and after a run, once also where the input is a composite data set, for whose
@@ -336,6 +378,7 @@ private:
   bool Distributed = false;
   bool AmongBlocks = false;
   /// Of the surface, or of each block, and of that which is at hand.
+  std::unique_ptr<flattening::OptionValues> Options; ///< of the table
   std::unique_ptr<std::map<const vtkDataObject*, flattening::bridge::SurfaceOwners>> AllOwners;
   std::unique_ptr<flattening::bridge::SurfaceOwners> Owners;
   std::string StatusMessage;

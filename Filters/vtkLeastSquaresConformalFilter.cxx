@@ -2,7 +2,6 @@
 #include "vtkLeastSquaresConformalFilter.h"
 
 #include "Flattening/SurfaceFlattening.h"
-#include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
 
@@ -17,11 +16,11 @@ vtkLeastSquaresConformalFilter::vtkLeastSquaresConformalFilter()
 }
 
 //------------------------------------------------------------------------------
-void vtkLeastSquaresConformalFilter::VisitOptions(flattening::bridge::OptionVisitor& visit)
+void vtkLeastSquaresConformalFilter::AddOtherOptions(flattening::OptionValues& values)
 {
-  this->Superclass::VisitOptions(visit);
-  visit("AreaNormalized", this->AreaNormalized);
-  visit("Pins", this->Pins);
+  this->Superclass::AddOtherOptions(values);
+  values.set("Pins",
+    std::vector<double>{ static_cast<double>(this->Pins[0]), static_cast<double>(this->Pins[1]) });
 }
 
 //------------------------------------------------------------------------------

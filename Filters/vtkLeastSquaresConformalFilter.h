@@ -52,23 +52,20 @@ public:
    * Divide the two equations of each triangle by the root of its area, as Levy et al. do, so that
    * every triangle counts by its area. Off, large triangles count more. Default: on.
    */
-  vtkSetMacro(AreaNormalized, bool);
-  vtkGetMacro(AreaNormalized, bool);
-  vtkBooleanMacro(AreaNormalized, bool);
+  vtkFlatteningFlagMacro(AreaNormalized);
   ///@}
 
 protected:
   vtkLeastSquaresConformalFilter();
   ~vtkLeastSquaresConformalFilter() override = default;
 
-  void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
+  void AddOtherOptions(flattening::OptionValues& values) override;
+
   flattening::FlatteningOptions Settings() override;
 
 private:
   vtkLeastSquaresConformalFilter(const vtkLeastSquaresConformalFilter&) = delete;
   void operator=(const vtkLeastSquaresConformalFilter&) = delete;
-
-  bool AreaNormalized = false; ///< its default is the algorithm's
 };
 
 #endif

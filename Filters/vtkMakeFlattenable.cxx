@@ -8,7 +8,6 @@
 #include "FlatteningOutput.h"
 #include "ImprintOutput.h"
 #include "ListChanges.h"
-#include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
 #include "Report/FlatteningArrays.h"
@@ -70,16 +69,6 @@ vtkMakeFlattenable::vtkMakeFlattenable()
   this->SetTablePort(measurePort);
   this->Trials = vtkSmartPointer<vtkTable>::New();
   this->SetDefaultOptions();
-}
-
-//------------------------------------------------------------------------------
-void vtkMakeFlattenable::VisitOptions(flattening::bridge::OptionVisitor& visit)
-{
-  this->Superclass::VisitOptions(visit);
-  visit("Bound", this->Bound);
-  visit("KeepBoundary", this->KeepBoundary);
-  visit("OutsideBias", this->OutsideBias);
-  visit("Thickness", this->Thickness);
 }
 
 //------------------------------------------------------------------------------

@@ -77,17 +77,14 @@ public:
    * The strain, on 95 % of each piece's area, that is good enough. Default: 0.02. Range: [1e-6,
    * 0.99].
    */
-  vtkSetClampMacro(Bound, double, 1e-6, 0.99);
-  vtkGetMacro(Bound, double);
+  vtkFlatteningNumberMacro(Bound, double);
   ///@}
 
   ///@{
   /**
    * Leave the boundary of the surface where it is. Default: on.
    */
-  vtkSetMacro(KeepBoundary, bool);
-  vtkGetMacro(KeepBoundary, bool);
-  vtkBooleanMacro(KeepBoundary, bool);
+  vtkFlatteningFlagMacro(KeepBoundary);
   ///@}
 
   ///@{
@@ -106,8 +103,7 @@ public:
    * times one outwards; at 1 no point moves inwards. A dome over a boundary that stays can only
    * sink: with a bias it may need KeepBoundary off; at 0 both are alike. Default: 0. Range: 0 to 1.
    */
-  vtkSetClampMacro(OutsideBias, double, 0.0, 1.0);
-  vtkGetMacro(OutsideBias, double);
+  vtkFlatteningNumberMacro(OutsideBias, double);
   ///@}
 
   ///@{
@@ -115,8 +111,7 @@ public:
    * Thickness of a plate that bends as the cloth does that the surface is made of while it moves,
    * over the root of the area: see vtkSewnShape. Default: 0.001. Range: 0 to 1.
    */
-  vtkSetClampMacro(Thickness, double, 0.0, 1.0);
-  vtkGetMacro(Thickness, double);
+  vtkFlatteningNumberMacro(Thickness, double);
   ///@}
 
   ///@{
@@ -142,13 +137,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
-
   // Options have the defaults of the algorithms.
-  double Bound = 0.0;
-  bool KeepBoundary = false;
-  double OutsideBias = 0.0;
-  double Thickness = 0.0;
   std::set<std::string> KeptCurves;
 
 private:

@@ -6,7 +6,6 @@
 #include "Input/ClothInput.h"
 #include "Input/StatusWords.h"
 #include "ListChanges.h"
-#include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
 #include "PolyDataSets.h"
@@ -84,17 +83,11 @@ vtkSewnShape::vtkSewnShape()
 }
 
 //------------------------------------------------------------------------------
-void vtkSewnShape::VisitOptions(flattening::bridge::OptionVisitor& visit)
+void vtkSewnShape::AddOtherOptions(flattening::OptionValues& values)
 {
-  this->Superclass::VisitOptions(visit);
-  visit("Test", this->Test);
-  visit("Thickness", this->Thickness);
-  visit("AreaBias", this->AreaBias);
-  visit("MaximumIterations", this->MaximumIterations);
-  visit("Pressure", this->Pressure);
-  visit("Gravity", this->Gravity);
-  visit("Material", this->Material);
-  visit("SecondStart", this->SecondStart);
+  this->Superclass::AddOtherOptions(values);
+  values.set(
+    "Gravity", std::vector<double>{ this->Gravity[0], this->Gravity[1], this->Gravity[2] });
 }
 
 //------------------------------------------------------------------------------
@@ -144,9 +137,9 @@ int vtkSewnShape::RequestData(vtkInformation* vtkNotUsed(request),
   if (this->Conclude(input.outcome) && this->Conclude(body.outcome))
   {
     flattening::SewingOptions options = this->OptionsForCore().sewing;
-    if (!this->Material.empty())
+    if (*this->GetMaterial() != '\0')
     {
-      options.material = flattening::readCloth(this->Material).material;
+      options.material = flattening::readCloth(this->GetMaterial()).material;
     }
     options.body = body.get();
     const flattening::SewingResult result = flattening::sewPieces(

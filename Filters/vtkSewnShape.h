@@ -145,11 +145,9 @@ public:
    * has it; PRODUCT, nothing: seams are shared, hems are free, and the whole is laid over the
    * design by the rigid motion that brings their points nearest to each other. Default: PANEL.
    */
-  vtkSetClampMacro(Test, int, PANEL, PRODUCT);
-  vtkGetMacro(Test, int);
+  vtkFlatteningWordMacro(Test);
   void SetTestToPanel() { this->SetTest(PANEL); }
   void SetTestToProduct() { this->SetTest(PRODUCT); }
-  const char* GetTestAsString() const { return this->GetOptionWord("Test", this->Test); }
   ///@}
 
   ///@{
@@ -159,8 +157,7 @@ public:
    * and 2 kN/m is such a plate of 0.3 mm, which is 0.00075 of a piece of 40 cm. Default: 0.001.
    * Range: 0 to 1.
    */
-  vtkSetClampMacro(Thickness, double, 0.0, 1.0);
-  vtkGetMacro(Thickness, double);
+  vtkFlatteningNumberMacro(Thickness, double);
   ///@}
 
   ///@{
@@ -168,16 +165,14 @@ public:
    * Above 0 a change of area costs the cloth more than one of angle, below 0 less, as AreaBias of
    * vtkWireWarpingFilter does. Default: 0. Range: -0.99 to 0.99.
    */
-  vtkSetClampMacro(AreaBias, double, -0.99, 0.99);
-  vtkGetMacro(AreaBias, double);
+  vtkFlatteningNumberMacro(AreaBias, double);
   ///@}
 
   ///@{
   /**
    * Most iterations of a shape. Default: 300. Range: from 1.
    */
-  vtkSetClampMacro(MaximumIterations, int, 1, VTK_INT_MAX);
-  vtkGetMacro(MaximumIterations, int);
+  vtkFlatteningNumberMacro(MaximumIterations, int);
   ///@}
 
   ///@{
@@ -186,8 +181,7 @@ public:
    * of the cloth against stretch: 0.01 strains a ball by a few parts in a thousand. PRODUCT: what
    * is sewn together must be closed, as a cushion or a plush toy is. Default: 0. Range: -1 to 1.
    */
-  vtkSetClampMacro(Pressure, double, -1.0, 1.0);
-  vtkGetMacro(Pressure, double);
+  vtkFlatteningNumberMacro(Pressure, double);
   ///@}
 
   ///@{
@@ -206,8 +200,7 @@ public:
    * What the cloth is made of, as Material of vtkWireWarpingFilter: a name, or a JSON file. The
    * modulus is that of its stiffer thread. Default: empty, the isotropic sheet.
    */
-  void SetMaterial(const char* text) { this->SetText(this->Material, text); }
-  vtkGetCharFromStdStringMacro(Material);
+  vtkFlatteningTextMacro(Material);
   ///@}
 
   ///@{
@@ -217,17 +210,16 @@ public:
    * another shape: the figures are then those of one shape of several. It takes twice the time.
    * Default: on.
    */
-  vtkSetMacro(SecondStart, bool);
-  vtkGetMacro(SecondStart, bool);
-  vtkBooleanMacro(SecondStart, bool);
+  vtkFlatteningFlagMacro(SecondStart);
   ///@}
 
 protected:
   vtkSewnShape();
   ~vtkSewnShape() override = default;
 
+  void AddOtherOptions(flattening::OptionValues& values) override;
+
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -235,14 +227,7 @@ private:
   void operator=(const vtkSewnShape&) = delete;
 
   // Options have the defaults of the algorithms.
-  int Test = 0;
-  double Thickness = 0.0;
-  double AreaBias = 0.0;
-  int MaximumIterations = 0;
-  double Pressure = 0.0;
   double Gravity[3] = { 0.0, 0.0, 0.0 };
-  std::string Material;
-  bool SecondStart = false;
   vtkSmartPointer<vtkTable> Iterations; // of the last run
 };
 

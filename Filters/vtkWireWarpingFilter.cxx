@@ -3,7 +3,6 @@
 
 #include "Flattening/SurfaceFlattening.h"
 #include "ListChanges.h"
-#include "OptionVisitor.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
 
@@ -17,34 +16,6 @@ vtkStandardNewMacro(vtkWireWarpingFilter);
 vtkWireWarpingFilter::vtkWireWarpingFilter()
 {
   this->SetDefaultOptions();
-}
-
-//------------------------------------------------------------------------------
-void vtkWireWarpingFilter::VisitOptions(flattening::bridge::OptionVisitor& visit)
-{
-  this->Superclass::VisitOptions(visit);
-  visit("Scheme", this->Scheme);
-  visit("BoundaryMode", this->BoundaryMode);
-  visit("Interior", this->Interior);
-  visit("ReleaseKeys", this->ReleaseKeys);
-  visit("DartLegs", this->DartLegs);
-  visit("Solver", this->Solver);
-  visit("ReleaseTrials", this->ReleaseTrials);
-  visit("DistortionEnergy", this->DistortionEnergy);
-  visit("AreaBias", this->AreaBias);
-  visit("AngleWeight", this->AngleWeight);
-  visit("MaximumIterations", this->MaximumIterations);
-  visit("ClosureTolerance", this->ClosureTolerance);
-  visit("OptimalityTolerance", this->OptimalityTolerance);
-  visit("IsometricMaximumIterations", this->IsometricMaximumIterations);
-  visit("IsometricTolerance", this->IsometricTolerance);
-  visit("RigidEnergyTolerance", this->RigidEnergyTolerance);
-  visit("RigidMaximumIterations", this->RigidMaximumIterations);
-  visit("RelaxationFactor", this->RelaxationFactor);
-  visit("RelaxationMovement", this->RelaxationMovement);
-  visit("RelaxationMinimumIterations", this->RelaxationMinimumIterations);
-  visit("RelaxationMaximumIterations", this->RelaxationMaximumIterations);
-  visit("MaximumLengthError", this->MaximumLengthError);
 }
 
 //------------------------------------------------------------------------------

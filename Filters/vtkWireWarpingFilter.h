@@ -72,12 +72,10 @@ public:
    * angles together (Eq. 13); ISOMETRIC, wires and interior together, which distorts least. The
    * conformal map is vtkLeastSquaresConformalFilter. Default: ISOMETRIC.
    */
-  vtkSetClampMacro(Scheme, int, PROGRESSIVE, ISOMETRIC);
-  vtkGetMacro(Scheme, int);
+  vtkFlatteningWordMacro(Scheme);
   void SetSchemeToProgressive() { this->SetScheme(PROGRESSIVE); }
   void SetSchemeToGlobal() { this->SetScheme(GLOBAL); }
   void SetSchemeToIsometric() { this->SetScheme(ISOMETRIC); }
-  const char* GetSchemeAsString() const { return this->GetOptionWord("Scheme", this->Scheme); }
   ///@}
 
   /// Which lengths of the boundary are kept.
@@ -94,14 +92,9 @@ public:
    * whether they lie inside or name a stretch of the boundary. A piece may be without any. Default:
    * EXACT_BOUNDARY.
    */
-  vtkSetClampMacro(BoundaryMode, int, EXACT_BOUNDARY, FREE_BOUNDARY);
-  vtkGetMacro(BoundaryMode, int);
+  vtkFlatteningWordMacro(BoundaryMode);
   void SetBoundaryModeToExact() { this->SetBoundaryMode(EXACT_BOUNDARY); }
   void SetBoundaryModeToFree() { this->SetBoundaryMode(FREE_BOUNDARY); }
-  const char* GetBoundaryModeAsString() const
-  {
-    return this->GetOptionWord("BoundaryMode", this->BoundaryMode);
-  }
   ///@}
 
   /**
@@ -123,11 +116,9 @@ public:
    * directions of the wire edges; SEQUENTIAL, the paper's sequential linearly constrained
    * programming (Eq. 15). The ISOMETRIC scheme starts from its solution. Default: NEWTON.
    */
-  vtkSetClampMacro(Solver, int, NEWTON, SEQUENTIAL);
-  vtkGetMacro(Solver, int);
+  vtkFlatteningWordMacro(Solver);
   void SetSolverToNewton() { this->SetSolver(NEWTON); }
   void SetSolverToSequential() { this->SetSolver(SEQUENTIAL); }
-  const char* GetSolverAsString() const { return this->GetOptionWord("Solver", this->Solver); }
   ///@}
 
   /// How the points between the wires are placed.
@@ -145,24 +136,17 @@ public:
    * AS_RIGID_AS_POSSIBLE, from a harmonic map on, with the wires pinned. Scheme ISOMETRIC only
    * starts there. Default: AS_RIGID_AS_POSSIBLE.
    */
-  vtkSetClampMacro(Interior, int, LAPLACIAN, AS_RIGID_AS_POSSIBLE);
-  vtkGetMacro(Interior, int);
+  vtkFlatteningWordMacro(Interior);
   void SetInteriorToLaplacian() { this->SetInterior(LAPLACIAN); }
   void SetInteriorToRelaxation() { this->SetInterior(RELAXATION); }
   void SetInteriorToAsRigidAsPossible() { this->SetInterior(AS_RIGID_AS_POSSIBLE); }
-  const char* GetInteriorAsString() const
-  {
-    return this->GetOptionWord("Interior", this->Interior);
-  }
   ///@}
 
   ///@{
   /**
    * Treat key curves as accessory curves: their length is kept, their shape is free. Default: off.
    */
-  vtkSetMacro(ReleaseKeys, bool);
-  vtkGetMacro(ReleaseKeys, bool);
-  vtkBooleanMacro(ReleaseKeys, bool);
+  vtkFlatteningFlagMacro(ReleaseKeys);
   ///@}
 
   ///@{
@@ -171,9 +155,7 @@ public:
    * flattenings of the piece, by ISOMETRIC of about two seconds (counted by the work, not by the
    * clock). Off: the curves are ranked by their sensitivity alone. Default: on.
    */
-  vtkSetMacro(ReleaseTrials, bool);
-  vtkGetMacro(ReleaseTrials, bool);
-  vtkBooleanMacro(ReleaseTrials, bool);
+  vtkFlatteningFlagMacro(ReleaseTrials);
   ///@}
 
   /// How the legs of a dart lie.
@@ -192,15 +174,10 @@ public:
    * other, which costs distortion; a dart with two tips is MIRRORED, since straight legs would
    * close it. Darts whose legs cannot be so keep free ones (`Fallbacks`). Default: MIRRORED.
    */
-  vtkSetClampMacro(DartLegs, int, FREE, MIRRORED);
-  vtkGetMacro(DartLegs, int);
+  vtkFlatteningWordMacro(DartLegs);
   void SetDartLegsToFree() { this->SetDartLegs(FREE); }
   void SetDartLegsToStraight() { this->SetDartLegs(STRAIGHT); }
   void SetDartLegsToMirrored() { this->SetDartLegs(MIRRORED); }
-  const char* GetDartLegsAsString() const
-  {
-    return this->GetOptionWord("DartLegs", this->DartLegs);
-  }
   ///@}
 
   ///@{
@@ -221,8 +198,7 @@ public:
   /**
    * Most iterations of the solver of the angles, a piece. Default: 300. Range: from 1.
    */
-  vtkSetClampMacro(MaximumIterations, int, 1, VTK_INT_MAX);
-  vtkGetMacro(MaximumIterations, int);
+  vtkFlatteningNumberMacro(MaximumIterations, int);
   ///@}
 
   ///@{
@@ -231,10 +207,8 @@ public:
    * perimeter, and no entry of the gradient of the Lagrangian is larger. Default: 1e-12 and 1e-10.
    * Range: from 0.
    */
-  vtkSetClampMacro(ClosureTolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(ClosureTolerance, double);
-  vtkSetClampMacro(OptimalityTolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(OptimalityTolerance, double);
+  vtkFlatteningNumberMacro(ClosureTolerance, double);
+  vtkFlatteningNumberMacro(OptimalityTolerance, double);
   ///@}
 
   ///@{
@@ -243,10 +217,8 @@ public:
    * when no point moves farther than a fraction of the mean wire edge. Default: 1.5 and 1e-5.
    * Range: (0, 2), and from 0.
    */
-  vtkSetMacro(RelaxationFactor, double);
-  vtkGetMacro(RelaxationFactor, double);
-  vtkSetClampMacro(RelaxationMovement, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(RelaxationMovement, double);
+  vtkFlatteningNumberMacro(RelaxationFactor, double);
+  vtkFlatteningNumberMacro(RelaxationMovement, double);
   ///@}
 
   ///@{
@@ -254,10 +226,8 @@ public:
    * RELAXATION: fewest and most iterations. Default: 10 and 100. Range: from 0, and from 1; a
    * minimum above the maximum is refused (INVALID_OPTION).
    */
-  vtkSetClampMacro(RelaxationMinimumIterations, int, 0, VTK_INT_MAX);
-  vtkGetMacro(RelaxationMinimumIterations, int);
-  vtkSetClampMacro(RelaxationMaximumIterations, int, 1, VTK_INT_MAX);
-  vtkGetMacro(RelaxationMaximumIterations, int);
+  vtkFlatteningNumberMacro(RelaxationMinimumIterations, int);
+  vtkFlatteningNumberMacro(RelaxationMaximumIterations, int);
   ///@}
 
   ///@{
@@ -265,10 +235,8 @@ public:
    * AS_RIGID_AS_POSSIBLE: stop when the energy falls by less than a fraction of itself, and most
    * iterations. Default: 1e-9 and 200. Range: from 0, and from 1.
    */
-  vtkSetClampMacro(RigidEnergyTolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(RigidEnergyTolerance, double);
-  vtkSetClampMacro(RigidMaximumIterations, int, 1, VTK_INT_MAX);
-  vtkGetMacro(RigidMaximumIterations, int);
+  vtkFlatteningNumberMacro(RigidEnergyTolerance, double);
+  vtkFlatteningNumberMacro(RigidMaximumIterations, int);
   ///@}
 
   /// What deforming the sheet costs in the ISOMETRIC scheme.
@@ -286,15 +254,10 @@ public:
    * where a triangle collapses, so that none is flipped; AUTOMATIC_ENERGY: SYMMETRIC_DIRICHLET
    * where the boundary is free, else RIGID. Default: AUTOMATIC_ENERGY.
    */
-  vtkSetClampMacro(DistortionEnergy, int, RIGID, AUTOMATIC_ENERGY);
-  vtkGetMacro(DistortionEnergy, int);
+  vtkFlatteningWordMacro(DistortionEnergy);
   void SetDistortionEnergyToRigid() { this->SetDistortionEnergy(RIGID); }
   void SetDistortionEnergyToSymmetricDirichlet() { this->SetDistortionEnergy(SYMMETRIC_DIRICHLET); }
   void SetDistortionEnergyToAutomatic() { this->SetDistortionEnergy(AUTOMATIC_ENERGY); }
-  const char* GetDistortionEnergyAsString() const
-  {
-    return this->GetOptionWord("DistortionEnergy", this->DistortionEnergy);
-  }
   ///@}
 
   ///@{
@@ -302,8 +265,7 @@ public:
    * ISOMETRIC with RIGID: above 0 a change of area costs more than a change of angle, as in a stiff
    * sheet; below 0 less, as in a stretchy one. Default: 0. Range: [-0.99, 0.99].
    */
-  vtkSetClampMacro(AreaBias, double, -0.99, 0.99);
-  vtkGetMacro(AreaBias, double);
+  vtkFlatteningNumberMacro(AreaBias, double);
   ///@}
 
   ///@{
@@ -313,8 +275,7 @@ public:
    * presses is stiffer than one that it draws, so that none wrinkles; what a bend costs depends on
    * the surface, not on how finely it is divided. Default: 5. Range: [0, 100].
    */
-  vtkSetClampMacro(AngleWeight, double, 0.0, 100.0);
-  vtkGetMacro(AngleWeight, double);
+  vtkFlatteningNumberMacro(AngleWeight, double);
   ///@}
 
   ///@{
@@ -325,10 +286,8 @@ public:
    * more than 1e-10 of the root of the mean triangle area. Default: 100 and 1e-9. Range: from 1,
    * and from 0.
    */
-  vtkSetClampMacro(IsometricMaximumIterations, int, 1, VTK_INT_MAX);
-  vtkGetMacro(IsometricMaximumIterations, int);
-  vtkSetClampMacro(IsometricTolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(IsometricTolerance, double);
+  vtkFlatteningNumberMacro(IsometricMaximumIterations, int);
+  vtkFlatteningNumberMacro(IsometricTolerance, double);
   ///@}
 
   ///@{
@@ -336,8 +295,7 @@ public:
    * A wire edge whose relative length error is larger breaks the promise (LENGTH_ERROR). Default:
    * 1e-9. Range: from 0.
    */
-  vtkSetClampMacro(MaximumLengthError, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MaximumLengthError, double);
+  vtkFlatteningNumberMacro(MaximumLengthError, double);
   ///@}
 
 protected:
@@ -345,35 +303,12 @@ protected:
   ~vtkWireWarpingFilter() override = default;
 
   flattening::FlatteningOptions Settings() override;
-  void VisitOptions(flattening::bridge::OptionVisitor& visit) override;
 
 private:
   vtkWireWarpingFilter(const vtkWireWarpingFilter&) = delete;
   void operator=(const vtkWireWarpingFilter&) = delete;
-
-  int Scheme = 0; // as all options at first by SetDefaultOptions()
-  int BoundaryMode = 0;
-  int Solver = 0;
-  int Interior = 0;
-  bool ReleaseKeys = false;
-  bool ReleaseTrials = false;
-  int DartLegs = 0;
-  int MaximumIterations = 0;
-  double ClosureTolerance = 0.0;
-  double OptimalityTolerance = 0.0;
-  double RelaxationFactor = 0.0;
-  double RelaxationMovement = 0.0;
-  int RelaxationMinimumIterations = 0;
-  int RelaxationMaximumIterations = 0;
-  double RigidEnergyTolerance = 0.0;
-  int RigidMaximumIterations = 0;
-  int DistortionEnergy = 0;
-  double AreaBias = 0.0;
-  double AngleWeight = 0.0;
-  int IsometricMaximumIterations = 0;
-  double IsometricTolerance = 0.0;
+  // as all options at first by SetDefaultOptions()
   std::map<std::pair<std::string, int>, double> Eases; ///< by curve and piece
-  double MaximumLengthError = 0.0;
 };
 
 #endif

@@ -11,6 +11,7 @@
 #include "GradingData.h"
 #include "Input/StatusWords.h"
 #include "ListChanges.h"
+#include "OptionProperties.h"
 #include "Outlines/DrawingSource.h"
 #include "PatternInput.h"
 
@@ -95,15 +96,8 @@ const char* vtkPatternWriter::GetFileFormatAsString() const
 //------------------------------------------------------------------------------
 void vtkPatternWriter::SetNumberOption(const char* property, double value)
 {
-  const flattening::Option& option = *this->Options->find(property);
-  // Where the option follows from the input -1 is that.
-  const double least = std::min(option.minimum, std::get<double>(option.byDefault));
-  const double most = option.words.empty() ? option.maximum : option.words.size() - 1.0;
-  const bool ranged = option.type != flattening::OptionType::Flag;
-  const double within = ranged ? std::min(std::max(value, least), most) : value;
-  if (within != this->GetNumberOption(property))
+  if (flattening::bridge::setNumber(*this->Options, property, value))
   {
-    this->Options->set(property, within);
     this->Modified();
   }
 }
@@ -115,26 +109,24 @@ double vtkPatternWriter::GetNumberOption(const char* property) const
 }
 
 //------------------------------------------------------------------------------
-void vtkPatternWriter::SetTextOption(const char* property, const std::string& text)
+void vtkPatternWriter::SetTextOption(const char* property, const char* text)
 {
-  if (text != this->GetTextOption(property))
+  if (flattening::bridge::setText(*this->Options, property, text ? text : ""))
   {
-    this->Options->set(property, text);
     this->Modified();
   }
 }
 
 //------------------------------------------------------------------------------
-std::string vtkPatternWriter::GetTextOption(const char* property) const
+const char* vtkPatternWriter::GetTextOption(const char* property) const
 {
-  return this->Options->text(property);
+  return std::get<std::string>((*this->Options)[property]).c_str();
 }
 
 //------------------------------------------------------------------------------
 const char* vtkPatternWriter::GetOptionWord(const char* property) const
 {
-  const auto word = static_cast<std::size_t>(this->GetNumberOption(property));
-  return this->Options->find(property)->words[word].name.c_str();
+  return flattening::bridge::nameOfWord(*this->Options, property);
 }
 
 //------------------------------------------------------------------------------
@@ -580,14 +572,7 @@ void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "FileFormat: " << this->GetFileFormatAsString() << "\n";
-  for (const flattening::Option* const option : this->Options->options())
-  {
-    if (option->type != flattening::OptionType::List)
-    {
-      os << indent << option->property << ": "
-         << printed(*option, (*this->Options)[option->property]) << "\n";
-    }
-  }
+  flattening::bridge::print(*this->Options, os, indent);
   os << indent << "Status: " << this->StatusName << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
   os << indent << "Unit: " << this->GetUnitAsString() << "\n";

@@ -91,8 +91,9 @@
 #ifndef vtkPatternWriter_h
 #define vtkPatternWriter_h
 
-#include "vtkIOPatternModule.h" // for the export macro
-#include "vtkSmartPointer.h"    // for the remedies
+#include "vtkFlatteningAlgorithm.h" // for the macros of options
+#include "vtkIOPatternModule.h"     // for the export macro
+#include "vtkSmartPointer.h"        // for the remedies
 #include "vtkWriter.h"
 
 #include <memory> // for what is kept from file to file
@@ -114,34 +115,6 @@ struct PatternOptions;
 class vtkDataObject;
 class vtkPolyData;
 class vtkStringArray;
-
-/// A property that is an option of the table, which has its default and range.
-#define vtkPatternNumberMacro(name, type)                                                          \
-  virtual void Set##name(type value)                                                               \
-  {                                                                                                \
-    this->SetNumberOption(#name, value);                                                           \
-  }                                                                                                \
-  virtual type Get##name() const                                                                   \
-  {                                                                                                \
-    return static_cast<type>(this->GetNumberOption(#name));                                        \
-  }
-#define vtkPatternFlagMacro(name)                                                                  \
-  virtual void Set##name(bool value)                                                               \
-  {                                                                                                \
-    this->SetNumberOption(#name, value ? 1.0 : 0.0);                                               \
-  }                                                                                                \
-  virtual bool Get##name() const                                                                   \
-  {                                                                                                \
-    return this->GetNumberOption(#name) != 0.0;                                                    \
-  }                                                                                                \
-  virtual void name##On()                                                                          \
-  {                                                                                                \
-    this->Set##name(true);                                                                         \
-  }                                                                                                \
-  virtual void name##Off()                                                                         \
-  {                                                                                                \
-    this->Set##name(false);                                                                        \
-  }
 
 class VTKIOPATTERN_EXPORT vtkPatternWriter : public vtkWriter
 {
@@ -205,7 +178,7 @@ public:
    * key curves ff00ff, other curves 808000, notches 00ff00, marks on darts 008000, drill
    * holes 00ffff, the grain 000000. Default: off.
    */
-  vtkPatternFlagMacro(LaserColors);
+  vtkFlatteningFlagMacro(LaserColors);
   ///@}
 
   ///@{
@@ -215,7 +188,7 @@ public:
    * curves, notches, drill holes, grain) and TEXT, polylines with arcs that are within 0.03 mm of
    * the drawing, no points; sheet materials have no grainline. Default: off.
    */
-  vtkPatternFlagMacro(CutterStyle);
+  vtkFlatteningFlagMacro(CutterStyle);
   ///@}
 
   /**
@@ -235,20 +208,19 @@ public:
    * Paper of a PDF. SHEET: one page as large as the pattern, or where that is
    * larger than 5080 mm, which PDF allows, pages of that size to be joined. Default: A4.
    */
-  vtkPatternNumberMacro(Paper, int);
+  vtkFlatteningWordMacro(Paper);
   void SetPaperToA4() { this->SetPaper(A4); }
   void SetPaperToLetter() { this->SetPaper(LETTER); }
   void SetPaperToA3() { this->SetPaper(A3); }
   void SetPaperToA0() { this->SetPaper(A0); }
   void SetPaperToSheet() { this->SetPaper(SHEET); }
-  const char* GetPaperAsString() const { return this->GetOptionWord("Paper"); }
   ///@}
 
   ///@{
   /**
    * How far pages of a PDF overlap, in millimetres. Default: 10. Range: 0 to 50.
    */
-  vtkPatternNumberMacro(PageOverlap, double);
+  vtkFlatteningNumberMacro(PageOverlap, double);
   ///@}
 
   ///@{
@@ -256,7 +228,7 @@ public:
    * A pattern that needs more pages is refused, since its unit is likely wrong. Default: 200.
    * Range: 1 to 100000.
    */
-  vtkPatternNumberMacro(MaximumPages, int);
+  vtkFlatteningNumberMacro(MaximumPages, int);
   ///@}
 
   ///@{
@@ -264,7 +236,7 @@ public:
    * Add the walk of the seams to a PDF, a table on A4 pages after the pattern, which do not count
    * as its pages. Default: off.
    */
-  vtkPatternFlagMacro(WalkTable);
+  vtkFlatteningFlagMacro(WalkTable);
   ///@}
 
   ///@{
@@ -324,23 +296,21 @@ public:
   /**
    * Name of the pattern, any UTF-8 text. Default: "pattern".
    */
-  void SetPatternName(const std::string& name) { this->SetTextOption("PatternName", name); }
-  std::string GetPatternName() const { return this->GetTextOption("PatternName"); }
+  vtkFlatteningTextMacro(PatternName);
   ///@}
 
   ///@{
   /**
    * Size that the pattern is for, any UTF-8 text. Without one none is written. Default: empty.
    */
-  void SetPatternSize(const std::string& size) { this->SetTextOption("PatternSize", size); }
-  std::string GetPatternSize() const { return this->GetTextOption("PatternSize"); }
+  vtkFlatteningTextMacro(PatternSize);
   ///@}
 
   ///@{
   /**
    * How many of each piece are cut. Default: 1. Range: 1 to 1000000.
    */
-  vtkPatternNumberMacro(Quantity, int);
+  vtkFlatteningNumberMacro(Quantity, int);
   ///@}
 
   ///@{
@@ -368,7 +338,7 @@ public:
    * Seam allowance, in millimetres, where no curve has its own; -1: 10, and 0 of a material whose
    * edges do not fray. Default: -1. Range: 0 to 1e6, or -1.
    */
-  vtkPatternNumberMacro(Allowance, double);
+  vtkFlatteningNumberMacro(Allowance, double);
   ///@}
 
   ///@{
@@ -390,7 +360,7 @@ public:
    * A corner of the cut line is no farther from its sew line's corner than this many allowances.
    * Default: 2. Range: 1 to 100.
    */
-  vtkPatternNumberMacro(MitreLimit, double);
+  vtkFlatteningNumberMacro(MitreLimit, double);
   ///@}
 
   ///@{
@@ -402,7 +372,7 @@ public:
    * the largest piece. A stretch with 10000 notches is an error. Default: -1. Range: 0 to
    * 1e6, or -1.
    */
-  vtkPatternNumberMacro(NotchSpacing, double);
+  vtkFlatteningNumberMacro(NotchSpacing, double);
   ///@}
 
   ///@{
@@ -436,8 +406,8 @@ public:
    * notch where a corner points into the cloth); and the border where feature curves and edges with
    * names end on it, and opposite on what is sewn to it, but at corners. Default: all off.
    */
-  vtkPatternFlagMacro(NotchCorners);
-  vtkPatternFlagMacro(NotchCurveEnds);
+  vtkFlatteningFlagMacro(NotchCorners);
+  vtkFlatteningFlagMacro(NotchCurveEnds);
   ///@}
 
   ///@{
@@ -445,7 +415,7 @@ public:
    * Length of a notch, in millimetres; it never reaches the sew line. Default: 5. Range: 0 to
    * 1e6.
    */
-  vtkPatternNumberMacro(NotchLength, double);
+  vtkFlatteningNumberMacro(NotchLength, double);
   ///@}
 
   /**
@@ -467,13 +437,12 @@ public:
    * or sizes are connected. UP_AUTOMATIC: of y and z the axis along which the surface is
    * larger; UP_NONE: no piece is turned. Default: UP_AUTOMATIC.
    */
-  vtkPatternNumberMacro(UpAxis, int);
+  vtkFlatteningWordMacro(UpAxis);
   void SetUpAxisToAutomatic() { this->SetUpAxis(UP_AUTOMATIC); }
   void SetUpAxisToX() { this->SetUpAxis(UP_X); }
   void SetUpAxisToY() { this->SetUpAxis(UP_Y); }
   void SetUpAxisToZ() { this->SetUpAxis(UP_Z); }
   void SetUpAxisToNone() { this->SetUpAxis(UP_NONE); }
-  const char* GetUpAxisAsString() const { return this->GetOptionWord("UpAxis"); }
   ///@}
 
   ///@{
@@ -482,7 +451,7 @@ public:
    * AA, in the middle and, where there is room, near both ends; a PDF on A4, letter or A3
    * lists them. Folded darts have none. Default: on.
    */
-  vtkPatternFlagMacro(JoinMarks);
+  vtkFlatteningFlagMacro(JoinMarks);
   ///@}
 
   ///@{
@@ -490,8 +459,8 @@ public:
    * Draw pieces longer along their grain (warp) and across it (weft), in per cent; below 0 shorter.
    * Default: all 0. Range: -20 to 20.
    */
-  vtkPatternNumberMacro(WarpCompensation, double);
-  vtkPatternNumberMacro(WeftCompensation, double);
+  vtkFlatteningNumberMacro(WarpCompensation, double);
+  vtkFlatteningNumberMacro(WeftCompensation, double);
   ///@}
 
   ///@{
@@ -499,8 +468,8 @@ public:
    * Thickness of the material, with which tables of joins have their bevels, and width of tabs to
    * glue on the first side of each join, in millimetres. Default: all 0. Range: 0 to 1e6.
    */
-  vtkPatternNumberMacro(Thickness, double);
-  vtkPatternNumberMacro(GlueTab, double);
+  vtkFlatteningNumberMacro(Thickness, double);
+  vtkFlatteningNumberMacro(GlueTab, double);
   ///@}
 
   ///@{
@@ -509,7 +478,7 @@ public:
    * cannot be folded (with branches, or with legs that are not each other's partners) are
    * always cut out. Default: off.
    */
-  vtkPatternFlagMacro(CutDartsOut);
+  vtkFlatteningFlagMacro(CutDartsOut);
   ///@}
 
   ///@{
@@ -518,7 +487,7 @@ public:
    * to be cut on the fold of the cloth. A note says so, and by how much the halves differed.
    * Other pieces are drawn whole. Default: off.
    */
-  vtkPatternFlagMacro(CutOnFold);
+  vtkFlatteningFlagMacro(CutOnFold);
   ///@}
 
   ///@{
@@ -541,7 +510,7 @@ public:
    * say. More than half of a dart's depth is an error when writing. Default: 0. Range: 0 to
    * 1e6.
    */
-  vtkPatternNumberMacro(DartTip, double);
+  vtkFlatteningNumberMacro(DartTip, double);
   ///@}
 
   ///@{
@@ -558,7 +527,7 @@ public:
    * included, draw the first alone, to be cut in pairs of which one is turned over. Off, both
    * are drawn and named each other's mirror image. Default: off.
    */
-  vtkPatternFlagMacro(CutPairs);
+  vtkFlatteningFlagMacro(CutPairs);
   ///@}
 
   ///@{
@@ -572,7 +541,7 @@ public:
    * stays. Panels of vtkGarmentCodeReader keep their edges but along curves with a
    * CurveFairTolerance. 0: as the mesh has them. Default: 0.2. Range: 0 to 100.
    */
-  vtkPatternNumberMacro(FairTolerance, double);
+  vtkFlatteningNumberMacro(FairTolerance, double);
   ///@}
 
   ///@{
@@ -595,7 +564,7 @@ public:
    * other, and why a piece is not drawn so. It is an error when writing where no line is
    * smooth. Default: off.
    */
-  vtkPatternFlagMacro(Symmetrize);
+  vtkFlatteningFlagMacro(Symmetrize);
   ///@}
 
   /**
@@ -613,7 +582,7 @@ public:
    * work, with the same result on every machine. A piece that is wider is an error when
    * writing (PatternTooLarge). Needs Clipper. 0: in rows. Default: 0. Range: 0 to 1e5.
    */
-  vtkPatternNumberMacro(FabricWidth, double);
+  vtkFlatteningNumberMacro(FabricWidth, double);
   ///@}
 
   ///@{
@@ -621,7 +590,7 @@ public:
    * The cloth of FabricWidth has an up and a down, as velvet and prints have, and all pieces lie
    * the same way; off, they may be turned by half a turn. Default: off.
    */
-  vtkPatternFlagMacro(FabricNap);
+  vtkFlatteningFlagMacro(FabricNap);
   ///@}
 
   ///@{
@@ -629,7 +598,7 @@ public:
    * Least distance of pieces on the cloth of FabricWidth, in millimetres. Default: 5. Range: 0 to
    * 1000.
    */
-  vtkPatternNumberMacro(FabricGap, double);
+  vtkFlatteningNumberMacro(FabricGap, double);
   ///@}
 
   ///@{
@@ -703,8 +672,8 @@ private:
   // Options of the table by their names.
   void SetNumberOption(const char* property, double value);
   double GetNumberOption(const char* property) const;
-  void SetTextOption(const char* property, const std::string& text);
-  std::string GetTextOption(const char* property) const;
+  void SetTextOption(const char* property, const char* text);
+  const char* GetTextOption(const char* property) const;
   const char* GetOptionWord(const char* property) const;
   flattening::pattern::FileOptions MakeOptions(int format);
   /// The data set of a port; null where there is none.

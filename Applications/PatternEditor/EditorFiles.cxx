@@ -368,7 +368,7 @@ bool EditorWindow::savePattern(const std::string& path)
       throw std::runtime_error("nothing is exported, since " + this->Live->message());
     }
     this->Pattern->SetUnitByName(this->Unit->currentText().toStdString());
-    this->Pattern->SetPatternName(this->Name);
+    this->Pattern->SetPatternName(this->Name.c_str());
     const figures::FlatPiece& result = this->Live->result();
     this->Pattern->SetInputData(0, result.flat);
     this->Pattern->SetInputData(1, result.wires);

@@ -190,7 +190,7 @@ TEST_F(PatternEditor, OptionsOfThePatternAreKeptWithTheCurves)
   EXPECT_EQ(pattern->GetAllowance(), -1.0);
   ASSERT_TRUE(this->window->openCurves(lines));
   EXPECT_EQ(pattern->GetAllowance(), 12.5);
-  EXPECT_EQ(pattern->GetPatternSize(), "38=M");
+  EXPECT_STREQ(pattern->GetPatternSize(), "38=M");
   EXPECT_EQ(pattern->GetPaper(), static_cast<int>(vtkPatternWriter::A0));
   EXPECT_FALSE(pattern->GetJoinMarks());
   EXPECT_EQ(pattern->GetQuantity(), 2);

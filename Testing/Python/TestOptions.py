@@ -51,7 +51,7 @@ def documented(path):
         text = file.read()
     for part in text.split("///@{")[1:]:
         comment, _, macros = part.partition("*/")
-        names = re.findall(r"vtk(?:Set(?:Clamp|Vector2)?|Pattern(?:Number|Flag))Macro\((\w+)", macros.partition("///@}")[0])
+        names = re.findall(r"vtk(?:Set(?:Clamp|Vector2)?|Flattening(?:Number|Word|Flag))Macro\((\w+)", macros.partition("///@}")[0])
         words = " ".join(line.strip(" *") for line in comment.splitlines())
         found = re.search(r"Default: (.*?)\.(?: |$)", words)
         if names:

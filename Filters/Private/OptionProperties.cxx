@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OptionProperties.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace flattening
+{
+namespace bridge
+{
+//------------------------------------------------------------------------------
+bool setNumber(OptionValues& values, const char* property, double number)
+{
+  const Option& option = *values.find(property);
+  double within = number;
+  if (!option.words.empty())
+  {
+    // A word without a name is a class of its own.
+    const auto names = std::count_if(option.words.begin(), option.words.end(),
+      [](const OptionWord& word) { return !word.name.empty(); });
+    within = std::clamp(number, 0.0, static_cast<double>(names - 1));
+  }
+  else if (option.minimum != option.maximum && !option.open)
+  {
+    const double least = std::min(option.minimum, std::get<double>(option.byDefault));
+    within = std::min(std::max(number, least), option.maximum);
+  }
+  const bool isOther = within != values.number(property);
+  if (isOther)
+  {
+    values.set(property, within);
+  }
+  return isOther;
+}
+
+//------------------------------------------------------------------------------
+bool setText(OptionValues& values, const char* property, const std::string& text)
+{
+  const bool isOther = text != std::get<std::string>(values[property]);
+  if (isOther)
+  {
+    values.set(property, text);
+  }
+  return isOther;
+}
+
+//------------------------------------------------------------------------------
+const char* nameOfWord(const OptionValues& values, const char* property)
+{
+  return values.find(property)
+    ->words[static_cast<std::size_t>(values.integer(property))]
+    .name.c_str();
+}
+
+//------------------------------------------------------------------------------
+void print(const OptionValues& values, std::ostream& os, vtkIndent indent)
+{
+  for (const Option* const option : values.options())
+  {
+    if (option->type != OptionType::List)
+    {
+      os << indent << option->property << ": " << printed(*option, values[option->property])
+         << "\n";
+    }
+  }
+}
+}
+}

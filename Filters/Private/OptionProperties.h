@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Options/OptionTable.h"
+
+#include <vtkIndent.h>
+
+#include <ostream>
+#include <string>
+
+namespace flattening
+{
+namespace bridge
+{
+/// Sets a number, of a word its place, within the range of its option; below it -1 where the option
+/// then follows from the input. \return whether it is another than before
+bool setNumber(OptionValues& values, const char* property, double number);
+
+/// Sets a text. \return whether it is another than before
+bool setText(OptionValues& values, const char* property, const std::string& text);
+
+/// What Get...AsString() returns.
+const char* nameOfWord(const OptionValues& values, const char* property);
+
+/// Prints all but lists, one per line.
+void print(const OptionValues& values, std::ostream& os, vtkIndent indent);
+}
+}
