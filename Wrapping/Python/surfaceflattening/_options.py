@@ -12,7 +12,9 @@ import sys
 import textwrap
 from numbers import Real
 from typing import (
-    Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Set, Tuple, TypeVar, get_args, get_type_hints)
+    Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Set, Tuple, TypeVar, Union, get_args,
+    get_type_hints
+)
 
 import numpy as np
 
