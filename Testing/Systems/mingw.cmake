@@ -1,4 +1,4 @@
-# Cross-compiles for Windows by Debian's g++-mingw-w64-x86-64-posix; see Testing/Systems/windows.
+# Cross-compiles for Windows by Debian's g++-mingw-w64-x86-64-posix; see Testing/Systems/without-vtk.
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)

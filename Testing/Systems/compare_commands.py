@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command of Windows under wine gives what the command of this machine gives: compare_windows.py OWN WINDOWS FOLDER."""
+"""A command without VTK gives what another one gives: compare_commands.py FOLDER OWN COMMAND..."""
 
 import json
 import pathlib
@@ -26,7 +26,7 @@ def run(command, words, folder):
     return ran.returncode, ran.stdout.decode("utf-8", "replace"), ran.stderr.decode("utf-8", "replace")
 
 
-def main(own, windows, folder):
+def main(folder, own, *other):
     folder = pathlib.Path(folder) / "Ärmel und Kragen"
     folder.mkdir(parents=True, exist_ok=True)
     worst = 0.0
@@ -34,12 +34,12 @@ def main(own, windows, folder):
         (folder / f"{name}.obj").write_text(surface, "utf-8")
         (folder / f"{name}.txt").write_text(curves, "utf-8")
         sides = []
-        for place, command in (("hier", [own]), ("dort", ["wine", windows])):
+        for place, command in (("hier", [own]), ("dort", other)):
             code, said, error = run(command, ["flatten", f"{name}.obj", f"{name}.txt", "-o", f"{name} {place}"], folder)
             assert code in (0, 1), f"{command}: {code}\n{said}{error}"
             sides.append((code, folder / f"{name} {place}"))
-        (code, here), (other, there) = sides
-        assert code == other, f"{name}: {code} and {other}"
+        (code, here), (code_there, there) = sides
+        assert code == code_there, f"{name}: {code} and {code_there}"
         reports = [json.loads((side / "report.json").read_text("utf-8")) for side in (here, there)]
         flat = places_of(here), places_of(there)
         size = max(abs(value) for point in flat[0] for value in point)
@@ -51,10 +51,10 @@ def main(own, windows, folder):
         print(f"{name}: differences up to {difference:.1e}")
     for words, wanted in ((["flatten", "fehlt.obj"], "fehlt.obj"), (["flatten", "Blatt.vtp"], "Blatt.vtp"),
                           (["flatten", "Blatt.obj", "--scheme", "nein"], "nein")):
-        code, said, error = run(["wine", windows], words, folder)
+        code, said, error = run(other, words, folder)
         assert code > 1 and wanted in error, f"{words}: {code}\n{said}{error}"
     (folder / "Liste.txt").write_text("Blatt.obj\nNaht.obj\n", "utf-8")
-    code, said, error = run(["wine", windows], ["batch", "Liste.txt", "-o", "Stapel"], folder)
+    code, said, error = run(other, ["batch", "Liste.txt", "-o", "Stapel"], folder)
     assert code in (0, 1) and (folder / "Stapel" / "Naht").is_dir(), f"batch: {code}\n{said}{error}"
     print(f"{len(PIECES)} pieces, differences up to {worst:.1e}; refusals and the batch")
 
