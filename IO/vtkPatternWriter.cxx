@@ -395,30 +395,6 @@ void vtkPatternWriter::RemoveAllPieceNames()
 }
 
 //------------------------------------------------------------------------------
-void vtkPatternWriter::SetCurveAllowance(const std::string& curve, double allowance)
-{
-  flattening::bridge::changeEntry(this, this->Lists->allowanceOfCurve, curve, allowance);
-}
-
-//------------------------------------------------------------------------------
-double vtkPatternWriter::GetCurveAllowance(const std::string& curve) const
-{
-  return valueOf(this->Lists->allowanceOfCurve, curve, this->GetAllowance());
-}
-
-//------------------------------------------------------------------------------
-bool vtkPatternWriter::HasCurveAllowance(const std::string& curve) const
-{
-  return this->Lists->allowanceOfCurve.count(curve) > 0;
-}
-
-//------------------------------------------------------------------------------
-void vtkPatternWriter::RemoveAllCurveAllowances()
-{
-  flattening::bridge::changeToNone(this, this->Lists->allowanceOfCurve);
-}
-
-//------------------------------------------------------------------------------
 void vtkPatternWriter::AddCurveNotch(const std::string& curve, double distance)
 {
   this->Lists->notchesOfCurve[curve].push_back(distance);
@@ -471,30 +447,6 @@ void vtkPatternWriter::RemoveAllDoubleNotches()
 }
 
 //------------------------------------------------------------------------------
-void vtkPatternWriter::SetCurveFairTolerance(const std::string& curve, double tolerance)
-{
-  flattening::bridge::changeEntry(this, this->Lists->fairToleranceOfCurve, curve, tolerance);
-}
-
-//------------------------------------------------------------------------------
-double vtkPatternWriter::GetCurveFairTolerance(const std::string& curve) const
-{
-  return valueOf(this->Lists->fairToleranceOfCurve, curve, this->GetFairTolerance());
-}
-
-//------------------------------------------------------------------------------
-bool vtkPatternWriter::HasCurveFairTolerance(const std::string& curve) const
-{
-  return this->Lists->fairToleranceOfCurve.count(curve) > 0;
-}
-
-//------------------------------------------------------------------------------
-void vtkPatternWriter::RemoveAllCurveFairTolerances()
-{
-  flattening::bridge::changeToNone(this, this->Lists->fairToleranceOfCurve);
-}
-
-//------------------------------------------------------------------------------
 void vtkPatternWriter::AddFold(const std::string& curve)
 {
   if (this->Lists->foldsAlong.insert(curve).second)
@@ -507,30 +459,6 @@ void vtkPatternWriter::AddFold(const std::string& curve)
 void vtkPatternWriter::RemoveAllFolds()
 {
   flattening::bridge::changeToNone(this, this->Lists->foldsAlong);
-}
-
-//------------------------------------------------------------------------------
-void vtkPatternWriter::SetCurveDartTip(const std::string& curve, double distance)
-{
-  flattening::bridge::changeEntry(this, this->Lists->dartTipOfCurve, curve, distance);
-}
-
-//------------------------------------------------------------------------------
-double vtkPatternWriter::GetCurveDartTip(const std::string& curve) const
-{
-  return valueOf(this->Lists->dartTipOfCurve, curve, this->GetDartTip());
-}
-
-//------------------------------------------------------------------------------
-bool vtkPatternWriter::HasCurveDartTip(const std::string& curve) const
-{
-  return this->Lists->dartTipOfCurve.count(curve) > 0;
-}
-
-//------------------------------------------------------------------------------
-void vtkPatternWriter::RemoveAllCurveDartTips()
-{
-  flattening::bridge::changeToNone(this, this->Lists->dartTipOfCurve);
 }
 
 //------------------------------------------------------------------------------
@@ -617,3 +545,29 @@ void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FabricEfficiency: " << this->FabricEfficiency << "\n";
   os << indent << "FollowPipeline: " << (this->FollowPipeline ? "On" : "Off") << "\n";
 }
+
+//------------------------------------------------------------------------------
+// Lengths of single curves, in place of that of all others.
+#define curveLengths(name, all, list)                                                              \
+  void vtkPatternWriter::SetCurve##name(const std::string& curve, double length)                   \
+  {                                                                                                \
+    flattening::bridge::changeEntry(this, this->Lists->list, curve, length);                       \
+  }                                                                                                \
+  double vtkPatternWriter::GetCurve##name(const std::string& curve) const                          \
+  {                                                                                                \
+    return valueOf(this->Lists->list, curve, this->Get##name());                                   \
+  }                                                                                                \
+  bool vtkPatternWriter::HasCurve##name(const std::string& curve) const                            \
+  {                                                                                                \
+    return this->Lists->list.count(curve) > 0;                                                     \
+  }                                                                                                \
+  void vtkPatternWriter::RemoveAllCurve##all()                                                     \
+  {                                                                                                \
+    flattening::bridge::changeToNone(this, this->Lists->list);                                     \
+  }
+// clang-format off
+curveLengths(Allowance, Allowances, allowanceOfCurve)
+curveLengths(DartTip, DartTips, dartTipOfCurve)
+curveLengths(FairTolerance, FairTolerances, fairToleranceOfCurve)
+// clang-format on
+#undef curveLengths

@@ -349,7 +349,7 @@ public:
    * there is an error when writing. Get gives Allowance where a curve has none of its
    * own.
    */
-  void SetCurveAllowance(const std::string& curve, double allowance);
+  void SetCurveAllowance(const std::string& curve, double length);
   double GetCurveAllowance(const std::string& curve) const;
   bool HasCurveAllowance(const std::string& curve) const;
   void RemoveAllCurveAllowances();
@@ -515,7 +515,7 @@ public:
 
   ///@{
   /// DartTip of the darts of a name. A name that is not there is an error when writing.
-  void SetCurveDartTip(const std::string& curve, double distance);
+  void SetCurveDartTip(const std::string& curve, double length);
   double GetCurveDartTip(const std::string& curve) const;
   bool HasCurveDartTip(const std::string& curve) const;
   void RemoveAllCurveDartTips();
@@ -550,7 +550,7 @@ public:
    * in millimetres from 0; smooth lines meet those that stay as the mesh has them (0) in a corner.
    * A name that is not there is an error when writing.
    */
-  void SetCurveFairTolerance(const std::string& curve, double tolerance);
+  void SetCurveFairTolerance(const std::string& curve, double length);
   double GetCurveFairTolerance(const std::string& curve) const;
   bool HasCurveFairTolerance(const std::string& curve) const;
   void RemoveAllCurveFairTolerances();

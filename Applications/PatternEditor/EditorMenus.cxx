@@ -82,7 +82,7 @@ constexpr std::array<const char*, vtkFeatureCurveWidget::NUMBER_OF_ACTIONS> sign
   "\u223C", "\u2299", "\u2316", "\u21B6", "\u21B7" };
 
 /// A sign as an icon of the style's size, in a color or that of texts.
-QIcon signIcon(const QString& sign, const QWidget& window, std::optional<QColor> color = {})
+QIcon signIcon(const QString& sign, const QWidget& window, const std::optional<QColor>& color = {})
 {
   const int size = window.style()->pixelMetric(QStyle::PM_SmallIconSize);
   QPixmap drawn(QSize(size, size) * window.devicePixelRatioF());
