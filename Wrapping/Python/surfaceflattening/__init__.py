@@ -16,7 +16,7 @@ Two ways to use it:
   at true scale; :func:`grade` lays the sizes of one pattern on each other, with their rule table.
 
 Neither needs a screen. The filters are in builds with VTK alone. All else needs no VTK but where it takes or gives meshes,
-and then that of the caller, of any version from 9.0; :func:`load_surface` and :func:`load_curves` read files as arrays.
+and then that of the caller; :func:`load_surface` and :func:`load_curves` read files as arrays.
 Start with help(surfaceflattening.flatten); help(surfaceflattening.Flattening), help(surfaceflattening.Report) and help(surfaceflattening.PieceReport) say what it gives, and each filter has a
 help() of its own, such as help(surfaceflattening.vtkWireWarpingFilter).
 
