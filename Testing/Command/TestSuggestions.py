@@ -229,7 +229,7 @@ class Suggestions(command.CommandTest):
         for option in (("--max-strain", "0.1"), ("--max-cuts", "3"), ("--max-work", "1"), ("--weights", "w")):
             run = self.run_command("cut", "dome.obj", "--kind", "lines", *option)
             self.assertEqual(run.returncode, 2, run.stdout)
-            self.assertIn(f"{option[0]} is for --kind darts, seams or all, not for --kind lines", run.stderr)
+            self.assertIn(f"{option[0]} is for --kind darts, seams, all or gores, not for --kind lines", run.stderr)
 
     def test_a_preference_names_a_curve(self):
         run = self.run_command("cut", "dome.obj", "--kind", "all", "--prefer", "waist=2")
