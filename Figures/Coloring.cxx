@@ -131,7 +131,7 @@ double roundedUp(double value)
   return 10.0 * power;
 }
 
-/// A cell array that is good in the middle, in colors to both sides as far as 5 to 95 % of it go.
+/// A cell array that is good in the middle, in colors that end at its 5th or 95th percentile.
 ColorMap divergingMap(
   const FlatPiece& piece, const char* name, const std::string& title, double middle)
 {
