@@ -127,10 +127,11 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound,
   const bool worked = suggestions.end == SearchEnd::WorkUsedUp;
   const std::string interrupted =
     "the search was interrupted after " + std::to_string(suggestions.trials) + " trials";
-  if (suggestions.end == SearchEnd::CutsUsedUp && suggestions.cutsNeeded > 0.0)
+  const std::string needed = std::to_string(std::lround(suggestions.cutsNeeded));
+  const bool more = suggestions.end == SearchEnd::CutsUsedUp && suggestions.cutsNeeded > 0.0;
+  if (more && suggestions.curves.empty())
   {
-    return "nothing was tried: the surface takes " +
-      std::to_string(std::lround(suggestions.cutsNeeded)) +
+    return "nothing was tried: the surface takes " + needed +
       " seams to be opened, more than the cuts allowed; allow as many";
   }
   if (std::isnan(suggestions.strainAfter) && suggestions.end == SearchEnd::Interrupted)
@@ -178,10 +179,12 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound,
     case SearchEnd::GivenUp:
       return left + "the search was given up, since " +
         (suggestions.cutsNeeded > 0.0 && suggestions.cutsNeeded < 1e6
-            ? "at this rate about " + std::to_string(std::lround(suggestions.cutsNeeded)) +
-              " cuts would be needed"
+            ? "at this rate about " + needed + " cuts would be needed"
             : std::string("cuts do not help here")) +
         "; smooth the surface, or take a larger bound, or 0 to use up the cuts";
+    case SearchEnd::CutsUsedUp:
+      return left + (more ? "about " + needed + " cuts would keep it; " : std::string()) +
+        "allow more or longer cuts, or a larger bound";
     default:
       return left + "allow more or longer cuts, seams as well as darts, or a larger bound";
   }

@@ -54,6 +54,8 @@ constexpr double mostChartSteps = 50.0;
 constexpr int mostPartings = 3;
 /// Where the mirror is worse than this, in sqrt(area / pi), cuts are tried from either side.
 constexpr double unlikeSides = 0.01;
+/// Of the work, what cuts in pairs may take where the mirror is not exact.
+constexpr double nearShare = 0.6;
 /// In snap distances of an imprint, how near points of the mirror plane's section are to it.
 constexpr double inPlaneShare = 2.0;
 
@@ -562,21 +564,29 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
     {
       continue;
     }
-    std::vector<SuggestedCurve> more = cuts;
     ChartOptions here = options;
     here.holes = straight; // the next time
-    // What is flat on few triangles, and not on many, is at least halved.
-    for (Index least : { 0, 2 })
+    std::vector<SuggestedCurve> found;
+    double worst = drawn.fault(p);
+    // What is flat on few triangles, and not on many, is parted into at least this number of
+    // charts.
+    for (Index least : { 0, 2, 3, 4, 6 })
     {
-      here.pieces = least;
-      ChartSearch search(pieces[p].mesh, std::nullopt, straight, here, budget, execution);
-      const std::vector<SuggestedCurve> found = search.run();
-      if (search.worst() < drawn.fault(p))
+      if (worst < (least > 2 ? 1.0 : drawn.fault(p)) || budget.spent())
       {
-        more.insert(more.end(), found.begin(), found.end());
         break;
       }
+      here.pieces = least;
+      ChartSearch search(pieces[p].mesh, std::nullopt, straight, here, budget, execution);
+      std::vector<SuggestedCurve> next = search.run();
+      if (search.worst() < worst)
+      {
+        worst = search.worst();
+        found = std::move(next);
+      }
     }
+    std::vector<SuggestedCurve> more = cuts;
+    more.insert(more.end(), found.begin(), found.end());
     if (more.size() == cuts.size())
     {
       continue;
@@ -607,14 +617,17 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
     return drawnOn(mesh, plane,
       chartCuts(fewTriangles(mesh, settledTriangles / 2), plane, options, budget, execution));
   }
-  ChartSearch first(mesh, plane, true, options, budget, execution);
+  // What is left has to do for cuts without the mirror, where its two sides differ too much.
+  const bool near = plane && plane->error > SurfaceMirror::exact && !options.mirrorKept;
+  TrialBudget trying(near ? nearShare * budget.left() : budget.left());
+  ChartSearch first(mesh, plane, true, options, trying, execution);
   std::vector<SuggestedCurve> cuts = first.run();
   const ChartSearch* best = &first;
   std::optional<ChartSearch> second;
   if (plane && plane->error > unlikeSides)
   {
     second.emplace(mesh, SymmetryPlane{ -plane->normal, -plane->offset, plane->error }, true,
-      options, budget, execution);
+      options, trying, execution);
     std::vector<SuggestedCurve> others = second->run();
     if (second->betterThan(first, options.bound))
     {
@@ -622,12 +635,14 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
       best = &*second;
     }
   }
-  // Halves may differ too much for the cuts of one to do for the other.
-  const bool unlike =
-    plane && plane->error > SurfaceMirror::exact && !options.mirrorKept && best->fails();
-  if (plane && (cuts.empty() || unlike))
+  budget.add(trying);
+  if (plane && (cuts.empty() || (near && best->fails())))
   {
-    return chartCuts(mesh, std::nullopt, options, budget, execution);
+    std::vector<SuggestedCurve> others = chartCuts(mesh, std::nullopt, options, budget, execution);
+    if (!others.empty())
+    {
+      return others;
+    }
   }
   const std::optional<SurfaceMirror> mirror =
     plane ? std::optional<SurfaceMirror>(*plane) : std::nullopt;

@@ -57,9 +57,6 @@ constexpr int mostLooser = 6;
 constexpr double forcedError = 0.25;
 /// Planes that mirror a surface better than this are taken before mirrors by lengths on it.
 constexpr double nearlyExact = 3e-3;
-/// What a flattening in which legs of darts fold on each other may take, by one in which they do
-/// not: mostly it is twice as much.
-constexpr double mostFolding = 4.0;
 /// Pieces are parted into strips this often at most.
 constexpr int mostStrippings = 3;
 /// Of the width allowed, that of strips: they are flattened anew and may come out a little wider.
@@ -450,7 +447,9 @@ private:
     const double most = wanted.maximumCuts > 0
       ? farTooManyCuts * static_cast<double>(wanted.maximumCuts)
       : mostChartCuts * cutSurface(surface.mesh, surface.curves).pieceCount;
-    for (int k = 0; k < mostLooser; ++k, bound *= looserBound)
+    const double noise = uncut.outcome.valid ? noiseShare * uncut.outcome.strainP95 : 1.0;
+    bool tooMany = false;
+    for (int k = 0; k < mostLooser; ++k)
     {
       TrialBudget budget(shareOfCharts * (this->Budget.left() - this->MostMeasuring));
       set = {};
@@ -459,15 +458,24 @@ private:
       needed = k == 0 ? set.cutsNeeded : needed;
       spent = budget.spent();
       this->Budget.add(budget);
-      if (set.cutsNeeded > most)
+      // The number of cuts falls with the root of the bound, as the width of strips grows.
+      const double excess = set.cutsNeeded / most;
+      const double looser = bound * std::max(looserBound, excess * excess);
+      if (excess > 1.0 && (looser > noise || k + 1 == mostLooser))
       {
-        return rejected(SearchEnd::GivenUp, needed); // noise is no nearer to flat with as many cuts
+        return rejected(SearchEnd::GivenUp, needed); // it is no nearer to flat with as many cuts
       }
-      set = this->withFolds(std::move(set), bound);
-      if (!set.outcome.valid || this->allowed(set))
+      if (excess <= 1.0)
       {
-        break;
+        set = withFolds(
+          std::move(set), this->Whole, this->Curves.size(), bound, this->Budget, this->Run);
+        if (!set.outcome.valid || this->allowed(set))
+        {
+          break;
+        }
       }
+      tooMany = tooMany || excess > 1.0;
+      bound = looser;
     }
     if (uncut.outcome.valid && wanted.bound > 0.0 &&
       set.outcome.strainP95 >
@@ -479,8 +487,11 @@ private:
     {
       return rejected(spent ? SearchEnd::WorkUsedUp : SearchEnd::CutsUsedUp, set.cutsNeeded);
     }
-    set.end = this->isFlat(set) ? SearchEnd::BoundMet : SearchEnd::NothingHelps;
-    return set.end == SearchEnd::BoundMet || wanted.bound == 0.0 || wanted.pieces > 0
+    set.end = this->isFlat(set) ? SearchEnd::BoundMet
+      : tooMany                 ? SearchEnd::CutsUsedUp
+                                : SearchEnd::NothingHelps;
+    set.cutsNeeded = tooMany ? needed : set.cutsNeeded;
+    return set.end != SearchEnd::NothingHelps || wanted.bound == 0.0 || wanted.pieces > 0
       ? set
       : this->improved(std::move(set));
   }
@@ -502,58 +513,6 @@ private:
       std::move(set), budget, this->Run);
     this->Budget.add(budget);
     return set;
-  }
-
-  /// The outcome with legs of darts as they are to lie. Where a piece misses the bound so, its
-  /// darts become seams that end inside, whose sides need not fold on each other.
-  CutSet withFolds(CutSet set, double bound)
-  {
-    CutSet open = set;
-    const auto isDart = [](const SuggestedCurve& cut) { return cut.curve.type == CurveType::Dart; };
-    for (SuggestedCurve& cut : open.cuts)
-    {
-      cut.curve.type = CurveType::Seam;
-    }
-    CutTrials::Trial flat = this->Whole.trial(linesOf(open.cuts), this->Budget, this->Run);
-    open.outcome = std::move(flat.outcome);
-    const double most = mostFolding * flat.work;
-    while (open.outcome.valid && std::any_of(set.cuts.begin(), set.cuts.end(), isDart))
-    {
-      TrialBudget budget(std::min(most, this->Budget.left()));
-      flat = this->Whole.trial(linesOf(set.cuts), budget, this->Run);
-      this->Budget.add(budget);
-      if (!flat.outcome.valid)
-      {
-        break;
-      }
-      set.outcome = flat.outcome;
-      if (!this->openFolds(flat, bound, set.cuts))
-      {
-        return set;
-      }
-    }
-    return open;
-  }
-
-  /// Makes seams of darts in pieces that miss the bound. False where there are none.
-  bool openFolds(
-    const CutTrials::Trial& flat, double bound, std::vector<SuggestedCurve>& cuts) const
-  {
-    bool opened = false;
-    const CutSurface& cut = *flat.flat.cut;
-    for (Index h = 0; h < cut.mesh.halfedgeCount(); ++h)
-    {
-      const Index piece = cut.pieceOfTriangle[h / 3];
-      const Index curve = cut.curveOfHalfedge[h] - static_cast<Index>(this->Curves.size());
-      if (curve >= 0 && cuts[curve].curve.type == CurveType::Dart &&
-        (flat.outcome.pieceStrains[piece] > bound || flat.outcome.pieceFaults[piece]))
-      {
-        cuts[curve].curve.type = CurveType::Seam;
-        opened = true;
-      }
-    }
-    pairTypes(cuts);
-    return opened;
   }
 
   /// No cuts, and why.

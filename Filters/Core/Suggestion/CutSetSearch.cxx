@@ -26,6 +26,9 @@ constexpr double gainAlone = 5.0;
 /// cuts: later ones gain less than the first.
 constexpr Index cutsToTellBy = 3;
 constexpr double farTooMany = 4.0;
+/// What a flattening in which legs of darts fold on each other may take, by one in which they do
+/// not: mostly it is twice as much.
+constexpr double mostFolding = 4.0;
 /// As many of the cuts found are tried on the surface itself, where the coarse version misled.
 constexpr std::size_t mostAttempts = 4;
 
@@ -374,11 +377,62 @@ private:
   bool Refitting = false;
   CutSet Result;
 };
+
+/// Makes seams of darts in pieces that miss the bound. False where there are none.
+bool openFolds(
+  const CutTrials::Trial& flat, std::size_t curves, double bound, std::vector<SuggestedCurve>& cuts)
+{
+  bool opened = false;
+  const CutSurface& cut = *flat.flat.cut;
+  for (Index h = 0; h < cut.mesh.halfedgeCount(); ++h)
+  {
+    const Index piece = cut.pieceOfTriangle[h / 3];
+    const Index curve = cut.curveOfHalfedge[h] - static_cast<Index>(curves);
+    if (curve >= 0 && cuts[curve].curve.type == CurveType::Dart &&
+      (flat.outcome.pieceStrains[piece] > bound || flat.outcome.pieceFaults[piece]))
+    {
+      cuts[curve].curve.type = CurveType::Seam;
+      opened = true;
+    }
+  }
+  pairTypes(cuts);
+  return opened;
+}
 }
 
 CutSet searchCuts(
   const SearchSubject& subject, CutSet first, TrialBudget& budget, const Execution& execution)
 {
   return SetSearch(subject, std::move(first), budget, execution).run();
+}
+
+CutSet withFolds(CutSet set, const CutTrials& trials, std::size_t curves, double bound,
+  TrialBudget& budget, const Execution& execution)
+{
+  CutSet open = set;
+  const auto isDart = [](const SuggestedCurve& cut) { return cut.curve.type == CurveType::Dart; };
+  for (SuggestedCurve& cut : open.cuts)
+  {
+    cut.curve.type = CurveType::Seam;
+  }
+  CutTrials::Trial flat = trials.trial(linesOf(open.cuts), budget, execution);
+  open.outcome = std::move(flat.outcome);
+  const double most = mostFolding * flat.work;
+  while (open.outcome.valid && std::any_of(set.cuts.begin(), set.cuts.end(), isDart))
+  {
+    TrialBudget folding(std::min(most, budget.left()));
+    flat = trials.trial(linesOf(set.cuts), folding, execution);
+    budget.add(folding);
+    if (!flat.outcome.valid)
+    {
+      break;
+    }
+    set.outcome = flat.outcome;
+    if (!openFolds(flat, curves, bound, set.cuts))
+    {
+      return set;
+    }
+  }
+  return open;
 }
 }

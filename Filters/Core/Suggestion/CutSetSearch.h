@@ -11,7 +11,8 @@ struct CutSet
   std::vector<SuggestedCurve> cuts;
   TrialOutcome outcome;
   SearchEnd end = SearchEnd::NothingHelps;
-  /// Where it was given up: how many cuts the bound would take if each did as much as those so far.
+  /// Where it was given up, how many cuts the bound would take if each did as much as those so far;
+  /// where it takes more than may be, how many.
   double cutsNeeded = 0.0;
 };
 
@@ -26,4 +27,10 @@ struct CutSet
 /// surface is with them; they stay
 CutSet searchCuts(
   const SearchSubject& subject, CutSet first, TrialBudget& budget, const Execution& execution);
+
+/// The outcome with legs of darts as they are to lie. Where a piece misses the bound so, its darts
+/// become seams that end inside, whose sides need not fold on each other.
+/// \param curves of the surface, before the cuts in the trials
+CutSet withFolds(CutSet set, const CutTrials& trials, std::size_t curves, double bound,
+  TrialBudget& budget, const Execution& execution);
 }
