@@ -54,12 +54,13 @@ Options optionsOf(const Options& options, const BatchEntry& entry)
   Options one = options;
   one.surface = entry.surface;
   one.curves = entry.curves;
-  const std::filesystem::path folder = std::filesystem::path(options.output) / entry.folder;
+  const std::filesystem::path folder =
+    std::filesystem::u8path(options.output) / std::filesystem::u8path(entry.folder);
   one.command = options.batchCommand;
   one.outputs = { folder.string() };
   for (const std::string& file : options.batchOutputs)
   {
-    one.outputs.push_back((folder / file).string());
+    one.outputs.push_back((folder / std::filesystem::u8path(file)).string());
   }
   one.output.clear();
   one.batch.clear();
@@ -81,7 +82,7 @@ void checkInputs(const Options& options, const std::vector<BatchEntry>& entries)
       inputs.add(path);
     }
   }
-  inputs.refuseToReplace(std::filesystem::path(options.output) / batchName, "--output");
+  inputs.refuseToReplace(std::filesystem::u8path(options.output) / batchName, "--output");
   for (const BatchEntry& entry : entries)
   {
     refuseToReplaceInputs(inputs, optionsOf(options, entry));
@@ -183,7 +184,7 @@ std::vector<BatchEntry> readBatch(const std::string& path)
     {
       entry.curves.push_back(std::move(name));
     }
-    const std::string stem = std::filesystem::path(entry.surface).stem().string();
+    const std::string stem = std::filesystem::u8path(entry.surface).stem().string();
     if (stem.empty() || stem == "." || stem == "..") // its folder would be none of its own
     {
       throw InputError(
@@ -210,8 +211,8 @@ int runBatch(const Options& options)
   const std::string& folder = options.output;
   checkInputs(options, entries);
   OutputFiles files;
-  files.demandFolder(folder);
-  files.claim(folder);
+  files.demandFolder(std::filesystem::u8path(folder));
+  files.claim(std::filesystem::u8path(folder));
   const std::size_t threads = options.threads > 0
     ? static_cast<std::size_t>(options.threads)
     : std::max(1u, std::thread::hardware_concurrency());
@@ -248,7 +249,7 @@ int runBatch(const Options& options)
   const Json report = { { "list", options.batch }, { "scheme", options.values.text("Scheme") },
     { "version", WIREWARP_VERSION }, { "exit_code", exitCode }, { "workers", workers },
     { "surfaces", rows }, { "seconds", seconds }, { "surfaces_per_second", rate } };
-  files.add(std::filesystem::path(folder) / batchName, textOf(report, 2) + '\n');
+  files.add(std::filesystem::u8path(folder) / batchName, textOf(report, 2) + '\n');
   files.publish();
   if (!options.quiet)
   {

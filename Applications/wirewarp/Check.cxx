@@ -226,7 +226,7 @@ int runCheck(const Options& options)
   inputs.add(options.surface);
   if (!options.surfaceFile.empty())
   {
-    inputs.refuseToReplace(options.surfaceFile, "--output");
+    inputs.refuseToReplace(std::filesystem::u8path(options.surfaceFile), "--output");
   }
   const SurfaceContents contents = readSurface(options.surface);
   std::string stated = options.unit.empty() ? contents.unit : options.unit;
@@ -283,8 +283,8 @@ int runCheck(const Options& options)
       setUnit(mend.surface, stated);
     }
     OutputFiles files;
-    files.demandFolder(std::filesystem::path(options.surfaceFile).parent_path());
-    files.add(options.surfaceFile, mend.surface);
+    files.demandFolder(std::filesystem::u8path(options.surfaceFile).parent_path());
+    files.add(std::filesystem::u8path(options.surfaceFile), mend.surface);
     files.publish();
     std::cout << "written: " << plainText(options.surfaceFile) << '\n';
   }

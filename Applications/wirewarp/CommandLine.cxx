@@ -525,7 +525,7 @@ void sortSizes(Options& options)
 void takeSource(const CLI::App& app, Options& options)
 {
   std::error_code ignored;
-  if (!std::filesystem::is_directory(options.surface, ignored) ||
+  if (!std::filesystem::is_directory(std::filesystem::u8path(options.surface), ignored) ||
     !app.get_option_no_throw("SOURCE"))
   {
     return;

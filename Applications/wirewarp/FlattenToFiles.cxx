@@ -42,7 +42,7 @@ InputFiles inputFiles(const Options& options)
   {
     if (!options.source.empty())
     {
-      inputs.add((std::filesystem::path(options.source) / (std::string(name) + ".vtp")).string());
+      inputs.add((std::filesystem::u8path(options.source) / (std::string(name) + ".vtp")).string());
     }
   }
   for (const std::string& path : options.curves)
@@ -72,8 +72,9 @@ std::vector<std::filesystem::path> kept(
   {
     if (!options.output.empty())
     {
-      const std::filesystem::path path = std::filesystem::path(options.output) / name;
-      paths.emplace_back(path.has_extension() ? path.string() : path.string() + dataExtension);
+      const std::filesystem::path path = std::filesystem::u8path(options.output) / name;
+      paths.push_back(
+        path.has_extension() ? path : path.parent_path() / (std::string(name) + dataExtension));
     }
   }
   return paths;
@@ -96,7 +97,7 @@ std::filesystem::path reportFile(const Options& options)
   const bool adds =
     (options.command == "sew" && options.outputs.empty()) || options.command == "nest";
   const std::string& folder = adds && !options.source.empty() ? options.source : options.output;
-  return folder.empty() ? std::filesystem::path() : std::filesystem::path(folder) / reportName;
+  return folder.empty() ? std::filesystem::path() : std::filesystem::u8path(folder) / reportName;
 }
 
 /// All that may be written beside data and report.
@@ -105,14 +106,14 @@ std::vector<std::filesystem::path> furtherFiles(const Options& options)
   std::vector<std::filesystem::path> paths;
   for (const PatternFile& file : options.pattern.files)
   {
-    paths.emplace_back(file.path);
+    paths.push_back(std::filesystem::u8path(file.path));
   }
   for (const std::string& file :
     { options.curvesFile, options.surfaceFile, options.sewnFile, options.picture.path })
   {
     if (!file.empty())
     {
-      paths.emplace_back(file);
+      paths.push_back(std::filesystem::u8path(file));
     }
   }
   return paths;
@@ -143,9 +144,10 @@ void writeResult(const Options& options, FilesOfFlattening& written, OutputFiles
   }
   const std::vector<std::string> patterns = addPatterns(options, result, files);
   written.files.insert(written.files.end(), patterns.begin(), patterns.end());
-  add(options.curvesFile, result.flattenable ? result.flattenableCurves : result.curves);
-  add(options.surfaceFile, result.flattenable);
-  add(options.sewnFile, result.sewn);
+  add(std::filesystem::u8path(options.curvesFile),
+    result.flattenable ? result.flattenableCurves : result.curves);
+  add(std::filesystem::u8path(options.surfaceFile), result.flattenable);
+  add(std::filesystem::u8path(options.sewnFile), result.sewn);
   const std::array<Data, 3> data{ result.flat, result.wires, result.cut };
   const std::vector<std::filesystem::path> names = dataFiles(options);
   for (std::size_t k = 0; k < names.size(); ++k)
@@ -199,10 +201,10 @@ void demandPlaces(const Options& options, OutputFiles& files)
 {
   if (!options.output.empty())
   {
-    files.demandFolder(options.output);
-    files.claim(options.output);
+    files.demandFolder(std::filesystem::u8path(options.output));
+    files.claim(std::filesystem::u8path(options.output));
   }
-  std::set<std::filesystem::path> folders{ options.output };
+  std::set<std::filesystem::path> folders{ std::filesystem::u8path(options.output) };
   for (const std::filesystem::path& file : furtherFiles(options))
   {
     if (folders.insert(file.parent_path()).second)
@@ -245,7 +247,7 @@ FilesOfFlattening flattenToFiles(const Options& given)
   FilesOfFlattening written;
   refuseToReplaceInputs(inputFiles(options), options);
   std::error_code ignored;
-  const bool existed = std::filesystem::exists(options.output, ignored);
+  const bool existed = std::filesystem::exists(std::filesystem::u8path(options.output), ignored);
   OutputFiles files;
   demandPlaces(options, files);
   written.result = flattenOne(options);
@@ -261,7 +263,7 @@ FilesOfFlattening flattenToFiles(const Options& given)
     }
     else if (!options.output.empty()) // a default folder is not made for a refusal alone
     {
-      std::filesystem::remove(options.output, ignored);
+      std::filesystem::remove(std::filesystem::u8path(options.output), ignored);
     }
     return written;
   }

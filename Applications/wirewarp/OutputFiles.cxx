@@ -89,7 +89,7 @@ std::filesystem::path OutputFiles::addEntry(const std::filesystem::path& file)
   std::random_device random; // where folders cannot be claimed two runs may write to one
   const std::string aside =
     "." + file.filename().string() + "." + std::to_string(random()) + ".part";
-  this->Entries.push_back({ file.parent_path() / aside, file });
+  this->Entries.push_back({ file.parent_path() / std::filesystem::u8path(aside), file });
   return this->Entries.back().aside;
 }
 
@@ -178,7 +178,7 @@ FolderLock::~FolderLock()
 void InputFiles::add(const std::string& path)
 {
   std::error_code error; // whoever reads the file tells of it
-  std::filesystem::path file = std::filesystem::canonical(path, error);
+  std::filesystem::path file = std::filesystem::canonical(std::filesystem::u8path(path), error);
   if (!error)
   {
     this->Files.insert(std::move(file));

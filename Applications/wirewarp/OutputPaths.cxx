@@ -99,7 +99,7 @@ void takeFolder(Options& options, const std::string& path)
 {
   std::error_code ignored;
   const std::string writer = writerOf(lowerCaseExtension(path));
-  if (!writer.empty() && !fs::is_directory(path, ignored))
+  if (!writer.empty() && !fs::is_directory(fs::u8path(path), ignored))
   {
     throw InputError("wirewarp " + options.command + " does not write " + inQuotes(path) +
       "; name a folder, or see wirewarp " + writer);
@@ -122,11 +122,11 @@ void takeFolder(Options& options, const std::string& path)
 void takeDefaults(Options& options)
 {
   const std::string& command = options.command;
-  const fs::path input = options.batch.empty() ? options.surface : options.batch;
+  const fs::path input = fs::u8path(options.batch.empty() ? options.surface : options.batch);
   const std::string stem = input.stem().string();
-  const fs::path within = options.source;
+  const fs::path within = fs::u8path(options.source);
   const auto beside = [&](const std::string& name) {
-    return within.empty() ? stem + "_" + name : (within / name).string();
+    return within.empty() ? stem + "_" + name : (within / fs::u8path(name)).string();
   };
   if (command == "flatten" || command == "batch")
   {
@@ -187,7 +187,7 @@ void resolveOutputs(Options& options)
   }
   else if (options.command == "picture" && options.picture.path.empty())
   {
-    options.picture.path = (fs::path(options.output) / "picture.png").string();
+    options.picture.path = (fs::u8path(options.output) / "picture.png").string();
   }
   else if ((options.command == "pattern" || options.command == "make" ||
              options.command == "nest") &&
@@ -195,19 +195,19 @@ void resolveOutputs(Options& options)
   {
     const std::string name = options.command == "nest" ? "lay.svg" : "pattern.pdf";
     takeFile(options,
-      options.output.empty() ? fs::path(options.surface).stem().string() + "_" + name
-                             : (fs::path(options.output) / name).string());
+      options.output.empty() ? fs::u8path(options.surface).stem().string() + "_" + name
+                             : (fs::u8path(options.output) / name).string());
   }
   else if (options.command == "grade" && options.pattern.files.empty())
   {
-    takeFile(options, (fs::path(options.output) / "nest.svg").string());
-    takeFile(options, (fs::path(options.output) / "rules.csv").string());
+    takeFile(options, (fs::u8path(options.output) / "nest.svg").string());
+    takeFile(options, (fs::u8path(options.output) / "rules.csv").string());
   }
   if (!options.batch.empty()) // whose surfaces have files of their own
   {
     return;
   }
-  const fs::path folder = options.output;
+  const fs::path folder = fs::u8path(options.output);
   const auto within = [&](std::string& file, const std::string& name) {
     if (file.empty() && !folder.empty())
     {

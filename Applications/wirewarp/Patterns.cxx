@@ -71,7 +71,7 @@ pattern::FileOptions optionsOf(
   drawn.unit = flattening::unitNamed(unit);
   if (!values.isGiven("PatternName"))
   {
-    drawn.name = std::filesystem::path(surface).stem().string();
+    drawn.name = std::filesystem::u8path(surface).stem().string();
   }
   drawn.size = request.size;
   const auto keepIn = [](std::map<std::string, double>& kept) {
@@ -225,17 +225,18 @@ std::vector<std::string> addPatterns(const Options& options, Flattening& result,
     drawn.format = file.format;
     drawn.fabric.width = file.onCloth ? fabricWidth : 0.0;
     pattern::Pattern drawing;
-    const std::string problem = files.add(file.path, [&](const std::string& path) {
-      struct Ending
-      {
-        Status status;
-      };
-      const Status status = read.ok() ? flattening::withinMemory([&] {
-        return Ending{ pattern::writePattern(path, source, drawn, drawing) };
-      }).status
-                                      : read;
-      return status.ok() ? std::string() : refusalOf(status, path);
-    });
+    const std::string problem =
+      files.add(std::filesystem::u8path(file.path), [&](const std::string& path) {
+        struct Ending
+        {
+          Status status;
+        };
+        const Status status = read.ok() ? flattening::withinMemory([&] {
+          return Ending{ pattern::writePattern(path, source, drawn, drawing) };
+        }).status
+                                        : read;
+        return status.ok() ? std::string() : refusalOf(status, path);
+      });
     if (!problem.empty())
     {
       std::string& failed = failures[problem];

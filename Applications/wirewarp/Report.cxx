@@ -521,7 +521,7 @@ namespace
 {
 std::string within(const Options& options, const char* name)
 {
-  return (std::filesystem::path(options.source) / name).string();
+  return (std::filesystem::u8path(options.source) / name).string();
 }
 
 /// Fills the tables of pieces and curves, and the times, without lists of iterations and releases.
@@ -575,9 +575,9 @@ void takeReport(const std::string& text, Flattening& result)
 Json readReport(const std::string& path)
 {
   std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored))
+  if (!std::filesystem::exists(std::filesystem::u8path(path), ignored))
   {
-    throw InputError(std::filesystem::path(path).parent_path().string(),
+    throw InputError(std::filesystem::u8path(path).parent_path().string(),
       "holds no result: report.json is missing; name a folder that wirewarp flatten has written");
   }
   Json report = Json::parse(readWholeFile(path), nullptr, false);
@@ -654,7 +654,7 @@ Flattening readResult(const Options& options)
   result.cut = read(within(options, "cut.vtp"));
   const std::string sewn = within(options, "sewn.vtp");
   std::error_code ignored;
-  if (options.command != "sew" && std::filesystem::exists(sewn, ignored))
+  if (options.command != "sew" && std::filesystem::exists(std::filesystem::u8path(sewn), ignored))
   {
     result.sewn = read(sewn);
   }

@@ -63,7 +63,7 @@ std::string writtenFiles(const std::vector<std::string>& files)
   std::string before = "?";
   for (const std::string& file : files)
   {
-    const std::filesystem::path path = file;
+    const std::filesystem::path path = std::filesystem::u8path(file);
     const std::string folder = path.parent_path().string();
     text += folder == before ? ", "
                              : (text.empty() ? "" : "\n") + std::string("written") +

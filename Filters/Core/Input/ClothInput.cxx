@@ -37,7 +37,8 @@ bool isMaterialFile(const std::string& text)
 {
   std::error_code failed;
   // A pipe or a device may have no end.
-  return std::filesystem::is_regular_file(text, failed) && std::ifstream(text).good();
+  return std::filesystem::is_regular_file(std::filesystem::u8path(text), failed) &&
+    std::ifstream(text).good();
 }
 
 #ifndef FLATTENING_WITH_JSON
@@ -206,7 +207,7 @@ ClothMaterial readMaterialFile(const std::string& path)
   ClothMaterial material;
   material.name = path;
   std::error_code failed;
-  const std::uintmax_t size = std::filesystem::file_size(path, failed);
+  const std::uintmax_t size = std::filesystem::file_size(std::filesystem::u8path(path), failed);
   if (failed || size > largestFile)
   {
     material.status = refusal(path, "has more than a megabyte", example);

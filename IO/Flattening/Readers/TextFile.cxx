@@ -29,7 +29,8 @@ bool isBlank(char c)
 std::size_t checkedFileSize(const std::string& path)
 {
   std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  const std::filesystem::file_status status =
+    std::filesystem::status(std::filesystem::u8path(path), error);
   if (!std::filesystem::exists(status))
   {
     throw InputError(path, "no such file; check the name and the folder it is in");
@@ -45,7 +46,7 @@ std::size_t checkedFileSize(const std::string& path)
         (std::filesystem::is_fifo(status) ? "a pipe" : "a device or socket") +
         ", not a file; write its content into a file first");
   }
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  const std::uintmax_t size = std::filesystem::file_size(std::filesystem::u8path(path), error);
   if (!error && size == 0)
   {
     throw InputError(path, "the file is empty; write it again");
@@ -91,7 +92,7 @@ std::string readWholeFile(const std::string& path)
 //------------------------------------------------------------------------------
 std::string lowerCaseExtension(const std::string& path)
 {
-  std::string extension = std::filesystem::path(path).extension().string();
+  std::string extension = std::filesystem::u8path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;

@@ -354,11 +354,11 @@ Status readGarmentCode(const std::string& path, Garment& garment)
 {
   garment = Garment();
   std::error_code failed;
-  if (!std::filesystem::is_regular_file(path, failed))
+  if (!std::filesystem::is_regular_file(std::filesystem::u8path(path), failed))
   {
     return invalid("there is no file " + path);
   }
-  if (std::filesystem::file_size(path, failed) > largestFile || failed)
+  if (std::filesystem::file_size(std::filesystem::u8path(path), failed) > largestFile || failed)
   {
     return invalid(path + " has more than 100 MB");
   }
