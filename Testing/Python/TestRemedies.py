@@ -34,7 +34,7 @@ class Words(unittest.TestCase):
                           sf.vtkWireWarpingFilter)
                 with self.subTest(name, option=option):
                     self.assertTrue(property_ in arrays or hasattr(class_, "Set" + property_) or
-                                    hasattr(class_, "Add" + property_[:-1]) or hasattr(sf, property_))
+                                    hasattr(class_, "Add" + property_.removesuffix("s")) or hasattr(sf, property_))
                     self.assertTrue(value in ("", "on", "0") or hasattr(class_, value))
         self.assertGreater(named, 20)
 
