@@ -162,12 +162,42 @@ TEST(GoreSeams, KeepToTheLimitOfCuts)
   EXPECT_NEAR(cut.worst, cut.found.strainAfter, 1e-9);
 }
 
-TEST(GoreSeams, LeaveRingsToOtherSeams)
+TEST(GoreSeams, PartARingIntoTubesOpenedAlongItsInside)
 {
-  const Cut cut = cutInto(torus(16, 3.0), [](SearchOptions&) {});
-  EXPECT_TRUE(cut.found.boundMet);
-  EXPECT_LE(cut.worst, 0.05);
+  const double arm = 3.0;
+  const TriangleMesh ring = torus(24, arm);
+  for (Index pieces : { 0, 1, 5 })
+  {
+    const Cut cut = cutInto(ring, [&](SearchOptions& search) { search.pieces = pieces; });
+    const auto count = static_cast<Index>(cut.areas.size());
+    ASSERT_EQ(static_cast<Index>(cut.found.curves.size()), 2 * count);
+    EXPECT_EQ(cut.found.boundMet, cut.worst <= 0.05);
+    EXPECT_TRUE(pieces == 0 ? cut.found.boundMet : count == pieces);
+    for (double area : cut.areas)
+    {
+      EXPECT_NEAR(area * static_cast<double>(count), ring.area(), 0.02 * ring.area());
+    }
+    double around = 0.0;
+    double along = 0.0;
+    for (const SuggestedCurve& seam : cut.found.curves)
+    {
+      const bool loop = seam.curve.points.front() == seam.curve.points.back() &&
+        std::abs(seam.length - 2.0 * pi) < 0.1;
+      (loop ? around : along) += seam.length;
+    }
+    EXPECT_NEAR(around, 2.0 * pi * static_cast<double>(count), 0.1 * static_cast<double>(count));
+    EXPECT_NEAR(along, 2.0 * pi * (arm - 1.0), 0.2);
+  }
+}
+
+TEST(GoreSeams, LeaveHandlesToOtherSeams)
+{
+  const TriangleMesh bent = rolledUp(24, 32, [](double around, double share) {
+    const double turn = 1.2 * pi * share; // of a ring a part, whose axis is outside
+    const double arm = 3.0 + std::cos(around);
+    return Point3(arm * std::cos(turn), arm * std::sin(turn), std::sin(around));
+  });
   SuggestionOptions options;
   options.search.cuts = SuggestedCuts::Gores;
-  EXPECT_EQ(suggestCurves(torus(16, 3.0), {}, options).status.code, StatusCode::InvalidOption);
+  EXPECT_EQ(suggestCurves(bent, {}, options).status.code, StatusCode::InvalidOption);
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace flattening
@@ -27,15 +28,60 @@ constexpr double mostGores = 12.0;
 constexpr int halvesTried = 12;
 /// Ends of sections this near to each other, in sqrt(area / pi), are one point on the axis.
 constexpr double samePole = 1e-9;
+/// A point is on a line from which it is no farther, in sqrt(area / pi).
+constexpr double samePlace = 1e-4;
 
 Point3 onAxis(const Point3& a, double sideOfA, const Point3& b, double sideOfB)
 {
   return a + sideOfA / (sideOfA - sideOfB) * (b - a);
 }
 
-/// The stretches of a section on the positive side of a plane, which begin and end in it. Nothing
-/// where one is closed, and does not end.
-bool addHalves(
+bool isLoop(const Points3& line)
+{
+  return line.front() == line.back();
+}
+
+/// A loop from where it is nearest to an axis in the plane through the center across it.
+/// Empty where it is not cut there.
+Points3 fromInside(Points3 loop, const Point3& center, const Point3& axis)
+{
+  loop.pop_back();
+  std::size_t first = loop.size();
+  Point3 start;
+  double least = 0.0;
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    const Point3& next = loop[(k + 1) % loop.size()];
+    const double here = axis.dot(loop[k] - center);
+    const double there = axis.dot(next - center);
+    if ((here > 0.0) == (there > 0.0))
+    {
+      continue;
+    }
+    const Point3 crossing = onAxis(loop[k], here, next, there);
+    const double arm = axis.cross(crossing - center).norm();
+    if (first == loop.size() || arm < least)
+    {
+      first = k;
+      start = crossing;
+      least = arm;
+    }
+  }
+  if (first == loop.size())
+  {
+    return {};
+  }
+  std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(first) + 1, loop.end());
+  Points3 line{ start };
+  std::copy_if(loop.begin(), loop.end(), std::back_inserter(line),
+    [&](const Point3& point) { return (point - start).norm() > 0.0; });
+  line.push_back(start);
+  return line;
+}
+
+/// The stretches of a section on the positive side of a plane, which begin and end in it, and loops
+/// there.
+void addHalves(
   const PlaneSection& section, const SymmetryPlane& across, std::vector<Points3>& halves)
 {
   Points3 points;
@@ -50,7 +96,9 @@ bool addHalves(
       points.begin(), points.end(), [&](const Point3& p) { return across.side(p) <= 0.0; });
     if (outside == points.end())
     {
-      return false;
+      points.push_back(points.front());
+      halves.push_back(std::move(points));
+      return;
     }
     std::rotate(points.begin(), outside, points.end());
     points.push_back(points.front());
@@ -74,7 +122,6 @@ bool addHalves(
       half.clear();
     }
   }
-  return true;
 }
 
 class GoreSeams
@@ -87,16 +134,18 @@ public:
   static std::vector<GoreSeams> find(const TriangleMesh& mesh, const SymmetryPlane& plane);
   /// The seams between this number of gores. Empty where one of them does not go from end to end.
   std::vector<SuggestedCurve> seams(Index gores) const;
-  /// Gores that are disks: two of a closed surface.
+  /// Gores that are disks: two of a closed surface that is no ring.
   Index fewest() const { return this->Fewest; }
   /// Whether it is a surface of revolution.
   bool equal() const { return this->Angles.empty(); }
   const SymmetryPlane& plane() const { return this->Plane; }
 
 private:
+  double turnOf(const Point3& point) const;
   void measureGirth();
   double angleOf(double share) const;
   std::vector<Points3> halfSections(double angle) const;
+  Points3 innerArc(const Point3& from, const Point3& to) const;
 
   const TriangleMesh* Mesh;
   SymmetryPlane Plane;
@@ -104,6 +153,7 @@ private:
   Point3 Center;
   Point3 Ahead; ///< in the plane, across the axis
   Index Fewest;
+  bool Ring = false;
   /// Round the middle from Ahead on, and the shares of its length there.
   std::vector<double> Angles;
   std::vector<double> Shares;
@@ -156,8 +206,11 @@ std::vector<GoreSeams> GoreSeams::find(const TriangleMesh& mesh, const SymmetryP
     bool whole = true;
     for (int k = 0; k < halvesTried && whole; ++k)
     {
-      whole = gores.halfSections(2.0 * pi * k / halvesTried).size() == 1;
+      const std::vector<Points3> halves = gores.halfSections(2.0 * pi * k / halvesTried);
+      whole = halves.size() == 1 && (k == 0 || isLoop(halves.front()) == gores.Ring);
+      gores.Ring = whole && isLoop(halves.front());
     }
+    gores.Fewest = gores.Ring ? 1 : gores.Fewest;
     if (whole && equal)
     {
       return { gores };
@@ -171,6 +224,13 @@ std::vector<GoreSeams> GoreSeams::find(const TriangleMesh& mesh, const SymmetryP
   return all;
 }
 
+/// Round the axis, from Ahead on.
+double GoreSeams::turnOf(const Point3& point) const
+{
+  const Point3 arm = point - this->Center;
+  return std::atan2(this->Plane.normal.dot(arm), this->Ahead.dot(arm));
+}
+
 /// The line in which the plane across the axis cuts the surface, once round it from Ahead on.
 /// Nothing where there is none; gores have equal angles then.
 void GoreSeams::measureGirth()
@@ -182,8 +242,7 @@ void GoreSeams::measureGirth()
     const std::vector<SurfacePoint>& points = section.path.points;
     for (std::size_t k = 0; k < points.size(); ++k)
     {
-      const Point3 arm = points[k].position - this->Center;
-      turns.push_back(std::atan2(this->Plane.normal.dot(arm), this->Ahead.dot(arm)));
+      turns.push_back(this->turnOf(points[k].position));
       lengths.push_back(
         k == 0 ? 0.0 : lengths.back() + (points[k].position - points[k - 1].position).norm());
       turns[k] += k == 0 ? 0.0 : 2.0 * pi * std::round((turns[k - 1] - turns[k]) / (2.0 * pi));
@@ -229,7 +288,8 @@ double GoreSeams::angleOf(double share) const
   return between(this->Shares, this->Angles, between(this->Angles, this->Shares, begin) + share);
 }
 
-/// Where the half plane at an angle from the mirror plane cuts the surface. Empty for a ring.
+/// Where the half plane at an angle from the mirror plane cuts the surface: of a ring a loop, from
+/// its inside on.
 std::vector<Points3> GoreSeams::halfSections(double angle) const
 {
   const Point3 normal = std::cos(angle) * this->Plane.normal - std::sin(angle) * this->Ahead;
@@ -239,18 +299,67 @@ std::vector<Points3> GoreSeams::halfSections(double angle) const
   std::vector<Points3> halves;
   for (const PlaneSection& section : planeSections(*this->Mesh, this->Center, normal))
   {
-    if (section.path.points.size() > 1 && !addHalves(section, across, halves))
+    if (section.path.points.size() > 1)
     {
-      return {};
+      addHalves(section, across, halves);
     }
   }
+  for (Points3& half : halves)
+  {
+    half = isLoop(half) ? fromInside(std::move(half), this->Center, this->Axis) : half;
+  }
+  halves.erase(std::remove(halves.begin(), halves.end(), Points3()), halves.end());
   return halves;
+}
+
+/// Along the inside of a ring, between starts of its half sections. Empty where there is no such
+/// line.
+Points3 GoreSeams::innerArc(const Point3& from, const Point3& to) const
+{
+  const auto onwards = [&](const Point3& point) {
+    const double turn = this->turnOf(point) - this->turnOf(from);
+    return turn > 0.0 ? turn : turn + 2.0 * pi;
+  };
+  const double whole = onwards(to);
+  // Sections go through vertices that are near their plane, so the start lies only nearly on one.
+  double nearest = samePlace * std::sqrt(this->Mesh->area() / pi);
+  Points3 arc;
+  for (const PlaneSection& section : planeSections(*this->Mesh, this->Center, this->Axis))
+  {
+    std::vector<std::pair<double, Point3>> between;
+    double off = nearest;
+    const std::vector<SurfacePoint>& points = section.path.points;
+    for (std::size_t k = 1; k < points.size(); ++k)
+    {
+      const Point3& a = points[k - 1].position;
+      const Point3& b = points[k].position;
+      off = std::min(off, (from - a).norm() + (from - b).norm() - (b - a).norm());
+      if (onwards(b) > inPlane * whole && onwards(b) < (1.0 - inPlane) * whole)
+      {
+        between.emplace_back(onwards(b), b);
+      }
+    }
+    if (off < nearest)
+    {
+      nearest = off;
+      std::sort(between.begin(), between.end(),
+        [](const auto& one, const auto& other) { return one.first < other.first; });
+      arc = { from };
+      for (const auto& [turn, point] : between)
+      {
+        arc.push_back(point);
+      }
+      arc.push_back(to);
+    }
+  }
+  return arc;
 }
 
 std::vector<SuggestedCurve> GoreSeams::seams(Index gores) const
 {
   std::vector<SuggestedCurve> cuts;
   Points3 poles;
+  Points3 starts(gores);
   const double near = samePole * std::sqrt(this->Mesh->area() / pi);
   const auto add = [&](Points3 points, Index mirrorOf) {
     for (Point3* end : { &points.front(), &points.back() })
@@ -281,6 +390,7 @@ std::vector<SuggestedCurve> GoreSeams::seams(Index gores) const
     {
       return {};
     }
+    starts[k] = halves.front().front();
     add(halves.front(), none);
     if (k == 0 || 2 * k == gores)
     {
@@ -303,7 +413,24 @@ std::vector<SuggestedCurve> GoreSeams::seams(Index gores) const
       }
       image = others.front();
     }
+    starts[gores - k] = image.front();
     add(std::move(image), static_cast<Index>(cuts.size()) - 1);
+  }
+  for (Index k = 0; this->Ring && 2 * k < gores; ++k)
+  {
+    const Index last = gores - 1 - k;
+    Points3 arc = this->innerArc(starts[k], starts[(k + 1) % gores]);
+    Points3 image = this->innerArc(starts[last], starts[(last + 1) % gores]);
+    if (arc.empty() || image.empty())
+    {
+      return {};
+    }
+    add(std::move(arc), none);
+    if (k != last)
+    {
+      std::reverse(image.begin(), image.end());
+      add(std::move(image), static_cast<Index>(cuts.size()) - 1);
+    }
   }
   return cuts;
 }

@@ -6,7 +6,7 @@
 namespace flattening
 {
 /// Pieces into which half planes through an axis part a round surface, as those of balloons, balls,
-/// domes, lampshades and caps.
+/// domes, lampshades and caps, or a ring, whose pieces are cut open along its inside.
 struct Gores
 {
   CutSet set;
@@ -15,7 +15,7 @@ struct Gores
 };
 
 /// The fewest gores that meet the bound, or as many as pieces are wanted, of a surface that each
-/// half plane cuts in one line from end to end. No cuts where there are none.
+/// half plane cuts in one line from end to end, or in one loop. No cuts where there are none.
 ///
 /// The axis goes through the center of area along a principal axis, x, y or z: the one of a surface
 /// of revolution, where planes through it at several angles mirror the surface onto itself (see
