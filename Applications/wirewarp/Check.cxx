@@ -182,8 +182,13 @@ std::pair<std::string, std::string> likelyKind(std::array<double, 3> sides, bool
                                          : std::pair("a small part", "sheet");
 }
 
-/// \return whether the surface can be flattened without a cut
-bool saySurface(const TriangleList& list, const Shape& shape, const std::string& unit)
+/// Whether the surface can be flattened without a cut.
+bool canLieFlat(const Shape& shape)
+{
+  return shape.crowded.empty() && shape.closedParts == 0 && shape.handles == 0;
+}
+
+void saySurface(const TriangleList& list, const Shape& shape, const std::string& unit)
 {
   const std::vector<BoundaryLoop> loops = openings(list);
   std::cout << "parts: " << shape.parts << ", openings: " << loops.size()
@@ -197,26 +202,22 @@ bool saySurface(const TriangleList& list, const Shape& shape, const std::string&
   std::cout << (loops.size() > listed
       ? "and " + std::to_string(loops.size() - listed) + " shorter openings\n"
       : "");
-  bool flattens = true;
   if (!shape.crowded.empty())
   {
     std::cout << "defect: " << shape.crowded.size()
               << " edges of more than two triangles, the first between points "
               << shape.crowded.front().first << " and " << shape.crowded.front().second
               << "; remove one of them\n";
-    flattens = false;
   }
   if (shape.closedParts > 0 || shape.handles > 0)
   {
     std::cout << (shape.closedParts > 0 ? "closed" : "it has handles")
               << ": cut it open first, see wirewarp cut --kind seams\n";
-    flattens = false;
   }
   else if (loops.size() > shape.parts)
   {
     std::cout << "more boundaries than parts: holes stay open, a tube is to be cut\n";
   }
-  return flattens;
 }
 }
 
@@ -257,14 +258,14 @@ int runCheck(const Options& options)
   }
   const Point3 sides = boxOf(list).sizes();
   const Shape shape = shapeOf(list, boundaryLoops(list));
-  bool flattens = shape.crowded.empty();
+  const bool flattens = canLieFlat(shape);
   if (!options.quiet)
   {
     std::cout << plainText(options.surface) << ": " << list.triangles.size() << " triangles, "
               << shape.points << " points\nsize: " << inShort(sides[0]) << " x "
               << inShort(sides[1]) << " x " << inShort(sides[2]) << ' ' << unit << '\n';
     sayUnit(options, stated, likelyUnit(mend.surface));
-    flattens = saySurface(list, shape, unit);
+    saySurface(list, shape, unit);
     saySymmetry(mend.surface, list);
     const Point3 millimetres = sides * millimetresOf(unit);
     const auto [what, kind] = likelyKind(
@@ -286,7 +287,7 @@ int runCheck(const Options& options)
     files.demandFolder(std::filesystem::u8path(options.surfaceFile).parent_path());
     files.add(std::filesystem::u8path(options.surfaceFile), mend.surface);
     files.publish();
-    std::cout << "written: " << plainText(options.surfaceFile) << '\n';
+    std::cout << (options.quiet ? "" : "written: " + plainText(options.surfaceFile) + '\n');
   }
   else if (flattens && !options.quiet)
   {

@@ -6,6 +6,7 @@
 #include "TextFile.h"
 #include "WriteData.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <system_error>
@@ -95,10 +96,42 @@ bool takeFile(Options& options, const std::string& path)
   return true;
 }
 
-void takeFolder(Options& options, const std::string& path)
+/// What the command writes, by endings of files.
+std::string endingsOf(const std::string& command)
+{
+  const auto formats = drawnFormats().find(command);
+  std::string endings;
+  for (const auto& [ending, format] : formats == drawnFormats().end() ? Formats() : formats->second)
+  {
+    endings += ending + ", ";
+  }
+  const bool data = command == "cut" || command == "make" || command == "sew" ||
+    command == "reshape" || command == "check";
+  endings += data ? std::string(dataExtension) + ", .obj, " : "";
+  endings += command == "picture" ? ".png, " : "";
+  return command == "check" ? endings.substr(0, endings.size() - 2) : endings + "or a folder";
+}
+
+/// Whether a name that is no folder's ends as those of files do: .txt, .jpeg, not .5 or .v2.
+bool namesFile(const std::string& path)
 {
   std::error_code ignored;
+  const std::string extension = lowerCaseExtension(path);
+  return extension.size() > 2 && extension.size() < 6 &&
+    std::all_of(
+      extension.begin() + 1, extension.end(), [](char one) { return one >= 'a' && one <= 'z'; }) &&
+    !fs::is_directory(fs::u8path(path), ignored);
+}
+
+void takeFolder(Options& options, const std::string& path)
+{
   const std::string writer = writerOf(lowerCaseExtension(path));
+  if (options.command == "check" || (writer.empty() && namesFile(path)))
+  {
+    throw InputError("wirewarp " + options.command + " does not write " + inQuotes(path) +
+      "; it writes " + endingsOf(options.command));
+  }
+  std::error_code ignored;
   if (!writer.empty() && !fs::is_directory(fs::u8path(path), ignored))
   {
     throw InputError("wirewarp " + options.command + " does not write " + inQuotes(path) +

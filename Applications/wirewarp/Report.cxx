@@ -637,6 +637,11 @@ Flattening readResult(const Options& options)
   {
     refuseReport(path);
   }
+  if (result.unitStated && !options.unit.empty() && options.unit != result.unit)
+  {
+    throw InputError(options.source,
+      "is in " + result.unit + ", as was stated; leave --unit out, or flatten anew");
+  }
   if (!options.unit.empty())
   {
     result.unit = options.unit;

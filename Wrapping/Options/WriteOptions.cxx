@@ -442,7 +442,8 @@ void writeProperties(OptionOwner owner, std::ostream& out)
 
 void writeTable(OptionOwner owner, std::ostream& out)
 {
-  out << "| command, property | default | range or words | with | |\n|---|---|---|---|---|\n";
+  out << "| command, property; Python where it differs | default | range or words | with | "
+         "|\n|---|---|---|---|---|\n";
   for (const Option* const option : ownOptions(owner))
   {
     std::string words;
@@ -460,7 +461,12 @@ void writeTable(OptionOwner owner, std::ostream& out)
       }
     }
     const std::string value = textOf(*option, option->byDefault);
-    out << "| `" << spelled(*option, OptionSpelling::Command) << "` `" << option->property << "` | "
+    const std::string command = spelled(*option, OptionSpelling::Command);
+    std::string keyword = option->argument;
+    std::replace(keyword.begin(), keyword.end(), '_', '-');
+    const bool alike = command == "--" + keyword || command == "--no-" + keyword;
+    out << "| `" << command << "` `" << option->property << "`"
+        << (alike || option->argument.empty() ? "" : "; `" + option->argument + "`") << " | "
         << (!option->automatic.empty()            ? option->automatic
                : option->type != OptionType::Flag ? value
                : value == "0"                     ? "off"

@@ -67,7 +67,7 @@ void addMethod(Table& table)
     .words({ { "progressive", "Progressive" }, { "global", "Global" }, { "isometric", "Isometric" },
       { "lscm", "" } })
     .help("How the wires get their shape: isometric (wires and interior together, which distorts "
-          "least), global (all angles together, Eq. 13 of the paper), progressive (wire-patch by "
+          "least), global (all angles together, equation 13 of the paper), progressive (wire-patch by "
           "wire-patch, Algorithm 2), lscm (least squares conformal, for comparison: keeps no "
           "length).");
   table.add("BoundaryMode", [](All& all) { return &all.flattening.boundary; })
