@@ -90,7 +90,7 @@ void addColumns(vtkFieldData* field, const Columns& columns)
   for (const Column& column : columns)
   {
     const auto add = [&](const auto& array, const auto& values) {
-      array->SetName(column.name.c_str());
+      array->SetName(column.name.empty() ? nullptr : column.name.c_str());
       array->SetNumberOfComponents(column.components);
       array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / column.components);
       for (std::size_t k = 0; k < values.size(); ++k)

@@ -124,7 +124,8 @@ Columns columnsOf(vtkFieldData* arrays)
   for (int k = 0; k < arrays->GetNumberOfArrays(); ++k)
   {
     vtkAbstractArray* const array = arrays->GetAbstractArray(k);
-    if (!array->GetName() || array->GetNumberOfComponents() < 1)
+    // VTK's XML readers refuse a file with a name that is empty.
+    if (!array->GetName() || !*array->GetName() || array->GetNumberOfComponents() < 1)
     {
       continue;
     }

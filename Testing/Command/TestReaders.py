@@ -214,6 +214,17 @@ class Readers(command.CommandTest):
         piece = self.flatten("squares.obj")["pieces"][0]
         self.assertEqual(piece["triangles"], 2 * len(squares))
 
+    def test_arrays_whose_name_is_empty_stay_behind(self):
+        count, cells = len(self.points), len(self.triangles)
+        for kind, rows in (("POINT_DATA", count), ("CELL_DATA", cells)):
+            with self.subTest(kind):
+                self.write("a.vtk", command.legacy(self.points, self.triangles) + (
+                    "\n%s %d\nFIELD FieldData 2\n%%00 1 %d int\n%s\nkept 1 %d int\n%s\n" % (
+                        kind, rows, rows, "1 " * rows, rows, "2 " * rows)))
+                self.flatten("a.vtk")
+                self.assertEqual(self.array("out/cut.vtp", "Points"), self.coordinates())
+                self.assertEqual(set(self.array("out/cut.vtp", "kept")), {2})
+
     def test_text_curves_and_polydata_curves_give_the_same_result(self):
         self.write("a.obj", command.obj(self.points, self.triangles))
         self.write("keys.txt", "key arc %s # the middle\n" % " ".join(map(str, self.arc)))
