@@ -66,10 +66,11 @@ void addMethod(Table& table)
   table.add("Scheme", [](All& all) { return &all.flattening.scheme; })
     .words({ { "progressive", "Progressive" }, { "global", "Global" }, { "isometric", "Isometric" },
       { "lscm", "" } })
-    .help("How the wires get their shape: isometric (wires and interior together, which distorts "
-          "least), global (all angles together, equation 13 of the paper), progressive (wire-patch by "
-          "wire-patch, Algorithm 2), lscm (least squares conformal, for comparison: keeps no "
-          "length).");
+    .help(
+      "How the wires get their shape: isometric (wires and interior together, which distorts "
+      "least), global (all angles together, equation 13 of the paper), progressive (wire-patch by "
+      "wire-patch, Algorithm 2), lscm (least squares conformal, for comparison: keeps no "
+      "length).");
   table.add("BoundaryMode", [](All& all) { return &all.flattening.boundary; })
     .spelled("boundary")
     .words({ { "exact", "Exact" }, { "free", "Free" } })
