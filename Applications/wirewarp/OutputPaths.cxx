@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
+#include <string>
 #include <system_error>
 
 namespace wirewarp
@@ -99,17 +101,22 @@ bool takeFile(Options& options, const std::string& path)
 /// What the command writes, by endings of files.
 std::string endingsOf(const std::string& command)
 {
-  const auto formats = drawnFormats().find(command);
-  std::string endings;
-  for (const auto& [ending, format] : formats == drawnFormats().end() ? Formats() : formats->second)
+  std::set<std::string> known{ ".obj", ".png", dataExtension };
+  for (const auto& [name, formats] : drawnFormats())
   {
-    endings += ending + ", ";
+    for (const auto& [ending, format] : formats)
+    {
+      known.insert(ending);
+    }
   }
-  const bool data = command == "cut" || command == "make" || command == "sew" ||
-    command == "reshape" || command == "check";
-  endings += data ? std::string(dataExtension) + ", .obj, " : "";
-  endings += command == "picture" ? ".png, " : "";
-  return command == "check" ? endings.substr(0, endings.size() - 2) : endings + "or a folder";
+  std::string endings;
+  for (const std::string& ending : known)
+  {
+    Options options;
+    options.command = command;
+    endings += !takeFile(options, "file" + ending) ? "" : (endings.empty() ? "" : ", ") + ending;
+  }
+  return command == "check" ? endings : endings + (endings.empty() ? "a folder" : ", a folder");
 }
 
 /// Whether a name that is no folder's ends as those of files do: .txt, .jpeg, not .5 or .v2.

@@ -43,7 +43,7 @@ TEST(WindowWords, SayDefectAndWayOut)
   figures::silence(filter);
   filter->SetInputConnection(plane->GetOutputPort());
   filter->SetMaterial("denim");
-  filter->AddGrain("nobody");
+  filter->AddGrain("missing");
   filter->Update();
   const std::string said = editor::messageOf(filter);
   EXPECT_EQ(said.rfind(filter->GetStatusDefect(), 0), 0u) << said;

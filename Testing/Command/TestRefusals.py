@@ -48,6 +48,31 @@ class Refusals(command.CommandTest):
 
     # Files
 
+    def test_outputs_that_a_command_does_not_write(self):
+        for name, output, says in (("check", "k.stl", ".obj, .vtp"), ("check", "folder", ".obj, .vtp"),
+                                   ("pattern", "shirt.pfd", ".pdf"), ("flatten", "flat.text", "a folder")):
+            with self.subTest(name, output=output):
+                run = self.run_command(name, "good.obj", "--unit", "cm", "--output", output)
+                self.assertNotEqual(run.returncode, 0)
+                self.assertIn("does not write '%s'; it writes " % output, run.stderr)
+                self.assertIn(says, run.stderr)
+                self.assertFalse(os.path.exists(self.path(output)))
+
+    def test_a_check_exits_alike_where_it_says_nothing(self):
+        self.write("ring.obj", command.obj(*command.torus()))
+        for surface, code in (("ring.obj", 4), ("good.obj", 0)):
+            for quiet in ((), ("--quiet",)):
+                run = self.run_command("check", surface, "--unit", "cm", *quiet)
+                self.assertEqual((run.returncode, not run.stdout), (code, bool(quiet)))
+
+    def test_a_result_in_another_unit_than_it_was_made_in(self):
+        self.run_command("flatten", "good.obj", "--unit", "cm", "--output", "flat")
+        run = self.run_command("pattern", "flat", "--unit", "mm", "--output", "flat.svg")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("is in cm", run.stderr)
+        self.assertFalse(os.path.exists(self.path("flat.svg")))
+        self.assertEqual(self.run_command("pattern", "flat", "--unit", "cm", "--output", "flat.svg").returncode, 0)
+
     def test_missing_surface(self):
         self.refuse("absent.obj", says=("absent.obj", "no such file"), status="UnreadableInput")
 

@@ -190,7 +190,7 @@ TEST(GoreSeams, PartARingIntoTubesOpenedAlongItsInside)
   }
 }
 
-TEST(GoreSeams, LeaveHandlesToOtherSeams)
+TEST(GoreSeams, LeaveABentTubeToOtherSeams)
 {
   const TriangleMesh bent = rolledUp(24, 32, [](double around, double share) {
     const double turn = 1.2 * pi * share; // of a ring a part, whose axis is outside
