@@ -70,9 +70,10 @@ vtkSmartPointer<vtkLookupTable> makeCategories(int count)
 }
 
 //------------------------------------------------------------------------------
-Vector facing(const PolyData& surface)
+Vector facing(const PolyData& surface, const Vector& up)
 {
   Vector sum{ 0.0, 0.0, 0.0 };
+  double area = 0.0;
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
   {
@@ -89,10 +90,23 @@ Vector facing(const PolyData& surface)
       vtkMath::Subtract(b.data(), origin.data(), b.data());
       const Vector normal = cross(a, b);
       vtkMath::Add(sum.data(), normal.data(), sum.data());
+      area += vtkMath::Norm(normal.data());
     }
   }
+  // Bodies face all sides: they are seen from the front, the right and above.
+  constexpr double ofPanel = 0.4;
+  const bool isBody = vtkMath::Norm(sum.data()) < ofPanel * area;
   const Vector direction = normalized(sum);
-  return std::abs(direction[1]) < 0.8 ? direction : Vector{ 0.8, 0.7, 0.9 };
+  const Vector oblique = up[1] > 0.0 ? Vector{ 0.8, 0.7, 0.9 } : Vector{ 0.8, -0.9, 0.7 };
+  return !isBody && std::abs(vtkMath::Dot(direction.data(), up.data())) < 0.8 ? direction : oblique;
+}
+
+//------------------------------------------------------------------------------
+Vector upOf(const PolyData& surface)
+{
+  const double* const bounds = surface->GetBounds();
+  return bounds[3] - bounds[2] > bounds[5] - bounds[4] ? Vector{ 0.0, 1.0, 0.0 }
+                                                       : Vector{ 0.0, 0.0, 1.0 };
 }
 
 //------------------------------------------------------------------------------

@@ -104,9 +104,12 @@ constexpr Vector keyColor{ 0.85, 0.0, 0.0 };
 constexpr Vector dartColor{ 0.0, 0.2, 0.9 };
 constexpr Vector seamColor{ 0.6, 0.0, 0.75 };
 
+/// The axis y or z along which a surface is larger.
+Vector upOf(const PolyData& surface);
+
 /// The direction from which most of a surface is seen: its mean normal, or obliquely from above
-/// where that is nearly upright.
-Vector facing(const PolyData& surface);
+/// where that is nearly upright or the surface, as a box or a bottle, faces all sides.
+Vector facing(const PolyData& surface, const Vector& up = { 0.0, 1.0, 0.0 });
 
 /// Blue to red, as in the figures of the paper.
 vtkSmartPointer<vtkLookupTable> makeColors(ColorRange range);

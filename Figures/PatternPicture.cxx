@@ -16,6 +16,7 @@
 #include <vtkTriangle.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 
@@ -31,6 +32,7 @@ constexpr int legendSize = 14;
 constexpr int barHeight = 60;
 constexpr int samples = 8;               // of a pixel
 constexpr std::size_t messageWidth = 72; // characters
+constexpr int tableWidth = 1000;         // of a picture that has room for numbers beside its scale
 
 constexpr Vector black{ 0.0, 0.0, 0.0 };
 constexpr Vector grey{ 0.35, 0.35, 0.35 };
@@ -135,17 +137,25 @@ std::string extremesOf(const FlatPiece& piece, const ColorMap& map)
     sum += weight * value;
     weights += weight;
   }
+  constexpr double rounding = 1e-6; // of ratios and per cent
+  const auto number = [](const char* pattern, double value) {
+    return formatted(pattern, std::abs(value) < rounding ? 0.0 : value);
+  };
   const auto words = [&](vtkIdType k) {
-    const std::string text = formatted("%.3g", values->GetComponent(k, 0));
+    const std::string text = number("%.3g", values->GetComponent(k, 0));
     return map.onPoints || !ids || ids->GetRange()[1] < 1.0
       ? text
       : text + formatted(" on piece %d", static_cast<int>(ids->GetComponent(k, 0)) + 1);
   };
   double place[3];
   piece.cut->GetPoint(map.onPoints ? largest : piece.cut->GetCell(largest)->GetPointId(0), place);
+  for (double& coordinate : place)
+  {
+    coordinate = std::abs(coordinate) < rounding * piece.cut->GetLength() ? 0.0 : coordinate;
+  }
   return "largest " + words(largest) +
     formatted(" at %.4g, %.4g, %.4g; least ", place[0], place[1], place[2]) + words(least) +
-    (weights > 0.0 ? formatted("; mean %.3g", sum / weights) : "");
+    (weights > 0.0 ? number("; mean %.3g", sum / weights) : "");
 }
 
 namespace
@@ -169,6 +179,9 @@ private:
   void drawTexts(const PatternScene& scene);
   void drawLegend(const PatternScene& scene);
   void drawScale(const ColorMap& map);
+  /// In as many lines as the scale leaves room for.
+  void drawExtremes(const std::string& text);
+  bool isNarrow() const { return this->Window->GetSize()[0] < tableWidth; }
   /// \return its width in pixels
   int addText(const std::string& text, int x, int y, int size, const Vector& color,
     TextStyle style = TextStyle::Plain, bool fromTop = false);
@@ -201,7 +214,7 @@ PatternPicture::PatternPicture(const PatternScene& given, int width, int height)
   if (map.labels > 0)
   {
     this->drawScale(map);
-    this->addText(extremesOf(scene.piece, map), margin, 2 * margin + line / 2, legendSize, black);
+    this->drawExtremes(extremesOf(scene.piece, map));
   }
   this->Window->Render();
 }
@@ -210,7 +223,8 @@ PatternPicture::PatternPicture(const PatternScene& given, int width, int height)
 void PatternPicture::drawPanels(const PatternScene& scene, const ColorMap& map)
 {
   Drawing space;
-  space.lookFrom(facing(scene.piece.cut));
+  const Vector up = upOf(scene.piece.cut);
+  space.lookFrom(facing(scene.piece.cut, up), up);
   Drawing plane;
   this->Window->AddRenderer(space.renderer());
   this->Window->AddRenderer(plane.renderer());
@@ -276,16 +290,18 @@ void PatternPicture::drawTexts(const PatternScene& scene)
   const int top = strip - margin - line;
   int right = 0;
   int y = top;
-  for (const std::string& row : errorTable(scene.piece, rows))
+  for (const std::string& row :
+    this->isNarrow() ? std::vector<std::string>() : errorTable(scene.piece, rows))
   {
     right =
       std::max(right, this->addText(row, margin, y, legendSize, black, TextStyle::FixedPitch));
     y -= line;
   }
-  y = top;
+  const int left = this->isNarrow() ? margin : right + 3 * margin;
+  y = this->isNarrow() ? this->Window->GetSize()[1] - 2 * margin - 2 * line : top;
   for (const std::string& words : wrapped(scene.message, messageWidth))
   {
-    this->addText(words, right + 3 * margin, y, legendSize, scene.warning ? keyColor : grey);
+    this->addText(words, left, y, legendSize, scene.warning ? keyColor : grey);
     y -= line;
   }
 }
@@ -300,7 +316,9 @@ void PatternPicture::drawLegend(const PatternScene& scene)
     bool shown;
   };
   const PolyData& wires = scene.piece.wires;
-  const Entry entries[] = { { "boundary", boundaryColor, hasType(wires, -1) },
+  const bool seams = hasType(wires, 3);
+  const Entry entries[] = { { seams ? "boundary and seams" : "boundary", boundaryColor,
+                              seams || hasType(wires, -1) },
     { "accessory", accessoryColor, hasType(wires, 0) }, { "key", keyColor, hasType(wires, 1) },
     { "dart", dartColor, hasType(wires, 2) } };
   int x = margin;
@@ -318,6 +336,20 @@ void PatternPicture::drawLegend(const PatternScene& scene)
 }
 
 //------------------------------------------------------------------------------
+void PatternPicture::drawExtremes(const std::string& text)
+{
+  constexpr std::size_t narrowWidth = 26; // characters
+  const std::vector<std::string> lines =
+    wrapped(text, this->isNarrow() ? narrowWidth : text.size());
+  int y = 2 * margin + line / 2 + line * static_cast<int>(lines.size() - 1);
+  for (const std::string& words : lines)
+  {
+    this->addText(words, margin, y, legendSize, black);
+    y -= line;
+  }
+}
+
+//------------------------------------------------------------------------------
 void PatternPicture::drawScale(const ColorMap& map)
 {
   const double width = this->Window->GetSize()[0];
@@ -328,8 +360,11 @@ void PatternPicture::drawScale(const ColorMap& map)
   bar->SetPosition(left / width, margin / height);
   bar->SetPosition2(length / width, barHeight / height);
   this->Overlay->AddViewProp(bar);
-  this->addText(
-    map.title, static_cast<int>(left), margin + barHeight - line / 3, legendSize, black);
+  constexpr int letter = 7;
+  const int fitting =
+    static_cast<int>(width) - margin - letter * static_cast<int>(map.title.size());
+  this->addText(map.title, std::max(margin, std::min(static_cast<int>(left), fitting)),
+    this->isNarrow() ? strip - margin - line : margin + barHeight - line / 3, legendSize, black);
 }
 
 }

@@ -2,6 +2,7 @@
 #include "Check.h"
 
 #include "BoundaryLoops.h"
+#include "FlagWords.h"
 #include "Flattening.h"
 #include "InputError.h"
 #include "Options.h"
@@ -241,7 +242,10 @@ int runCheck(const Options& options)
   TriangleList list = listTriangles(mend.surface);
   if (list.triangles.empty())
   {
-    throw InputError(options.surface, "holds no triangles with finite points");
+    const flattening::SurfaceTriangles read = flattening::readTriangles(mend.surface);
+    const flattening::Status status =
+      flattening::prepareSurface(read.points, read.triangles).status;
+    throw InputError(options.surface, messageOf(status.message, remediesOf(status)));
   }
   if (isScaled(options))
   {

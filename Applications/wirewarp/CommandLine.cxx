@@ -2,6 +2,7 @@
 #include "CommandLine.h"
 
 #include "FaceSeams.h"
+#include "HelpFormatter.h"
 #include "InputError.h"
 #include "Make.h"
 #include "OptionHints.h"
@@ -33,9 +34,6 @@ namespace wirewarp
 {
 namespace
 {
-// Options without a group would have no name in messages.
-constexpr const char* commonGroup = "Options";
-constexpr const char* globalGroup = "Options of every command";
 constexpr const char* expertGroup = "Options for experts";
 
 /// Converts a length that may have a unit to millimetres; without a length to 0.
@@ -151,7 +149,7 @@ void addGlobals(CLI::App& app, Options& options)
     ->group(group);
   app
     .add_option("-t,--threads", options.threads,
-      "Threads, which change no result (default: as many as there are cores)")
+      "Threads, which change no result (default, and 0: as many as there are cores)")
     ->check(wholeNumber(0, 1024, "from 0 to 1024"))
     ->type_name("N")
     ->group(group);
@@ -260,10 +258,11 @@ const std::vector<Command>& commands()
         addMaking(app, options);
         addScaling(app, options);
         addCutting(app, options);
+        app.get_option("--effort")->default_str(effortOfMaking);
         addDrawing(app, options.pattern);
       },
       { "--for", "--template", "--height", "--max-strain", "--pieces", "--symmetric", "--effort",
-        "--material", "--allowance", "--fold", "--pairs", "--paper", "--style" } },
+        "--max-cuts", "--material", "--allowance", "--fold", "--pairs", "--paper", "--style" } },
     { "check", "Print size, likely unit, openings and defects of a surface; mend it", "SURFACE",
       "FILE", "Write the mended and scaled surface: .vtp",
       [](CLI::App& app, Options& options) {
@@ -329,7 +328,7 @@ const std::vector<Command>& commands()
       },
       { "--max-strain", "--keep", "--free-boundary", "--outward", "--body", "--material" } },
     { "picture", "Draw surface and flat pieces into a PNG file", "SOURCE", "FILE.png|DIR",
-      "File for the picture (default: <name of SOURCE>.png)",
+      "File for the picture (default: <name of SURFACE>.png, or picture.png in a folder)",
       [](CLI::App& app, Options& options) { addPicture(app, options.picture); },
       { "--color", "--color-range", "--material" } },
     { "prices", "Print what the planar shape of each key curve costs", "SURFACE", "DIR",
@@ -356,75 +355,6 @@ const Command* commandNamed(const std::string& name)
   }
   return nullptr;
 }
-
-/// Sentences to the first full stop, and everything wrapped.
-class HelpFormatter : public CLI::Formatter
-{
-public:
-  explicit HelpFormatter(bool whole)
-    : Whole(whole)
-  {
-    this->column_width(34);
-  }
-
-  std::string make_help(
-    const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override
-  {
-    std::string text = CLI::Formatter::make_help(app, std::move(name), mode);
-    for (std::size_t at = text.find("\n\n\n"); at != std::string::npos; at = text.find("\n\n\n"))
-    {
-      text.erase(at, 1);
-    }
-    return text;
-  }
-
-  std::string make_group(
-    std::string group, bool positional, std::vector<const CLI::Option*> options) const override
-  {
-    const bool hidden = !this->Whole && !positional && group != commonGroup && group != globalGroup;
-    return hidden ? "" : CLI::Formatter::make_group(group, positional, options);
-  }
-
-  std::string make_option_desc(const CLI::Option* option) const override
-  {
-    std::string text = CLI::Formatter::make_option_desc(option);
-    if (!this->Whole)
-    {
-      text = text.substr(0, std::min(text.find(". "), text.find("; ")));
-      text += text.find('(') != std::string::npos && text.find(')') == std::string::npos ? ")" : "";
-    }
-    constexpr std::size_t width = 66;
-    std::string lines;
-    std::size_t start = 0;
-    while (text.size() - start > width)
-    {
-      const std::size_t blank = text.rfind(' ', start + width);
-      if (blank == std::string::npos || blank <= start)
-      {
-        break;
-      }
-      lines += text.substr(start, blank - start) + '\n';
-      start = blank + 1;
-    }
-    return lines + text.substr(start);
-  }
-
-  std::string make_option_opts(const CLI::Option* option) const override
-  {
-    const std::string type = option->get_type_name();
-    const std::string value = option->get_default_str();
-    return (type.empty() ? ""
-                         : ' ' +
-                 type.substr(0,
-                   type.find_first_of(
-                     ':', type.find("[:") == std::string::npos ? 0 : type.find(']')))) +
-      (option->get_positional() && option->get_expected_max() > 1 ? " ..." : "") +
-      (value.empty() ? "" : " (" + value + ')');
-  }
-
-private:
-  bool Whole;
-};
 
 constexpr const char* examples =
   R"(wirewarp SURFACE [CURVES...] is short for wirewarp flatten SURFACE [CURVES...].
@@ -661,6 +591,21 @@ void addCommandsOfBatch(CLI::App& batch, Options& options)
   }
 }
 
+/// The command that a word is nearly, where it is the name of no file.
+std::string commandMeantBy(const std::string& word)
+{
+  std::vector<std::string> names;
+  for (const Command& command : commands())
+  {
+    names.emplace_back(command.name);
+  }
+  std::error_code ignored;
+  return lowerCaseExtension(word).empty() &&
+      !std::filesystem::exists(std::filesystem::u8path(word), ignored)
+    ? nearestWord(word, names)
+    : "";
+}
+
 /// The commands that have an option, "wirewarp pattern, wirewarp nest"; empty: none. That which
 /// does the work of several is not listed.
 std::string commandsWith(const std::string& option)
@@ -718,6 +663,15 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
   if (first < arguments.size() && !commandNamed(arguments[first]) &&
     own.count(arguments[first]) == 0)
   {
+    const std::string meant = commandMeantBy(arguments[first]);
+    if (!meant.empty())
+    {
+      std::cerr << "wirewarp: error: " << plainText(inQuotes(arguments[first]))
+                << " is neither a command nor a file; did you mean wirewarp " << meant
+                << "?\nTry 'wirewarp --help'.\n";
+      exitCode = BadUsage;
+      return std::nullopt;
+    }
     arguments.insert(arguments.begin() + static_cast<std::ptrdiff_t>(first), "flatten");
   }
 

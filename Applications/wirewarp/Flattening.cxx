@@ -86,7 +86,8 @@ void checkBound(const Options& options, Flattening& result)
   {
     message << "the proposed cuts leave a strain of " << strain
             << ", more than half above the bound of " << bound
-            << "; allow more cuts (--max-cuts) or work (--max-work), or a larger bound";
+            << "; allow more cuts (--max-cuts), a longer search (--effort) or a larger strain "
+               "(--max-strain)";
   }
   result.exitCode = Flawed;
   result.status = "BoundMissed";
@@ -698,6 +699,10 @@ Flattening flattenOne(const Options& options, const std::string& base)
       run.flatten(progress.execution(options.threads));
     }
     result.conclude(run.run().status);
+    if (options.seams == "gores" && result.status == "InvalidOption")
+    {
+      result.message += ", or another --template: front-back, strips, foam-shell";
+    }
     checkBound(options, result);
     const int curves = run.run().status.refused() ? run.run().source.blamed - 1 : -1;
     const bool ofFile = curves >= 0 && curves < static_cast<int>(input.files.size());

@@ -35,6 +35,8 @@ Curves
                            one side of others: plane x=0 y>10 z<50
     opening 2              all around an opening, as wirewarp check numbers them; its name is then
                            NAME, as in edge waist opening 2
+    boundary left          all around the opening farthest to the left (right, top, bottom, front,
+                           back), or along the curve above of that name
     between waist and hem  the straight way from an opening (opening N) or curve above to another
   In a .csv they stand in the column x.
   Polylines in SURFACE itself are curves too. Points of curves

@@ -71,7 +71,7 @@ std::vector<DefaultOption> defaultsOfTemplate(const std::string& name)
 }
 
 /// Of all kinds: a pattern within some ten seconds.
-const DefaultOption effort{ "--effort", "quick" };
+const DefaultOption effort{ "--effort", effortOfMaking };
 
 bool isOption(const std::string& argument, const std::string& option)
 {

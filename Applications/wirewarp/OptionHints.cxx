@@ -45,30 +45,34 @@ std::string optionWord(const std::string& argument)
 }
 }
 
+std::string nearestWord(const std::string& word, const std::vector<std::string>& names)
+{
+  std::string nearest;
+  // A third of the letters may be wrong.
+  std::size_t fewest = word.size() < 2 ? 0 : word.size() / 3 + 1;
+  for (const std::string& name : names)
+  {
+    const std::size_t apart = lettersApart(word, name);
+    if (apart < fewest)
+    {
+      fewest = apart;
+      nearest = name;
+    }
+  }
+  return nearest;
+}
+
 std::string nearestOption(const CLI::App& app, const std::vector<std::string>& unknown)
 {
   for (const std::string& argument : unknown)
   {
-    const std::string word = optionWord(argument);
-    if (word.size() < 2)
-    {
-      continue;
-    }
-    std::string nearest;
-    // A third of the letters may be wrong.
-    std::size_t fewest = word.size() / 3 + 1;
+    std::vector<std::string> names;
     for (const CLI::Option* const option : app.get_options())
     {
-      for (const std::string& name : option->get_lnames())
-      {
-        const std::size_t apart = lettersApart(word, name);
-        if (apart < fewest)
-        {
-          fewest = apart;
-          nearest = name;
-        }
-      }
+      const std::vector<std::string>& own = option->get_lnames();
+      names.insert(names.end(), own.begin(), own.end());
     }
+    const std::string nearest = nearestWord(optionWord(argument), names);
     if (!nearest.empty())
     {
       return "; is --" + nearest + " meant?";

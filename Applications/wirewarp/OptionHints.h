@@ -11,7 +11,10 @@ class App;
 
 namespace wirewarp
 {
+/// The name that a word nearly is, by Levenshtein's distance; empty where none is.
+std::string nearestWord(const std::string& word, const std::vector<std::string>& names);
+
 /// "; is --scheme meant?" for the first of the arguments that no option took and that is nearly the
-/// name of one, by Levenshtein's distance; empty where none is.
+/// name of one; empty where none is.
 std::string nearestOption(const CLI::App& app, const std::vector<std::string>& unknown);
 }

@@ -70,6 +70,15 @@ std::string sizeInMillimetres(const Flattening& result, std::size_t piece)
     format("%.0f", millimetres * numberIn(table, piece, "FlatHeight"));
 }
 
+std::string percent(double strain)
+{
+  constexpr double least = 0.0005;
+  return std::isnan(strain) ? "unknown"
+    : strain < least        ? "under 0.1 %"
+    : strain < 0.1          ? format("%.2g %%", 100.0 * strain)
+                            : format("%.0f %%", 100.0 * strain);
+}
+
 std::string curveTypeName(double type)
 {
   static constexpr std::array<const char*, 4> names{ "accessory", "key", "dart", "seam" };
@@ -160,21 +169,21 @@ std::string fitVerdict(double strain, double bound)
   constexpr double ofCloth = 0.05;
   constexpr double ofElastic = 0.15;
   constexpr double tolerance = 1.1; // a search ends about at its bound
+  const std::string words = percent(strain);
+  const double enough = bound > 0.0 ? tolerance * bound : ofCloth;
   if (std::isnan(strain))
   {
-    return "unknown";
+    return words;
   }
-  const std::string percent = format(strain < 0.1 ? "%.2g %%" : "%.0f %%", 100.0 * strain);
-  const double enough = bound > 0.0 ? tolerance * bound : ofCloth;
   if (strain <= enough)
   {
-    return strain <= hardlyAny ? "fits, strain " + percent : "fits with a strain of " + percent;
+    return strain <= hardlyAny ? "fits, strain " + words : "fits with a strain of " + words;
   }
   if (strain > (bound > 0.0 ? missedBy * bound : ofElastic))
   {
-    return "does not fit: strain " + percent + ", cut it";
+    return "does not fit: strain " + words + ", cut it";
   }
-  return "strain " + percent + (bound > 0.0 ? ", more than wanted" : ", for material that gives");
+  return "strain " + words + (bound > 0.0 ? ", more than wanted" : ", for material that gives");
 }
 
 std::string verdicts(const Flattening& result)
@@ -403,13 +412,6 @@ std::string tableOf(const char* head, const Table& lines)
       breaks ? "breaks what holds without it" : "" });
   }
   return rows.size() == 1 ? "" : '\n' + layOut(rows, 1);
-}
-
-std::string percent(double strain)
-{
-  std::ostringstream text;
-  text << std::setprecision(2) << 100.0 * strain << " %";
-  return std::isnan(strain) ? "unknown" : text.str();
 }
 
 /// What was proposed, for people.

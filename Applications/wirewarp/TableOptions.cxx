@@ -464,8 +464,9 @@ void addCutting(CLI::App& app, Options& options)
       [&options, work](const std::string& effort) {
         options.values.set("MaximumWork", work * shareOfEffort.at(effort));
       },
-      "Length of the search: quick (up to some 10 s), normal (30 s), long (2 min). The best cuts "
-      "that are found by then are proposed, as after Ctrl+C")
+      "Length of the search: quick (10 s), normal (30 s), long (2 min). Each is about that long on "
+      "one processor that does nothing else; the best cuts that are found by then are proposed, as "
+      "after Ctrl+C")
     ->transform(CLI::IsMember({ "quick", "normal", "long" }, CLI::ignore_case).description(""))
     ->type_name("EFFORT")
     ->default_str("normal")

@@ -130,9 +130,8 @@ int run(const Options& options)
     say(options, written);
   }
   std::cout.flush();
-  // Lengths in millimetres depend on it, whoever reads the output.
-  std::cerr << (options.quiet && !options.pattern.any() ? "" : unitNote(written.result))
-            << writeErrors(written.result) << warnings(written.result);
+  std::cerr << (options.quiet ? "" : unitNote(written.result)) << writeErrors(written.result)
+            << warnings(written.result);
   if (written.result.exitCode == Flawed)
   {
     sayInRed(pieceWarnings(written.result));

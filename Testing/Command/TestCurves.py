@@ -82,6 +82,18 @@ class Curves(command.CommandTest):
         self.assertIn("openings: 2", listed)
         self.assertIn("opening 1: %.4g cm long, around 0, 0, 2" % (1.4 * rim), listed.replace("-0,", "0,"))
 
+    def test_boundaries_are_named_by_their_side_or_by_an_earlier_curve(self):
+        self.write("tube.obj", command.obj(*command.grid(
+            16, 8, lambda i, j: ((1 + 0.05 * j) * math.cos(math.pi * i / 8), (1 + 0.05 * j) * math.sin(math.pi * i / 8),
+                                 0.5 * j), closed=True)))
+        rim = 32 * math.sin(math.pi / 16)
+        lengths = self.lengths("seam side plane y=0 x>0\nedge neck boundary top\nedge hem boundary bottom\n"
+                               "accessory same boundary hem\n")
+        for name, length in (("neck", 1.4 * rim), ("hem", rim), ("same", rim)):
+            self.assertAlmostEqual(sum(lengths[name]), length, delta=1e-9)
+        lengths = self.lengths("seam side between boundary top and boundary bottom\n")
+        self.assertAlmostEqual(sum(lengths["side"]), math.hypot(4.0, 0.4), delta=1e-9)
+
     def test_a_line_between_openings_is_the_shortest_way(self):
         self.tube()
         side = math.hypot(2.0, 0.4)
@@ -109,6 +121,7 @@ class Curves(command.CommandTest):
         for text, words in (("seam side plane w=0", "write plane x=NUMBER"), ("seam side plane x=0 y=1", "write plane x=NUMBER"),
                             ("seam side plane x=9", "does not meet the surface"),
                             ("edge hem opening 3", "N from 1 to 2"), ("edge hem opening", "N from 1 to 2"),
+                            ("edge hem boundary waist", "name of a curve above"),
                             ("edge hem plane z=0", "lies along the boundary"),
                             ("seam side between hem and top", "names of curves above this line"),
                             ("seam side between opening 1 opening 2", "write between A and B"),

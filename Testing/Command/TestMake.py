@@ -68,7 +68,8 @@ class Make(command.CommandTest):
                 self.assertIn(layers, self.layers("cap.dxf"))
 
     def test_the_default_file_is_named_after_the_surface(self):
-        self.make("cap.obj", "--unit", "cm", "-q")
+        run = self.make("cap.obj", "-q")
+        self.assertEqual((run.stdout, run.stderr), ("", ""))
         self.assertTrue(os.path.exists(self.path("cap_pattern.pdf")))
 
     def test_a_bound_that_is_missed_is_said(self):
@@ -102,6 +103,9 @@ class Make(command.CommandTest):
             self.assertEqual(len(self.report("out")["pieces"]), pieces)
         for words, wanted in ((("strips",), "--max-width"), (("sleeves",), "sleeves")):
             self.assertIn(wanted, self.make("ball.obj", "--template", *words, code=2).stderr)
+        self.write("belt.txt", "accessory belt plane z=0\n")
+        said = self.make("ball.obj", "belt.txt", "--template", "gores", code=3).stderr
+        self.assertIn("front-back, strips, foam-shell", said)
 
     def test_pages_are_counted_before_the_search(self):
         """A square of 100 m has an area of over 200 pages, however it is folded."""

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """wirewarp picture: what it shows, and what happens where nothing can be drawn."""
 
+import math
 import os
 import shutil
 
@@ -65,6 +66,25 @@ class Picture(CommandTest):
 
     def test_its_size_may_be_chosen(self):
         self.assertEqual(self.draw("shirt.png", "--size", "800", "500").shape, (500, 800, 3))
+
+    def test_bodies_are_seen_from_the_side_and_above(self):
+        """A closed box has no direction that most of it faces; the bottom of a cup is not what shows it."""
+        for up in "yz":
+            points, triangles = command.grid(
+                16, 8, lambda i, j: (math.cos(math.pi * i / 8), j, math.sin(math.pi * i / 8)), closed=True)
+            triangles = [t[::-1] for t in triangles] + [(0, i, i + 1) for i in range(1, 15)]
+            if up == "z":
+                points = [(x, -z, y) for x, y, z in points]
+            self.write("cup.obj", command.obj(points, triangles))
+            self.run_command("make", "cup.obj", "--unit", "cm", "-o", "cup", "-o", "cup.svg")
+            for words in ((), ("--size", "400", "400")):
+                pixels = self.draw("cup.png", "--color", "area", *words, source=["cup"])
+                drawn = (pixels[160:-60] != 255).any(axis=2)  # from below
+                wide = drawn.any(axis=0)
+                first = wide.argmax()
+                columns = wide[first:].argmin()  # up to the flat pieces
+                rows = drawn[:, first:first + columns].any(axis=1).sum()
+                self.assertGreater(rows, 2 * columns)  # it is 8 high and 2 wide
 
     def test_its_folder_is_made_and_nothing_else_is_left_there(self):
         self.draw(os.path.join("a folder", "shirt.PNG"))

@@ -65,6 +65,20 @@ class Refusals(command.CommandTest):
                 run = self.run_command("check", surface, "--unit", "cm", *quiet)
                 self.assertEqual((run.returncode, not run.stdout), (code, bool(quiet)))
 
+    def test_a_check_names_points_that_are_not_finite(self):
+        points, triangles, _ = command.quarter_sphere()
+        points[3] = (float("nan"), 0.0, 0.0)
+        self.write("nan.obj", command.obj(points, triangles))
+        run = self.run_command("check", "nan.obj")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("points 3 have a coordinate that is not a finite number", run.stderr)
+
+    def test_strains_are_said_in_few_figures(self):
+        """A plane has none but that of rounding."""
+        self.write("plane.obj", command.obj(*command.grid(4, 4, lambda i, j: (i / 7, j / 7, 0.3))))
+        run = self.run_command("flatten", "plane.obj", "--unit", "cm")
+        self.assertIn("fits, strain under 0.1 %", run.stdout)
+
     def test_a_result_in_another_unit_than_it_was_made_in(self):
         self.run_command("flatten", "good.obj", "--unit", "cm", "--output", "flat")
         run = self.run_command("pattern", "flat", "--unit", "mm", "--output", "flat.svg")

@@ -74,6 +74,22 @@ class Usage(command.CommandTest):
         self.assertIn("it is an option of wirewarp pattern", self.assert_usage_error("a.obj", "--allowance", "5"))
         self.assertIn("it is an option of wirewarp nest", self.assert_usage_error("pattern", "a", "--roll-width", "5"))
 
+    def test_a_command_that_is_nearly_written_is_proposed_and_a_file_of_its_name_is_read(self):
+        for written, meant in (("flaten", "flatten"), ("Pattren", None), ("piture", "picture")):
+            with self.subTest(written):
+                run = self.run_command(written, "a.obj")
+                self.assertEqual("did you mean wirewarp %s?" % meant in run.stderr, meant is not None, run.stderr)
+                self.assertNotEqual(run.returncode, 0)
+        self.write("flaten", "not a surface")
+        self.assertNotIn("mean", self.run_command("flaten").stderr)
+
+    def test_help_says_what_each_word_of_an_option_does(self):
+        said = " ".join(self.run_command("flatten", "--help").stdout.split())
+        self.assertRegex(said, r"How the legs of a dart lie: .*straight, or mirrored \(")
+        said = " ".join(self.run_command("make", "--help").stdout.split())
+        self.assertIn("--effort EFFORT (quick)", said)  # that of its own default
+        self.assertIn("--max-cuts", said)  # which its messages name
+
     def test_option_without_its_value_is_bad_usage(self):
         self.assert_usage_error("a.obj", "--output")
 

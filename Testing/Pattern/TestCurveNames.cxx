@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 using namespace flattening;
 using namespace flattening::pattern;
@@ -156,5 +158,40 @@ TEST(CurveNames, ATitleIsCutWhereThePieceHasNoRoomForItAndOtherwiseWhole)
     EXPECT_EQ(written == name, name.size() <= ordinary.size());
     EXPECT_LT(written.size(), 400u);
     EXPECT_EQ(written.substr(0, 5), name.substr(0, 5));
+  }
+}
+
+TEST(CurveNames, OfSmallPiecesLieOnNoOtherText)
+{
+  PatternPiece piece;
+  Points2 corners;
+  for (int k = 0; k < 8; ++k)
+  {
+    const double angle = 2.0 * pi * k / 8;
+    corners.emplace_back(20.0 * std::cos(angle), 20.0 * std::sin(angle));
+  }
+  std::vector<JoinSide> joins;
+  piece.lines.push_back(makeLine(LineKind::CutLine, corners, "", true));
+  const Segments boundary = boundaryOf(piece);
+  for (std::size_t k = 0; k < 8; ++k)
+  {
+    const Points2 side{ corners[k], corners[(k + 1) % 8] };
+    piece.lines.push_back(makeLine(LineKind::SewLine, side, "seam 1" + std::to_string(k), false));
+    joins.push_back({ std::string(1, static_cast<char>('A' + k)), side });
+  }
+  piece.texts.push_back({});
+  piece.texts.back().text = "piece 1 of 20";
+  placeTexts(boundary, joins, piece);
+  ASSERT_GE(piece.texts.size(), 9U); // its title and a mark on each side
+  for (std::size_t k = 0; k < piece.texts.size(); ++k)
+  {
+    for (std::size_t m = 0; m < k; ++m)
+    {
+      // Circles within the boxes of two texts.
+      const PatternText& one = piece.texts[k];
+      const PatternText& other = piece.texts[m];
+      EXPECT_GT((one.position - other.position).norm(), 0.5 * (one.height + other.height))
+        << one.text << " on " << other.text;
+    }
   }
 }

@@ -271,6 +271,7 @@ Status CurvePlacement::locate(std::size_t c, std::vector<ClosestPoint>& closest)
   return { StatusCode::CurvePointOffSurface,
     curveName(polyline, c) + ": points " + listIds(off) + " lie up to " + shortNumber(farthest) +
       " off the surface, more than the tolerance of " + shortNumber(this->Reach) +
+      ", both in the unit of the surface" +
       (farthest > nearby * this->Diagonal
           ? ", as where curve and surface differ in unit, axes or place"
           : ""),

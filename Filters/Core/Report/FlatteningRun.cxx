@@ -104,8 +104,8 @@ std::optional<FlatteningResult> FlatteningRun::suggest(const SuggestionOptions& 
   const Execution& execution, const std::function<void()>& goOn, CurveSuggestions& found)
 {
   const bool lines = options.search.cuts == SuggestedCuts::Lines;
-  found = (lines ? suggestLines : suggestCurves)(
-    this->source.surface.prepared.mesh, this->source.curves.polylines, options, execution);
+  found = (lines ? suggestLines : suggestCurves)(this->source.surface.prepared.mesh,
+    this->source.curves.polylines, options, execution.part(0.0, 0.9));
   if (!this->conclude(this->source.outcomeOfStage(found.status)))
   {
     return {};
@@ -120,7 +120,7 @@ std::optional<FlatteningResult> FlatteningRun::suggest(const SuggestionOptions& 
   std::optional<FlatteningResult> result;
   if (this->conclude(this->source.outcome))
   {
-    result = this->flatten(options.flattening, { -1, -1 }, execution);
+    result = this->flatten(options.flattening, { -1, -1 }, execution.part(0.9, 1.0));
   }
   const std::string shortfall = result && !lines
     ? describeShortfall(found, options.search.bound, options.search.maximumWidth, given)

@@ -296,7 +296,7 @@ public:
     }
     Charts first(half, firstCuts(half, firstShare * this->Options.bound, this->Options.holes),
       numbersTo(half.halfedgeCount()), this->Options, this->Size, this->Trials);
-    TrialBudget budget(mergingShare * this->Budget.left());
+    TrialBudget budget(mergingShare * this->Budget.left(), this->Budget);
     first.divide(budget, this->Run);
     CutMesh parted{ half, first.cut(), {} };
     if (this->Straight)
@@ -310,7 +310,7 @@ public:
       rough.pieces = this->Mirror ? (rough.pieces + 1) / 2 : rough.pieces;
       Charts merged(parted.mesh, parted.cut, numbersTo(parted.mesh.halfedgeCount()), rough,
         this->Size, this->Trials);
-      TrialBudget some(roughWork * budget.left());
+      TrialBudget some(roughWork * budget.left(), budget);
       merged.divide(some, this->Run);
       merged.merge(true, some, this->Run);
       budget.add(some);
@@ -335,7 +335,7 @@ public:
     this->Budget.add(budget);
     if (this->Options.darts)
     {
-      TrialBudget sewing(sewingShare * this->Budget.left());
+      TrialBudget sewing(sewingShare * this->Budget.left(), this->Budget);
       charts.shorten(sewing, this->Run);
       this->Budget.add(sewing);
     }
@@ -619,7 +619,7 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   }
   // What is left has to do for cuts without the mirror, where its two sides differ too much.
   const bool near = plane && plane->error > SurfaceMirror::exact && !options.mirrorKept;
-  TrialBudget trying(near ? nearShare * budget.left() : budget.left());
+  TrialBudget trying(near ? nearShare * budget.left() : budget.left(), budget);
   ChartSearch first(mesh, plane, true, options, trying, execution);
   std::vector<SuggestedCurve> cuts = first.run();
   const ChartSearch* best = &first;

@@ -110,6 +110,9 @@ public:
     , Budget(options.search.maximumWork > 0.0 ? 1e6 * options.search.maximumWork
                                               : std::numeric_limits<double>::infinity())
   {
+    // Flattenings tell nothing of how far the search is.
+    this->Run.progress = nullptr;
+    this->Budget.watch([execution](double part) { execution.report(part, "Choosing cuts"); });
   }
 
   CurveSuggestions run()
@@ -451,7 +454,7 @@ private:
     bool tooMany = false;
     for (int k = 0; k < mostLooser; ++k)
     {
-      TrialBudget budget(shareOfCharts * (this->Budget.left() - this->MostMeasuring));
+      TrialBudget budget(shareOfCharts * (this->Budget.left() - this->MostMeasuring), this->Budget);
       set = {};
       set.cuts = this->chartsOf(surface, uncut, bound, budget);
       set.cutsNeeded = static_cast<double>(set.cuts.size());
@@ -503,7 +506,7 @@ private:
     {
       return set;
     }
-    TrialBudget budget(this->Budget.left() - this->MostMeasuring);
+    TrialBudget budget(this->Budget.left() - this->MostMeasuring, this->Budget);
     SearchOptions options = this->Options.search;
     const auto count = static_cast<Index>(set.cuts.size());
     options.maximumCuts =
@@ -580,7 +583,7 @@ private:
       {
         triangles += done[q] ? 0.0 : pieces[q].mesh.triangleCount();
       }
-      TrialBudget share(budget.left() * pieces[p].mesh.triangleCount() / triangles);
+      TrialBudget share(budget.left() * pieces[p].mesh.triangleCount() / triangles, budget);
       std::vector<SuggestedCurve> here = chartCuts(
         pieces[p].mesh, plane ? mirror->plane() : std::nullopt, options, share, this->Run);
       budget.add(share);
@@ -657,14 +660,13 @@ private:
       SearchOptions options = wanted;
       options.cuts = ways[k].cuts;
       options.maximumCuts = wanted.maximumCuts > 0 ? wanted.maximumCuts : needed + mostAdded;
-      TrialBudget budget((first.empty() ? shareOfSearch : shareOpened) *
-        (this->Budget.left() - this->MostMeasuring));
-      const auto count = static_cast<double>(ways.size());
+      TrialBudget budget(
+        (first.empty() ? shareOfSearch : shareOpened) * (this->Budget.left() - this->MostMeasuring),
+        this->Budget);
       found.push_back(
         searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
                      options, this->Result.mirror, this->Weights, ways[k].goal },
-          this->start(first, ways[k].goal, budget), budget,
-          this->Run.part(static_cast<double>(k) / count, static_cast<double>(k + 1) / count)));
+          this->start(first, ways[k].goal, budget), budget, this->Run));
       this->Budget.add(budget);
       const bool met = this->isFlat(*std::min_element(found.begin(), found.end(), better));
       if ((met && (found.back().cuts.size() == first.size() || k > 0)) ||
@@ -759,7 +761,7 @@ private:
   const TriangleMesh& Mesh;
   const std::vector<Polyline>& Curves;
   const SuggestionOptions& Options;
-  const Execution& Run;
+  Execution Run;         ///< silent
   RegionWeights Weights; ///< relative ones
   CutTrials Whole;
   double Area;

@@ -162,8 +162,6 @@ private:
   {
     while (!this->finished() && this->addCut())
     {
-      this->Run.report(
-        static_cast<double>(this->Result.cuts.size()) / this->Search.maximumCuts, "Choosing cuts");
     }
   }
 
@@ -420,7 +418,7 @@ CutSet withFolds(CutSet set, const CutTrials& trials, std::size_t curves, double
   const double most = mostFolding * flat.work;
   while (open.outcome.valid && std::any_of(set.cuts.begin(), set.cuts.end(), isDart))
   {
-    TrialBudget folding(std::min(most, budget.left()));
+    TrialBudget folding(std::min(most, budget.left()), budget);
     flat = trials.trial(linesOf(set.cuts), folding, execution);
     budget.add(folding);
     if (!flat.outcome.valid)

@@ -7,7 +7,10 @@
 #include "Suggestion/RegionWeights.h"
 #include "Surface/FeatureCurve.h"
 
+#include <algorithm>
+#include <functional>
 #include <limits>
+#include <utility>
 
 namespace flattening
 {
@@ -29,6 +32,14 @@ public:
     : Most(most)
   {
   }
+  /// A share of another budget, in which add() enters what it paid.
+  TrialBudget(double most, TrialBudget& whole)
+    : Most(most)
+    , Whole(&whole)
+  {
+  }
+  /// Hands on the part of the work that is done, of shares as well, with each payment.
+  void watch(std::function<void(double)> watcher) { this->Watcher = std::move(watcher); }
 
   bool spent() const { return this->Paid >= this->Most; }
   double left() const { return this->Most - this->Paid; }
@@ -40,6 +51,16 @@ public:
   {
     this->Paid += work;
     ++this->Trials;
+    TrialBudget* root = this;
+    while (root->Whole)
+    {
+      root = root->Whole;
+    }
+    root->Seen += work;
+    if (root->Watcher)
+    {
+      root->Watcher(std::min(1.0, root->Seen / root->Most));
+    }
   }
   /// What another paid.
   void add(const TrialBudget& other)
@@ -52,6 +73,9 @@ private:
   double Most;
   double Paid = 0.0;
   Index Trials = 0;
+  TrialBudget* Whole = nullptr;
+  double Seen = 0.0; ///< paid here and from shares
+  std::function<void(double)> Watcher;
 };
 
 /// What a flattening with some cuts turned out to be. Where regions have weights, energy, goal and

@@ -111,6 +111,44 @@ double lengthOf(const Points3& line)
   return length;
 }
 
+/// "opening 2", "boundary left" and "boundary waist" are of one form.
+bool isBoundaryWord(std::string_view word)
+{
+  return word == "opening" || word == "boundary";
+}
+
+/// The direction that a word names: up is of y and z the axis along which the surface is larger,
+/// front the third axis, right x.
+std::optional<Point3> directionOf(std::string_view word, const TriangleList& list)
+{
+  const Point3 sides = boxOf(list).sizes();
+  const bool upIsY = sides.y() > sides.z();
+  const Point3 up = upIsY ? Point3::UnitY() : Point3::UnitZ();
+  const Point3 front = upIsY ? Point3(Point3::UnitZ()) : Point3(-Point3::UnitY());
+  const std::map<std::string_view, Point3> directions{ { "left", -Point3::UnitX() },
+    { "right", Point3::UnitX() }, { "top", up }, { "bottom", -up }, { "front", front },
+    { "back", -front } };
+  const auto found = directions.find(word);
+  return found == directions.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// The number of the opening whose points lie farthest in a direction, in the mean.
+std::size_t farthest(
+  const std::vector<BoundaryLoop>& all, const TriangleList& list, const Point3& direction)
+{
+  std::vector<double> along;
+  for (const BoundaryLoop& loop : all)
+  {
+    double sum = 0.0;
+    for (const std::int64_t point : loop.points)
+    {
+      sum += direction.dot(list.point(point));
+    }
+    along.push_back(sum / static_cast<double>(loop.points.size()));
+  }
+  return static_cast<std::size_t>(std::max_element(along.begin(), along.end()) - along.begin());
+}
+
 /// The surface as Core takes it, with what can be healed.
 flattening::PreparedSurface preparedSurface(const DataSet& surface, std::string& fault)
 {
@@ -154,7 +192,7 @@ Points3 placesOf(const flattening::SurfacePath& path, bool closed)
 bool CurveWords::areWords(std::string_view text)
 {
   const std::string_view first = takeWord(text);
-  return first == "plane" || first == "opening" || first == "between";
+  return first == "plane" || first == "between" || isBoundaryWord(first);
 }
 
 //------------------------------------------------------------------------------
@@ -169,9 +207,9 @@ std::vector<CurveWords::Line> CurveWords::lines(
   std::string_view words, bool isEdge, std::string& fault) const
 {
   const std::string_view form = takeWord(words);
-  if (form == "opening")
+  if (isBoundaryWord(form))
   {
-    return this->opening(words, fault);
+    return this->boundary(words, fault);
   }
   if (isEdge)
   {
@@ -182,17 +220,29 @@ std::vector<CurveWords::Line> CurveWords::lines(
 }
 
 //------------------------------------------------------------------------------
-std::vector<CurveWords::Line> CurveWords::opening(std::string_view words, std::string& fault) const
+std::vector<CurveWords::Line> CurveWords::boundary(std::string_view words, std::string& fault) const
 {
+  const std::string word = takeName(words).value_or("");
+  const auto known = this->Known.find(word);
+  if (known != this->Known.end() && takeWord(words).empty())
+  {
+    return { Line{ known->second } };
+  }
   const TriangleList list = listTriangles(this->Surface);
   const std::vector<BoundaryLoop> all = openings(list);
   long long number = 0;
-  const std::string_view word = takeWord(words);
-  if (!parseInteger(word, number) || number < 1 || !takeWord(words).empty() ||
+  const std::optional<Point3> direction = directionOf(word, list);
+  if (direction && !all.empty())
+  {
+    number = static_cast<long long>(farthest(all, list, *direction)) + 1;
+  }
+  if ((!direction && !parseInteger(word, number)) || number < 1 || !takeWord(words).empty() ||
     number > static_cast<long long>(all.size()))
   {
-    fault = "there is no such opening; write opening N, N from 1 to " + std::to_string(all.size()) +
-      " as wirewarp check lists them";
+    fault = "there is no such boundary; write opening N, N from 1 to " +
+      std::to_string(all.size()) +
+      " as wirewarp check lists them, or boundary left (right, top, bottom, front, back), or "
+      "boundary and the name of a curve above this line";
     return {};
   }
   Line line;
@@ -243,9 +293,12 @@ std::vector<CurveWords::Line> CurveWords::sections(std::string_view words, std::
 Points3 CurveWords::pointsOf(std::string_view& words, std::string& fault) const
 {
   const std::string name = takeName(words).value_or("");
-  if (name == "opening")
+  if (isBoundaryWord(name))
   {
-    const std::vector<Line> found = this->opening(takeWord(words), fault);
+    const std::string_view before = words;
+    takeName(words);
+    const std::vector<Line> found =
+      this->boundary(before.substr(0, before.size() - words.size()), fault);
     return found.empty() ? Points3() : found.front().points;
   }
   const auto known = this->Known.find(name);

@@ -15,6 +15,8 @@ struct SectionPlane;
 /// Curves that are given by words instead of points:
 ///   plane x=0 y>10        where a plane across an axis cuts the surface, on sides of others
 ///   opening 2             all around an opening, as `wirewarp check` numbers them
+///   boundary left         the opening farthest to the left (right, top, bottom, front, back)
+///   boundary waist        along an earlier curve of this name
 ///   between waist and hem the straight way from one opening or earlier curve to the other
 class CurveWords
 {
@@ -39,7 +41,7 @@ public:
   void keep(const std::string& name, const Points3& points);
 
 private:
-  std::vector<Line> opening(std::string_view words, std::string& fault) const;
+  std::vector<Line> boundary(std::string_view words, std::string& fault) const;
   std::vector<Line> sections(std::string_view words, std::string& fault) const;
   std::vector<Line> between(std::string_view words, std::string& fault) const;
   Points3 pointsOf(std::string_view& words, std::string& fault) const;

@@ -71,7 +71,8 @@ constexpr double farthestMarks = 400.0; // of a join with one mark between its e
 constexpr double mostPairs = 50.0;      // of marks between its ends, enough for 20 m
 constexpr double leastReadable = 1.5;
 constexpr double gap = 0.5;   // between name and line, in heights of the name
-constexpr int outside = 1000; // as bad as so many crossed lines
+constexpr int outside = 1000; // as bad as that number of crossed lines
+constexpr int onText = 100;   // likewise
 
 /// A rectangle around a text.
 struct TextBox
@@ -158,7 +159,7 @@ public:
     }
     for (const PatternText& text : piece.texts)
     {
-      boxOf(text).addTo(this->Obstacles);
+      boxOf(text).addTo(this->Texts);
     }
     Box box;
     for (const Segment& segment : boundary)
@@ -168,19 +169,24 @@ public:
     this->Size = boundary.empty() ? 0.0 : box.extent().minCoeff();
   }
 
+  /// A name that is marked as well is left out where it would lie on something, others where they
+  /// would lie on a text.
   /// \param preferred where on the line to try first, as a fraction of its length
   /// \param onCloth within the sew lines
   void place(const std::string& name, const Points2& line, double preferred, bool onCloth = true,
-    TextRole role = TextRole::Curve)
+    TextRole role = TextRole::Curve, bool marked = false)
   {
     const double length = polylineLength(line);
     PatternText text;
     text.role = role;
     text.text = name;
     text.height = std::min(largestName, 0.5 * length / textWidth(name, 1.0));
-    if (text.height >= leastReadable)
+    const bool readable = text.height >= leastReadable;
+    if (readable && !this->placeAt(text, line, preferred * length, 0.4 * length, onCloth, 0))
     {
-      this->placeAt(text, line, preferred * length, 0.4 * length, onCloth);
+      text.height = leastReadable;
+      const int most = marked ? 0 : onText - 1;
+      this->placeAt(text, line, preferred * length, 0.4 * length, onCloth, most);
     }
   }
 
@@ -202,7 +208,8 @@ public:
     const int count = 1 + 2 * static_cast<int>(std::min(length / farthestMarks, mostPairs));
     for (int k = 0; k < count; ++k)
     {
-      this->placeAt(text, join.line, (k + 0.5) / count * length, 0.25 * length / count, true);
+      this->placeAt(
+        text, join.line, (k + 0.5) / count * length, 0.25 * length / count, true, anything);
     }
     if (length < shortestMarked)
     {
@@ -211,15 +218,18 @@ public:
     const double end = std::min(0.15 * length, 3.0 * text.height);
     for (const double at : { end, length - end })
     {
-      this->placeAt(text, join.line, at, 0.5 * end, true, true);
+      this->placeAt(text, join.line, at, 0.5 * end, true, 0);
     }
   }
 
 private:
+  static constexpr int anything = std::numeric_limits<int>::max() - 1;
+
+  /// \return whether it is placed
   /// \param reach how far the text may be from the preferred place, along the line
-  /// \param ifFree it is left out where it would lie on something
-  void placeAt(PatternText text, const Points2& line, double preferred, double reach, bool onCloth,
-    bool ifFree = false)
+  /// \param most it is left out where it would cross more lines
+  bool placeAt(
+    PatternText text, const Points2& line, double preferred, double reach, bool onCloth, int most)
   {
     int best = std::numeric_limits<int>::max();
     for (int step = 0; step <= 20 && best > 0; ++step)
@@ -231,12 +241,13 @@ private:
         this->tryAt(line, where, side, onCloth, text, best);
       }
     }
-    if (best == std::numeric_limits<int>::max() || (ifFree && best > 0))
+    if (best % outside > most || best > anything)
     {
-      return;
+      return false;
     }
-    boxOf(text).addTo(this->Obstacles);
+    boxOf(text).addTo(this->Texts);
     this->Piece.texts.push_back(std::move(text));
+    return true;
   }
 
   /// Takes the place where it crosses fewer lines than the best so far.
@@ -263,6 +274,8 @@ private:
     {
       crossed += box.meets(obstacle) ? 1 : 0;
     }
+    const auto meets = [&box](const Segment& segment) { return box.meets(segment); };
+    crossed += std::any_of(this->Texts.begin(), this->Texts.end(), meets) ? onText : 0;
     if (crossed < best)
     {
       best = crossed;
@@ -283,6 +296,7 @@ private:
   const Segments& Boundary;
   PatternPiece& Piece;
   Segments Obstacles;
+  Segments Texts;    ///< around and across them
   double Size = 0.0; ///< the smaller extent of the piece
 };
 }
@@ -302,6 +316,8 @@ void placeJoinMarks(
 void placeCurveNames(const Segments& boundary, PatternPiece& piece)
 {
   NamePlacer placer(boundary, piece);
+  const bool marked = std::any_of(piece.texts.begin(), piece.texts.end(),
+    [](const PatternText& text) { return text.role == TextRole::Join; });
   for (const PatternLine& line : piece.lines)
   {
     if (!line.name.empty() && line.points.size() > 1 && line.kind != LineKind::DartLeg)
@@ -310,7 +326,7 @@ void placeCurveNames(const Segments& boundary, PatternPiece& piece)
       const bool sewn = line.kind == LineKind::SewLine;
       const bool fold = line.kind == LineKind::DartFold; // lies between the legs
       const double where = fold ? 0.55 : sewn ? 0.4 : 0.3;
-      placer.place(line.name, line.points, where, !fold);
+      placer.place(line.name, line.points, where, !fold, TextRole::Curve, sewn && marked);
     }
   }
   const Grainline& grain = piece.grain;
