@@ -4,6 +4,10 @@
 #include "Conversions.h"
 #include "Pieces.h"
 
+#ifdef FLATTENING_WITH_COMMAND
+#include "Command.h"
+#endif
+
 #include "Base/LengthUnit.h"
 #include "Design/KeyPrices.h"
 #include "Input/DataSet.h"
@@ -356,6 +360,20 @@ std::string remedySentenceOf(const std::string& name)
   }
   return {};
 }
+
+#ifdef FLATTENING_WITH_COMMAND
+/// The command with these words; ends the process.
+void runCommand(std::vector<std::string> words)
+{
+  std::vector<char*> pointers;
+  for (std::string& word : words)
+  {
+    pointers.push_back(word.data());
+  }
+  pointers.push_back(nullptr);
+  wirewarp::runCommand(static_cast<int>(words.size()), pointers.data());
+}
+#endif
 }
 }
 
@@ -370,6 +388,9 @@ PYBIND11_MODULE(_core, module)
   module.def("options_of", &namesOfOptions);
   module.def("materials", &materials);
   module.def("remedy_sentence", &remedySentenceOf);
+#ifdef FLATTENING_WITH_COMMAND
+  module.def("run_command", &runCommand);
+#endif
   definePieces(module);
   defineSurfaces(module);
 }
