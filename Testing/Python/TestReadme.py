@@ -81,7 +81,7 @@ class Readme(unittest.TestCase):
         with contextlib.redirect_stdout(io.StringIO()):
             exec(compile(python_block(), "README.md", "exec"), names)  # pylint: disable=exec-used
         calls = re.findall(r"`(result\.\w+\(.*?\))`", self.readme())
-        self.assertEqual(len(calls), 3)
+        self.assertEqual(len(calls), 4)
         here = os.getcwd()
         with tempfile.TemporaryDirectory() as folder:
             os.chdir(folder)
@@ -90,7 +90,7 @@ class Readme(unittest.TestCase):
                     warnings.simplefilter("error", sf.FlatteningWarning)
                     for call in calls:
                         eval(call, names)  # pylint: disable=eval-used
-                self.assertEqual(os.listdir(), ["sheet.pdf"])
+                self.assertEqual(sorted(os.listdir()), ["sheet.pdf", "sheet.png"])
             finally:
                 os.chdir(here)
         millimetres = {"mm": 1, "cm": 10, "m": 1000}[re.search(r'unit="(\w+)"', calls[0]).group(1)]

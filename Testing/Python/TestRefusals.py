@@ -50,6 +50,15 @@ class Refused(unittest.TestCase):
         self.assertEqual(error.name, "ClosedSurface")
         self.assertIn("suggest()", error.message)
 
+    def test_words_of_the_command_name_the_keyword_that_was_meant(self):
+        points, triangles = grid()
+        for call, word, meant in (
+                (sf.flatten, "--no-arrange", "arrange=False"), (sf.flatten, "no_keys", "release_keys"),
+                (sf.flatten, "curve-distance", "imprint_tolerance"), (sf.suggest, "max_strain", "bound"),
+                (sf.suggest, "kind", "cuts"), (sf.flatten, "schem", "scheme")):
+            with self.subTest(word=word), self.assertRaisesRegex(TypeError, f"did you mean '{meant}'\\?"):
+                call(points, triangles, **{word: True})
+
     def test_near_misses_name_the_call_that_was_meant(self):
         points, triangles = grid()
         mesh = sf.make_surface(points, triangles)

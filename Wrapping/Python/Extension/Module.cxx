@@ -23,7 +23,9 @@
 
 #include <pybind11/stl.h>
 
+#include <map>
 #include <optional>
+#include <utility>
 
 namespace flattening::python
 {
@@ -332,13 +334,14 @@ std::string describeIdle(
   return describeIdleOption(values, OptionSpelling::Python);
 }
 
-/// Class and property of each option that a filter has.
-std::vector<std::pair<std::string, std::string>> namesOfOptions(const std::string& owner)
+/// By class and property of each option that a filter has, what the command calls it.
+std::map<std::pair<std::string, std::string>, std::string> namesOfOptions(const std::string& owner)
 {
-  std::vector<std::pair<std::string, std::string>> names;
+  std::map<std::pair<std::string, std::string>, std::string> names;
   for (const Option* const option : optionsOf(ownerNamed(owner)))
   {
-    names.emplace_back(className(option->owner), option->property);
+    names[{ className(option->owner), option->property }] =
+      spelled(*option, OptionSpelling::Command);
   }
   return names;
 }

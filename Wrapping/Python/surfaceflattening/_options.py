@@ -35,8 +35,15 @@ WARPING, CONFORMAL = "vtkWireWarpingFilter", "vtkLeastSquaresConformalFilter"
 @functools.lru_cache(maxsize=None)
 def options_of(owner: str) -> Mapping[str, Option]:
     """The options of a filter by their names in Python, and those of the conformal map, a scheme here."""
-    owned = set(_core.options_of(owner))
+    owned = _core.options_of(owner)
     return {option.name: option for option in TABLE if (option.cls, option.property) in owned}
+
+
+def _of_command(owner: str) -> Dict[str, str]:
+    """What the command calls options, with underscores, and how they are written here: arrange=False for no_arrange."""
+    return {command[2:].replace("-", "_"): option.name + ("=False" if option.default is True else "")
+            for option in options_of(owner).values()
+            for command in [_core.options_of(owner)[option.cls, option.property]]}
 
 
 def _documented(option: Option) -> str:
@@ -91,11 +98,12 @@ def flag(value: Any, what: str) -> bool:
     return bool(value)
 
 
-def _refuse_unknown(names: Iterable[str], known: Mapping[str, Any], function: str) -> None:
+def _refuse_unknown(names: Iterable[str], known: Mapping[str, Any], function: str, owner: str) -> None:
     for name in names:
         if name not in known:
-            near = difflib.get_close_matches(name.replace("-", "_"), known, 1)
-            hint = f"; did you mean {near[0]!r}?" if near else ""
+            meant = {**_of_command(owner), **{word: word for word in known}}
+            near = difflib.get_close_matches(name.lstrip("-").replace("-", "_"), meant, 1)
+            hint = f"; did you mean {meant[near[0]]!r}?" if near else ""
             raise ArgumentTypeError(f"{function}() got an unexpected keyword argument {name!r}{hint}")
 
 
@@ -240,7 +248,7 @@ def read_options(
     """The class of the method, and the values of its properties; or an exception that names the wrong one."""
     table = options_of(owner)
     defaults = {**{name: option.default for name, option in table.items()}, **_OTHERS}
-    _refuse_unknown(options, defaults, function)
+    _refuse_unknown(options, defaults, function, owner)
     if "material" in options:
         options = {**options, "material": material_text(options["material"])}
     values, given = {**defaults, **options}, _given(options, defaults)
