@@ -4,6 +4,7 @@
 #include "FlagWords.h"
 #include "InputError.h"
 #include "ReadVtk.h"
+#include "Report/ReportRows.h"
 #include "Table.h"
 #include "TextFile.h"
 #include "Units.h"
@@ -20,147 +21,76 @@
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace wirewarp
 {
 namespace
 {
+using flattening::reportKeys;
 using Json = nlohmann::ordered_json;
 
-enum class Kind
-{
-  Text,
-  Integer,
-  Number,
-  Truth
-};
-
-/// A key of the report and the column of a table that it has.
-struct ReportColumn
-{
-  const char* key;
-  const char* name;
-  Kind kind;
-};
+using Kind = flattening::ReportKind;
+using ReportColumn = flattening::ReportKey;
 using ReportColumns = std::vector<ReportColumn>;
 
-const ReportColumns pieceColumns{ { "piece", "Piece", Kind::Integer },
-  { "name", "Name", Kind::Text }, { "status", "Status", Kind::Text },
-  { "id_kind", "StatusIdKind", Kind::Text }, { "size", "SizeInWords", Kind::Text },
-  { "ease", "EaseInWords", Kind::Text }, { "triangles", "Triangles", Kind::Integer },
-  { "vertices", "Vertices", Kind::Integer }, { "wire_patches", "WirePatches", Kind::Integer },
-  { "wire_nodes", "WireNodes", Kind::Integer },
-  { "free_wire_nodes", "FreeWireNodes", Kind::Integer },
-  { "constraints", "Constraints", Kind::Integer }, { "iterations", "Iterations", Kind::Integer },
-  { "objective", "Objective", Kind::Number },
-  { "closure_residual", "ClosureResidual", Kind::Number },
-  { "E_len", "EdgeLengthError", Kind::Number }, { "E_len_max", "MaxEdgeLengthError", Kind::Number },
-  { "E_len_all", "EdgeLengthErrorAll", Kind::Number }, { "E_ang", "AngleErrorMean", Kind::Number },
-  { "E_h", "GlobalHomogeneity", Kind::Number }, { "E_r", "GlobalAspectRatio", Kind::Number },
-  { "E_area", "AreaError", Kind::Number }, { "strain_p95", "StrainP95", Kind::Number },
-  { "energy_rigid", "RigidEnergy", Kind::Number },
-  { "energy_sheet", "DistortionEnergy", Kind::Number },
-  { "energy_angles", "AngleEnergy", Kind::Number }, { "cut_length", "CutLength", Kind::Number },
-  { "flipped", "FlippedTriangles", Kind::Integer }, { "overlaps", "Overlaps", Kind::Integer },
-  { "overlaps_complete", "OverlapsComplete", Kind::Truth },
-  { "solver_used", "SolverUsed", Kind::Text }, { "energy_used", "EnergyUsed", Kind::Text },
-  { "repaired", "Repaired", Kind::Truth }, { "fallbacks", "Fallbacks", Kind::Text },
-  { "verdict", "Verdict", Kind::Text }, { "forecast_area_loss", "ForecastAreaLoss", Kind::Number },
-  { "forecast_area_loss_after_cut", "ForecastAreaLossAfterCut", Kind::Number },
-  { "forecast_cut_from", "ForecastCutFrom", Kind::Integer },
-  { "forecast_cut_to", "ForecastCutTo", Kind::Integer } };
-
-/// Of threads, with a material; an infinite limit is null.
-const ReportColumns clothColumns{ { "strain_warp_rms", "StrainWarpRms", Kind::Number },
-  { "strain_weft_rms", "StrainWeftRms", Kind::Number }, { "shear_rms", "ShearRms", Kind::Number },
-  { "share_out_of_limit", "ShareOutOfLimit", Kind::Number },
-  { "share_over_5_percent", "ShareOver5Percent", Kind::Number },
-  { "share_locked", "ShareLocked", Kind::Number }, { "shear_limit", "ShearLimit", Kind::Number },
-  { "grain_angle", "GrainAngle", Kind::Number }, { "grain_curve", "GrainCurve", Kind::Text },
-  { "one_way", "OneWay", Kind::Truth } };
-
-const ReportColumns sewnThreadColumns{ { "strain_warp_rms", "StrainWarpRms", Kind::Number },
-  { "strain_weft_rms", "StrainWeftRms", Kind::Number }, { "shear_rms", "ShearRms", Kind::Number } };
-
-const ReportColumns curveColumns{ { "name", "Name", Kind::Text }, { "type", "Type", Kind::Text },
-  { "length_3d", "RestLength", Kind::Number }, { "length_2d", "FlatLength", Kind::Number },
-  { "error", "LengthError", Kind::Number }, { "tolerance", "Tolerance", Kind::Number },
-  { "closed_length", "ClosedLength", Kind::Number }, { "sensitivity", "Sensitivity", Kind::Number },
-  { "released", "Released", Kind::Truth } };
-
-const ReportColumns angleColumns{ { "phase", "Phase", Kind::Text },
-  { "objective", "Objective", Kind::Number }, { "closure", "Closure", Kind::Number },
-  { "optimality", "Optimality", Kind::Number }, { "step", "Step", Kind::Number } };
-
-const ReportColumns isometricColumns{ { "exact", "Exact", Kind::Truth },
-  { "energy", "Energy", Kind::Number }, { "length_error", "LengthError", Kind::Number },
-  { "optimality", "Optimality", Kind::Number }, { "move", "Move", Kind::Number } };
-
-const ReportColumns leftOutColumns{ { "reason", "Reason", Kind::Text },
-  { "cell", "Cell", Kind::Integer }, { "triangles", "Triangles", Kind::Integer } };
-
-const ReportColumns sewnColumns{ { "pieces", "Pieces", Kind::Integer },
-  { "triangles", "Triangles", Kind::Integer }, { "size", "Size", Kind::Number },
-  { "distance_mean", "DistanceMean", Kind::Number },
-  { "distance_rms", "DistanceRms", Kind::Number }, { "distance_p95", "DistanceP95", Kind::Number },
-  { "distance_max", "DistanceMax", Kind::Number },
-  { "distance_mean_relative", "RelativeDistanceMean", Kind::Number },
-  { "distance_max_relative", "RelativeDistanceMax", Kind::Number },
-  { "normal_deviation_mean", "NormalDeviationMean", Kind::Number },
-  { "strain_mean", "StrainMean", Kind::Number }, { "strain_p95", "StrainP95", Kind::Number },
-  { "strain_max", "StrainMax", Kind::Number },
-  { "compressed_area", "CompressedArea", Kind::Number },
-  { "energy_membrane", "MembraneEnergy", Kind::Number },
-  { "energy_bending", "BendingEnergy", Kind::Number }, { "body_depth", "BodyDepth", Kind::Number },
-  { "second_distance_mean", "SecondDistanceMean", Kind::Number },
-  { "several_shapes", "SeveralShapes", Kind::Truth }, { "iterations", "Iterations", Kind::Integer },
-  { "converged", "Converged", Kind::Truth } };
-
-const ReportColumns suggestionColumns{ { "type", "Type", Kind::Text },
-  { "name", "Name", Kind::Text }, { "length", "Length", Kind::Number },
-  { "gain", "Gain", Kind::Number }, { "E_area_before", "AreaErrorBefore", Kind::Number },
-  { "E_area_after", "AreaErrorAfter", Kind::Number },
-  { "strain_p95_before", "StrainBefore", Kind::Number },
-  { "strain_p95_after", "StrainAfter", Kind::Number },
-  { "gain_predicted", "PredictedGain", Kind::Number }, { "opening", "Opening", Kind::Number },
-  { "mirror_of", "MirrorOf", Kind::Text } };
+const ReportColumns suggestionColumns{ { "type", "Type", Kind::Text, "" },
+  { "name", "Name", Kind::Text, "" }, { "length", "Length", Kind::Number, "" },
+  { "gain", "Gain", Kind::Number, "" }, { "E_area_before", "AreaErrorBefore", Kind::Number, "" },
+  { "E_area_after", "AreaErrorAfter", Kind::Number, "" },
+  { "strain_p95_before", "StrainBefore", Kind::Number, "" },
+  { "strain_p95_after", "StrainAfter", Kind::Number, "" },
+  { "gain_predicted", "PredictedGain", Kind::Number, "" },
+  { "opening", "Opening", Kind::Number, "" }, { "mirror_of", "MirrorOf", Kind::Text, "" } };
 
 const ReportColumns leftOutLineColumns = []() {
   ReportColumns columns(suggestionColumns.begin(), suggestionColumns.begin() + 8);
-  columns.push_back({ "sound", "Sound", Kind::Truth });
+  columns.push_back({ "sound", "Sound", Kind::Truth, "" });
   return columns;
 }();
 
-const ReportColumns keyPriceColumns{ { "trial", "Trial", Kind::Text },
-  { "price", "Price", Kind::Number }, { "E_area", "AreaError", Kind::Number },
-  { "strain_p95", "StrainP95", Kind::Number }, { "status", "Status", Kind::Text },
-  { "released", "Released", Kind::Text } };
+const ReportColumns keyPriceColumns{ { "trial", "Trial", Kind::Text, "" },
+  { "price", "Price", Kind::Number, "" }, { "E_area", "AreaError", Kind::Number, "" },
+  { "strain_p95", "StrainP95", Kind::Number, "" }, { "status", "Status", Kind::Text, "" },
+  { "released", "Released", Kind::Text, "" } };
 
-Json valueOf(const Table& table, std::size_t row, const ReportColumn& column)
+Json jsonOf(const flattening::ReportValue& value)
 {
-  switch (column.kind)
-  {
-    case Kind::Text:
-      return textIn(table, row, column.name);
-    case Kind::Integer:
-      return integerIn(table, row, column.name);
-    case Kind::Truth:
-      return integerIn(table, row, column.name) != 0;
-    default:
-      return numberIn(table, row, column.name);
-  }
+  return std::visit(
+    [](const auto& held) -> Json {
+      using Held = std::decay_t<decltype(held)>;
+      Json json = nullptr;
+      if constexpr (std::is_same_v<Held, flattening::ReportList>)
+      {
+        json = Json::array();
+        for (const flattening::ReportValue& item : held)
+        {
+          json.push_back(jsonOf(item));
+        }
+      }
+      else if constexpr (std::is_same_v<Held, flattening::ReportObject>)
+      {
+        json = Json::object();
+        for (const auto& [key, item] : held)
+        {
+          json[key] = jsonOf(item);
+        }
+      }
+      else
+      {
+        json = held;
+      }
+      return json;
+    },
+    value.value);
 }
 
-Json rowOf(const Table& table, std::size_t row, const ReportColumns& columns)
+Json rowReports(const Table& table, const ReportColumns& columns)
 {
-  Json object = Json::object();
-  for (const ReportColumn& column : columns)
-  {
-    object[column.key] = valueOf(table, row, column);
-  }
-  return object;
+  return jsonOf({ flattening::reportRows(table, columns) });
 }
 
 /// The two banks of a dart or seam that are sewn together, where both pieces stay the same.
@@ -256,16 +186,6 @@ Json mirrorReport(const Flattening& result)
   return nullptr;
 }
 
-Json rowReports(const Table& table, const ReportColumns& columns)
-{
-  Json rows = Json::array();
-  for (std::size_t row = 0; row < rowsOf(table); ++row)
-  {
-    rows.push_back(rowOf(table, row, columns));
-  }
-  return rows;
-}
-
 /// The table that rows of a report were made of.
 void addColumn(const Json& rows, const ReportColumn& column, Table& table)
 {
@@ -285,42 +205,12 @@ void addColumn(const Json& rows, const ReportColumn& column, Table& table)
   }
   if (column.kind == Kind::Text)
   {
-    setColumn(table, { column.name, std::move(texts) });
+    setColumn(table, { column.column, std::move(texts) });
   }
   else
   {
-    setColumn(table, { column.name, std::move(numbers) });
+    setColumn(table, { column.column, std::move(numbers) });
   }
-}
-
-/// Curves to release, the best first, and what that would bring; null where there is none.
-Json releaseAdvice(const PieceTables& tables, std::size_t piece)
-{
-  const std::string first = textIn(tables.pieces, piece, "ReleaseFirst");
-  if (first.empty())
-  {
-    return nullptr;
-  }
-  const double objective = numberIn(tables.pieces, piece, "ObjectiveWithoutFirst");
-  Json ranking = Json::array();
-  const Table& trials = tables.releaseTrials;
-  for (std::size_t row = 0; row < rowsOf(trials); ++row)
-  {
-    if (integerIn(trials, row, "Piece") == static_cast<long long>(piece))
-    {
-      const bool tried = integerIn(trials, row, "Tried") != 0;
-      const auto without = [&](const char* name) {
-        return tried ? Json(numberIn(trials, row, name)) : Json(nullptr);
-      };
-      ranking.push_back({ { "curve", textIn(trials, row, "Name") },
-        { "release", integerIn(trials, row, "Shape") != 0 ? "shape" : "curve" },
-        { "objective_without", without("Objective") }, { "E_area_without", without("AreaError") },
-        { "E_h_without", without("Homogeneity") } });
-    }
-  }
-  return { { "first", first },
-    { "objective_without_first", objective >= 0.0 ? Json(objective) : Json(nullptr) },
-    { "ranking", ranking } };
 }
 
 Json seamReports(const Flattening& result)
@@ -335,16 +225,6 @@ Json seamReports(const Flattening& result)
   return seams;
 }
 
-/// Adds the rows of a table to a list of their pieces.
-void addLists(const Table& table, const ReportColumns& columns, const char* key, Json& pieces)
-{
-  for (std::size_t row = 0; row < rowsOf(table); ++row)
-  {
-    const auto piece = static_cast<std::size_t>(integerIn(table, row, "Piece"));
-    pieces.at(piece)[key].push_back(rowOf(table, row, columns));
-  }
-}
-
 Json remedyReports(const std::vector<Remedy>& remedies)
 {
   Json list = Json::array();
@@ -355,35 +235,15 @@ Json remedyReports(const std::vector<Remedy>& remedies)
   return list;
 }
 
-/// How a piece ended.
-Json pieceStatus(const PieceTables& tables, std::size_t piece)
-{
-  const std::vector<Remedy> remedies = remediesOf(tables, piece);
-  Json ids = Json::array();
-  std::istringstream words(textIn(tables.pieces, piece, "StatusIds"));
-  for (long long id = 0; words >> id;)
-  {
-    ids.push_back(id);
-  }
-  return { { "message", messageOf(textIn(tables.pieces, piece, "StatusDefect"), remedies) },
-    { "ids", ids }, { "remedies", remedyReports(remedies) } };
-}
-
 Json pieceReports(const PieceTables& tables)
 {
-  const Table& table = tables.pieces;
-  const bool cloth = findColumn(table, "StrainWarpRms") != nullptr;
-  Json pieces = rowReports(table, pieceColumns);
-  for (std::size_t row = 0; row < rowsOf(table); ++row)
+  Json pieces = jsonOf({ flattening::pieceReports({ tables.pieces, tables.angleIterations,
+    tables.isometricIterations, tables.releaseTrials, tables.remedies }) });
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
   {
-    Json& piece = pieces[static_cast<std::size_t>(row)];
-    piece.update(pieceStatus(tables, row));
-    piece["release"] = releaseAdvice(tables, row);
-    piece["history"] = piece["isometric_history"] = Json::array();
-    piece["cloth"] = cloth ? rowOf(table, row, clothColumns) : Json();
+    Json& message = pieces[piece]["message"];
+    message = messageOf(message.get<std::string>(), remediesOf(tables, piece));
   }
-  addLists(tables.angleIterations, angleColumns, "history", pieces);
-  addLists(tables.isometricIterations, isometricColumns, "isometric_history", pieces);
   return pieces;
 }
 
@@ -452,12 +312,13 @@ Json layReport(const Flattening& result)
 Json resewnReports(const Options& options, const Table& table)
 {
   const bool cloth = findColumn(table, "StrainWarpRms") != nullptr;
-  Json rows = rowReports(table, sewnColumns);
+  Json rows = rowReports(table, reportKeys("ResewnShape"));
+  const Json threads = rowReports(table, reportKeys("ResewnThreads"));
   for (std::size_t row = 0; row < rowsOf(table); ++row)
   {
     Json& shape = rows[static_cast<std::size_t>(row)];
     shape["test"] = options.resewing.text("Test");
-    shape["cloth"] = cloth ? rowOf(table, row, sewnThreadColumns) : Json();
+    shape["cloth"] = cloth ? threads[row] : Json();
     if (!options.resewing.flag("SecondStart"))
     {
       shape["second_distance_mean"] = shape["several_shapes"] = nullptr;
@@ -500,8 +361,9 @@ std::string makeReport(const Options& options, const Flattening& result)
     { "unit_stated", result.unitStated },
     { "curve_distance_mm", result.curveDistance * millimetresOf(result.unit) },
     { "pieces", pieceReports(result.tables) }, { "sizes", sizeReports(result) },
-    { "left_out", rowReports(result.leftOutPieces, leftOutColumns) },
-    { "curves", rowReports(result.curveTable, curveColumns) }, { "seams", seamReports(result) },
+    { "left_out", rowReports(result.leftOutPieces, reportKeys("LeftOut")) },
+    { "curves", rowReports(result.curveTable, reportKeys("CurveReport")) },
+    { "seams", seamReports(result) },
     { "suggestions", rowReports(suggestedCuts(result), suggestionColumns) },
     { "flattenable", flattenableReport(options, result) },
     { "suggestions_left_out", rowReports(result.leftOutLines, leftOutLineColumns) },
@@ -531,11 +393,11 @@ void takeReport(const std::string& text, Flattening& result)
   const Json report = Json::parse(text);
   const Json& pieces = report.at("pieces");
   Table& table = result.tables.pieces;
-  for (const ReportColumn& column : pieceColumns)
+  for (const ReportColumn& column : reportKeys("PieceReport"))
   {
     addColumn(pieces, column, table);
   }
-  addColumn(pieces, { "message", "StatusDefect", Kind::Text }, table);
+  addColumn(pieces, { "message", "StatusDefect", Kind::Text, "" }, table);
   Json sizes = report.at("sizes");
   Json cloths = Json::array();
   const double millimetres = millimetresOf(report.at("unit").get<std::string>());
@@ -547,16 +409,16 @@ void takeReport(const std::string& text, Flattening& result)
     }
     cloths.push_back(pieces.at(k).at("cloth"));
   }
-  addColumn(sizes, { "width_mm", "FlatWidth", Kind::Number }, table);
-  addColumn(sizes, { "height_mm", "FlatHeight", Kind::Number }, table);
+  addColumn(sizes, { "width_mm", "FlatWidth", Kind::Number, "" }, table);
+  addColumn(sizes, { "height_mm", "FlatHeight", Kind::Number, "" }, table);
   if (!cloths.empty() && cloths.front().is_object())
   {
-    for (const ReportColumn& column : clothColumns)
+    for (const ReportColumn& column : reportKeys("ClothReport"))
     {
       addColumn(cloths, column, table);
     }
   }
-  for (const ReportColumn& column : curveColumns)
+  for (const ReportColumn& column : reportKeys("CurveReport"))
   {
     addColumn(report.at("curves"), column, result.curveTable);
   }
