@@ -5,6 +5,7 @@
 #include "Cloth/ClothMaterial.h"
 #include "Formats/PatternOptionTable.h"
 #include "Options/OptionTable.h"
+#include "Report/ReportKeys.h"
 
 #include <algorithm>
 #include <cctype>
@@ -205,6 +206,18 @@ void writeParameters(OptionOwner owner, std::ostream& out)
   }
 }
 
+/// A text with a narrower margin from its second line on. \param lead of its first line
+void writeWrapped(const std::string& text, const std::string& lead, const std::string& rest,
+  std::size_t width, std::ostream& out)
+{
+  for (std::size_t start = 0; start < text.size();)
+  {
+    std::size_t end = text.size() - start <= width ? text.size() : text.rfind(' ', start + width);
+    out << (start == 0 ? lead : rest) << text.substr(start, end - start) << '\n';
+    start = end + 1;
+  }
+}
+
 /// What its help says of them.
 void writeArguments(OptionOwner owner, std::ostream& out)
 {
@@ -218,15 +231,7 @@ void writeArguments(OptionOwner owner, std::ostream& out)
     }
     const std::string text = argument(*option) + ": " + option->help +
       (range.empty() ? "" : " Range: " + range + '.') + (words.empty() ? "" : words + '.');
-    constexpr std::size_t width = 96;
-    std::string lead = std::string(12, ' ');
-    for (std::size_t start = 0; start < text.size();)
-    {
-      std::size_t end = text.size() - start <= width ? text.size() : text.rfind(' ', start + width);
-      out << lead << text.substr(start, end - start) << '\n';
-      start = end + 1;
-      lead = std::string(16, ' ');
-    }
+    writeWrapped(text, std::string(12, ' '), std::string(16, ' '), 96, out);
   }
 }
 
@@ -252,6 +257,45 @@ void writeRows(OptionOwner, std::ostream& out)
     out << "), " << number(option.minimum, true) << ", " << number(most, true) << ", "
         << (option.open ? "True" : "False") << ", \"" << rangeOf(option) << "\",\n           \""
         << option.help << "\"),\n";
+  }
+}
+
+/// What help() says of the keys of a record.
+void writeKeys(const std::string& record, std::ostream& out)
+{
+  std::string names;
+  for (const ReportKey& key : reportKeys(record))
+  {
+    names += (names.empty() ? "" : ", ") + std::string(key.key);
+    if (*key.help)
+    {
+      writeWrapped(names + ": " + key.help, std::string(8, ' '), std::string(12, ' '), 100, out);
+      names.clear();
+    }
+  }
+}
+
+/// Members of a record. \param commented each with its help before it
+void writeFields(const std::string& record, bool commented, std::ostream& out)
+{
+  const std::map<ReportKind, const char*> types{ { ReportKind::Text, "str" },
+    { ReportKind::Integer, "int" }, { ReportKind::Number, "float" }, { ReportKind::Truth, "bool" },
+    { ReportKind::Limit, "Optional[float]" } };
+  const std::vector<ReportKey>& keys = reportKeys(record);
+  for (std::size_t k = 0; k < keys.size(); ++k)
+  {
+    std::size_t last = k; // help stands behind the last of several keys
+    while (!*keys[last].help && last + 1 < keys.size())
+    {
+      ++last;
+    }
+    if (commented && (k == 0 || *keys[k - 1].help))
+    {
+      writeWrapped(keys[last].help, "    #: ", "    #: ", 100, out);
+    }
+    const bool ofCurve = record == "CurveReport" && keys[k].column == std::string("Type");
+    out << "    " << keys[k].key << ": " << (ofCurve ? "CurveType" : types.at(keys[k].kind))
+        << '\n';
   }
 }
 
@@ -503,15 +547,23 @@ void writeFile(const std::string& path, const std::string& text)
 /// The template with what each line @KIND:CLASS@ stands for.
 std::string filled(const std::string& text)
 {
-  using Writer = std::function<void(OptionOwner, std::ostream&)>;
-  const std::map<std::string, Writer> writers{ { "literals", writeLiterals },
-    { "members", writeMembers }, { "rows", writeRows }, { "properties", writeProperties },
-    { "parameters", writeParameters }, { "arguments", writeArguments },
-    { "drawing", propertiesUnder("Drawing") }, { "details", propertiesUnder("Details") },
-    { "cloth", propertiesUnder("Cloth") }, { "pdf", propertiesUnder("PDF") },
-    { "svg", propertiesUnder("SVG") }, { "dxf", propertiesUnder("DXF") },
+  using Writer = std::function<void(const std::string&, std::ostream&)>;
+  const auto of = [](const std::function<void(OptionOwner, std::ostream&)>& write) -> Writer {
+    return [write](const std::string& name, std::ostream& to) { write(ownerNamed(name), to); };
+  };
+  const std::map<std::string, Writer> writers{
+    { "literals", of(writeLiterals) }, { "members", of(writeMembers) }, { "rows", of(writeRows) },
+    { "properties", of(writeProperties) }, { "parameters", of(writeParameters) },
+    { "arguments", of(writeArguments) }, { "drawing", of(propertiesUnder("Drawing")) },
+    { "details", of(propertiesUnder("Details")) }, { "cloth", of(propertiesUnder("Cloth")) },
+    { "pdf", of(propertiesUnder("PDF")) }, { "svg", of(propertiesUnder("SVG")) },
+    { "dxf", of(propertiesUnder("DXF")) },
     { "keywords",
-      [](OptionOwner owner, std::ostream& out) { writeKeywords(optionsOf(owner), out); } } };
+      of([](OptionOwner owner, std::ostream& to) { writeKeywords(optionsOf(owner), to); }) },
+    { "keys", writeKeys },
+    { "fields", [](const std::string& name, std::ostream& to) { writeFields(name, false, to); } },
+    { "attributes", [](const std::string& name, std::ostream& to) { writeFields(name, true, to); } }
+  };
   std::istringstream in(text);
   std::ostringstream out;
   for (std::string line; std::getline(in, line);)
@@ -525,7 +577,8 @@ std::string filled(const std::string& text)
       out << line << '\n';
       continue;
     }
-    writer->second(ownerNamed(line.substr(colon + 1, line.size() - colon - 2)), out);
+    const std::string name = line.substr(colon + 1, line.size() - colon - 2);
+    writer->second(name, out);
   }
   return out.str();
 }

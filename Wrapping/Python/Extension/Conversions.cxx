@@ -232,6 +232,45 @@ py::dict dictOf(DataSet data)
     "field_arrays"_a = dictOf(std::move(data.fieldArrays)), "roles"_a = roles);
 }
 
+py::object objectOf(const ReportValue& value)
+{
+  return std::visit(
+    [](const auto& held) -> py::object {
+      using Held = std::decay_t<decltype(held)>;
+      if constexpr (std::is_same_v<Held, std::nullptr_t>)
+      {
+        return py::none();
+      }
+      else if constexpr (std::is_same_v<Held, std::string>)
+      {
+        return textOf(held);
+      }
+      else if constexpr (std::is_same_v<Held, ReportList>)
+      {
+        py::list list;
+        for (const ReportValue& item : held)
+        {
+          list.append(objectOf(item));
+        }
+        return std::move(list);
+      }
+      else if constexpr (std::is_same_v<Held, ReportObject>)
+      {
+        py::dict dict;
+        for (const auto& [key, item] : held)
+        {
+          dict[key.c_str()] = objectOf(item);
+        }
+        return std::move(dict);
+      }
+      else
+      {
+        return py::cast(held);
+      }
+    },
+    value.value);
+}
+
 LoadedBody bodyOf(const py::object& surface)
 {
   return surface.is_none() ? LoadedBody()

@@ -8,6 +8,7 @@
 #include "Input/DataSet.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
+#include "Report/ReportRows.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -59,6 +60,9 @@ py::dict dictOf(Columns columns);
 /// roles.
 DataSet dataSetOf(const py::dict& data);
 py::dict dictOf(DataSet data);
+
+/// As json would read it.
+py::object objectOf(const ReportValue& value);
 
 /// None: no body.
 LoadedBody bodyOf(const py::object& surface);

@@ -130,18 +130,15 @@ Flattened reportOf(Source& source, const FlatteningResult& result, const Flatten
 py::dict resultOf(Flattened flattened)
 {
   const StageSeconds& seconds = flattened.seconds;
-  ReportTables& tables = flattened.tables;
+  const ReportTables& tables = flattened.tables;
   using pybind11::literals::operator""_a;
   return py::dict("flat"_a = dictOf(std::move(flattened.data.flat)),
     "wires"_a = dictOf(std::move(flattened.data.wires)),
     "cut"_a = dictOf(std::move(flattened.data.cut)),
-    "tables"_a = py::dict("pieces"_a = dictOf(std::move(flattened.pieces)),
-      "curves"_a = dictOf(std::move(flattened.curves)),
-      "angle_iterations"_a = dictOf(std::move(tables.angleIterations)),
-      "isometric_iterations"_a = dictOf(std::move(tables.isometricIterations)),
-      "releases"_a = dictOf(std::move(tables.releaseTrials)),
-      "piece_remedies"_a = dictOf(std::move(tables.pieceRemedies)),
-      "left_out"_a = dictOf(std::move(tables.leftOutPieces))),
+    "pieces"_a = objectOf({ pieceReports({ flattened.pieces, tables.angleIterations,
+      tables.isometricIterations, tables.releaseTrials, tables.pieceRemedies }) }),
+    "curves"_a = objectOf({ reportRows(flattened.curves, reportKeys("CurveReport")) }),
+    "left_out"_a = objectOf({ reportRows(tables.leftOutPieces, reportKeys("LeftOut")) }),
     "seconds"_a = py::make_tuple(seconds.wires, seconds.interior, seconds.quality, seconds.total));
 }
 
@@ -274,7 +271,7 @@ py::dict suggest(const py::dict& surface, const py::list& curves, const py::obje
     result["places"] = places;
     result["curves"] = dictOf(suggestionArrays(found.curves, 0));
     result["search"] = dictOf(searchTable(found));
-    result["left_out"] = dictOf(leftOutTable(found));
+    result["left_out"] = objectOf({ reportRows(leftOutTable(found), reportKeys("LeftOutLine")) });
     result["mirror"] = dictOf(mirrorArrays(found));
   }
   return result;

@@ -74,7 +74,13 @@ py::dict resew(const py::dict& flat, const py::dict& design, const py::dict& opt
     result["distances"] = dictOf(Columns{ arrays.distance, arrays.designDistance });
     result["cell_arrays"] = dictOf(std::move(arrays.cellArrays));
     result["field_arrays"] = dictOf(std::move(arrays.fieldArrays));
-    result["shapes"] = dictOf(std::move(arrays.shapes));
+    std::vector<ReportKey> keys = reportKeys("ResewnShape");
+    if (findColumn(arrays.shapes, "StrainWarpRms"))
+    {
+      const std::vector<ReportKey>& threads = reportKeys("ResewnThreads");
+      keys.insert(keys.end(), threads.begin(), threads.end());
+    }
+    result["shapes"] = objectOf({ reportRows(arrays.shapes, keys) });
   }
   return result;
 }

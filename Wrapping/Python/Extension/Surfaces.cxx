@@ -70,8 +70,17 @@ py::tuple measure(const py::dict& surface, const py::dict& flat)
     }
   }
   report.overlapEdges.name = "OverlapEdges";
-  return py::make_tuple(tupleOf(status), status.refused(), dictOf(std::move(report.measures)),
-    dictOf(std::move(report.cells)), dictOf(Columns{ std::move(report.overlapEdges) }));
+  std::vector<ReportKey> keys;
+  for (const ReportKey& key : reportKeys("PieceReport"))
+  {
+    if (findColumn(report.measures, key.column))
+    {
+      keys.push_back(key);
+    }
+  }
+  return py::make_tuple(tupleOf(status), status.refused(),
+    objectOf({ reportRows(report.measures, keys) }), dictOf(std::move(report.cells)),
+    dictOf(Columns{ std::move(report.overlapEdges) }));
 }
 
 /// Status and values of the points.

@@ -45,14 +45,14 @@ from ._grading import GradeRule, Grading, grade
 from ._keys import KeyPrice, KeyPrices, KeyTrial
 from ._materials import materials
 from ._readers import LoadedSurface, load_curves, load_surface, read_curves, read_surface
-from ._resewing import Resewn, ResewnShape, resew
+from ._resewing import Resewn, resew
 from ._reshaping import Flattenable
 from ._result import Flattening, Wire
 from ._surfaces import Quality, developability, draw_curve, measure
-from ._suggestion import LeftOutLine, MirrorAxis, MirrorPlane, SuggestedCut, Suggestion
+from ._suggestion import MirrorAxis, MirrorPlane, SuggestedCut, Suggestion
 from ._types import (
     BoundaryMode, ClothReport, CoincidentPoints, Coloring, CurveReport, CurveType, CutChoice, DartLegs, Energy,
-    Interior, KeyShape, Options, Paper, Part, PieceReport, Report, Scheme, SeamSource, SewingTest, Solver, Unit, UpAxis,
+    Interior, KeyShape, LeftOutLine, Options, Paper, Part, PieceReport, Report, ResewnShape, Scheme, SeamSource, SewingTest, Solver, Unit, UpAxis,
     WireType)
 
 # Without the filters, of whose methods help() would print 31,000 lines.

@@ -21,7 +21,8 @@ import numpy as np
 from . import _core
 from ._errors import ArgumentError, ArgumentTypeError
 from ._materials import materials
-from ._option_table import TABLE, Option, Options, Scheme
+from ._option_table import TABLE, Option
+from ._types import Options, Scheme
 
 Word = TypeVar("Word", bound=str)
 

@@ -15,65 +15,10 @@ from . import _core
 from ._equality import ComparedByValue
 from ._errors import ArgumentError, ArgumentTypeError
 from ._options import checked, material_text, options_of
-from ._report import raise_refusal, rows_of, warn_of
+from ._report import raise_refusal, warn_of
 from ._reshaping import Body, body_data
 from ._result import Flattening
-from ._types import SewingTest
-
-
-@dataclass(frozen=True, eq=False)
-class ResewnShape(ComparedByValue):
-    """A piece, or all that is sewn together; the keys of "resewn" in wirewarp's report.json."""
-
-    #: How many pieces and triangles.
-    pieces: int
-    triangles: int
-    #: Root of the area of the design, unit of length.
-    size: float
-    #: From the cloth at rest to the design, by area; max is the Hausdorff distance. Unit of length.
-    distance_mean: float
-    distance_rms: float
-    distance_p95: float
-    distance_max: float
-    #: The same over `size`.
-    distance_mean_relative: float
-    distance_max_relative: float
-    #: Mean angle between the normals of cloth and design, radians.
-    normal_deviation_mean: float
-    #: max |ln sigma| of a triangle, by area.
-    strain_mean: float
-    strain_p95: float
-    strain_max: float
-    #: Share of the area that is compressed by more than 0.1 %, where cloth wrinkles.
-    compressed_area: float
-    #: Over half of Young's modulus, unit of length squared.
-    energy_membrane: float
-    energy_bending: float
-    #: How deep a point that is not held lies in the body; 0: none does. Unit of length.
-    body_depth: float
-    #: Mean distance of the shape that a second start finds, and whether it is another one.
-    second_distance_mean: float
-    several_shapes: bool
-    iterations: int
-    #: Whether the cloth is at rest.
-    converged: bool
-    #: Root mean squares of the strains of the threads, by area, the shear in degrees; None without
-    #: a material.
-    strain_warp_rms: Optional[float] = None
-    strain_weft_rms: Optional[float] = None
-    shear_rms: Optional[float] = None
-
-
-_COLUMNS = {
-    "pieces": "Pieces", "triangles": "Triangles", "size": "Size", "distance_mean": "DistanceMean",
-    "distance_rms": "DistanceRms", "distance_p95": "DistanceP95", "distance_max": "DistanceMax",
-    "distance_mean_relative": "RelativeDistanceMean", "distance_max_relative": "RelativeDistanceMax",
-    "normal_deviation_mean": "NormalDeviationMean", "strain_mean": "StrainMean",
-    "strain_p95": "StrainP95", "strain_max": "StrainMax", "compressed_area": "CompressedArea",
-    "energy_membrane": "MembraneEnergy", "energy_bending": "BendingEnergy", "body_depth": "BodyDepth",
-    "second_distance_mean": "SecondDistanceMean", "several_shapes": "SeveralShapes", "iterations": "Iterations",
-    "converged": "Converged"}
-_THREADS = {"strain_warp_rms": "StrainWarpRms", "strain_weft_rms": "StrainWeftRms", "shear_rms": "ShearRms"}
+from ._types import ResewnShape, SewingTest
 
 
 @dataclass(frozen=True, eq=False)
@@ -178,8 +123,7 @@ def resew(
     run = _core.resew(flat, cut, values, body_data(body), progress)
     raise_refusal(run)
     warn_of(run, 2)
-    cells, fields, table = run["cell_arrays"], run["field_arrays"], run["shapes"]
-    threads = "StrainWarpRms" in table
+    cells, fields = run["cell_arrays"], run["field_arrays"]
     return Resewn(
         points=run["points"],
         distance=run["distances"]["Distance"],
@@ -188,6 +132,6 @@ def resew(
         principal_strains=cells["PrincipalStrains"],
         shape_of_triangle=cells["ShapeId"],
         seam_strains=fields["SeamStrains"].reshape(-1, 2),
-        shapes=[ResewnShape(**row) for row in rows_of(table, {**_COLUMNS, **(_THREADS if threads else {})})],
+        shapes=[ResewnShape(**row) for row in run["shapes"]],
         thread_strains=np.column_stack([cells[name] for name in (
-            "SewnStrainWarp", "SewnStrainWeft", "SewnShearAngle")]) if threads else None)
+            "SewnStrainWarp", "SewnStrainWeft", "SewnShearAngle")]) if "strain_warp_rms" in run["shapes"][0] else None)

@@ -15,8 +15,9 @@ from ._equality import ComparedByValue
 from ._errors import ArgumentError
 from ._options import read_options, text_of, with_options
 from ._pieces import Data
-from ._report import rows_of, values_in
+from ._report import values_in
 from ._result import Flattening, finished
+from ._types import LeftOutLine
 
 if TYPE_CHECKING:
     from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -48,24 +49,6 @@ class SuggestedCut(ComparedByValue):
     #: Mean change of area, before and after.
     E_area_before: float
     E_area_after: float
-
-
-@dataclass(frozen=True, eq=False)
-class LeftOutLine(ComparedByValue):
-    """A line that was tried and is not proposed."""
-
-    name: str
-    #: "key" or "accessory".
-    type: str
-    length: float
-    #: What it costs, as SuggestedCut.gain.
-    gain: float
-    E_area_before: float
-    E_area_after: float
-    strain_before: float
-    strain_after: float
-    #: It breaks no promise, but costs too much.
-    sound: bool
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,10 +115,7 @@ def _suggested(
             run["places"], *(values_in(run["curves"], column) for column in (
                 "CurveType", "CurveName", "KeyShape", "Length", "PredictedGain", "Gain", "Opening", "StrainBefore",
                 "StrainAfter", "MirrorOf", "AreaErrorBefore", "AreaErrorAfter")))]
-    lines = [LeftOutLine(**row) for row in rows_of(run["left_out"], {
-        "name": "Name", "type": "Type", "length": "Length", "gain": "Gain", "E_area_before": "AreaErrorBefore",
-        "E_area_after": "AreaErrorAfter", "strain_before": "StrainBefore", "strain_after": "StrainAfter",
-        "sound": "Sound"})]
+    lines = [LeftOutLine(**row) for row in run["left_out"]]
     plane, axis = values_in(run["mirror"], "MirrorPlane"), values_in(run["mirror"], "MirrorAxis")
     return Suggestion(cuts, bool(values_in(run["search"], "BoundMet")[0]), flattening, lines, (
         MirrorPlane(np.array(plane[:3]), plane[3]) if plane else MirrorAxis(np.reshape(axis, (2, 3))) if axis else None))

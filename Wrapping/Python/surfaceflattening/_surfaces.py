@@ -14,7 +14,7 @@ from ._curves import Curve, as_numbers, surface_data
 from ._equality import ComparedByValue
 from ._errors import ArgumentError
 from ._options import flag, index_of, number_of
-from ._report import MEASURES, raise_refusal, rows_of
+from ._report import raise_refusal
 from ._types import CurveType
 
 SegmentKind = Literal["geodesic", "section", "edges", "spline"]
@@ -79,10 +79,9 @@ def measure(points: ArrayLike, triangles: ArrayLike, positions: ArrayLike) -> Qu
     data, flat = surface_data(points, triangles), as_numbers(positions, "positions")
     if flat.shape != (len(data["points"]), 2):
         raise ArgumentError(f"positions must have the shape ({len(data['points'])}, 2), not {flat.shape}")
-    status, refused, table, cells, overlaps = _core.measure(data, {**data, "points": flat})
+    status, refused, rows, cells, overlaps = _core.measure(data, {**data, "points": flat})
     raise_refusal({"status": status, "refused": refused})
-    (row,) = rows_of(table, {key: column for key, column in MEASURES.items() if column in table})
-    return Quality(row, cells, overlaps["OverlapEdges"].reshape(-1, 4))
+    return Quality(rows[0], cells, overlaps["OverlapEdges"].reshape(-1, 4))
 
 
 def developability(points: ArrayLike, triangles: ArrayLike) -> NDArray[np.float64]:
