@@ -7,9 +7,12 @@
 #include <cctype>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <string>
 #include <system_error>
 
 namespace wirewarp
@@ -200,9 +203,23 @@ bool parseNumber(std::string_view word, double& value)
   {
     word.remove_prefix(1);
   }
+#ifdef __cpp_lib_to_chars
   const char* const end = word.data() + word.size();
   const std::from_chars_result result = std::from_chars(word.data(), end, value);
   return result.ec == std::errc() && result.ptr == end;
+#else // libc++ before LLVM 20 has from_chars() of whole numbers alone
+  const std::string text(word);
+  if (text.empty() || isBlank(text.front()) || text.front() == '+' ||
+    text.find_first_of("xX(\r\n") != std::string::npos)
+  {
+    return false;
+  }
+  char* end = nullptr;
+  errno = 0;
+  value = std::strtod(text.c_str(), &end);
+  const bool inRange = errno != ERANGE || (value != 0.0 && std::abs(value) < 1.0);
+  return inRange && end == text.c_str() + text.size();
+#endif
 }
 
 //------------------------------------------------------------------------------
