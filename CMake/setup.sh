@@ -49,6 +49,19 @@ apt_knows()
   return "$known"
 }
 
+# Prints those packages of the given lists that dpkg knows as installed.
+installed_packages()
+{
+  # shellcheck disable=SC2046 # one word a package
+  (cd "$root" && dpkg-query -W -f='${db:Status-Status} ${Package}\n' $(packages_of "$@") 2>/dev/null) |
+    sed -n 's/^installed //p' || true
+}
+
+packages_of()
+{
+  (cd "$root" && sed 's/#.*//; s/[[:space:]]*$//; s/^?//; /^$/d' "$@")
+}
+
 # Installs what the given lists name and dpkg does not know as installed.
 install_packages()
 {
@@ -57,9 +70,7 @@ install_packages()
   # A package with a question mark is installed where there is one of that name.
   local wanted missing=() maybe=() installed package
   wanted=$(cd "$root" && sed 's/#.*//; s/[[:space:]]*$//; /^$/d' "$@")
-  # shellcheck disable=SC2086 # one word a package
-  installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' ${wanted//\?/} 2>/dev/null |
-    sed -n 's/^installed //p') || true
+  installed=$(installed_packages "$@")
   for package in $wanted; do
     if grep -qxF "${package#\?}" <<<"$installed"; then
       continue
@@ -85,7 +96,7 @@ install_packages()
 
 # Configures build/ and builds the given targets. With WARNINGS_AS_ERRORS=ON in the environment, as
 # continuous integration has it, a compiler warning is an error; another compiler than the project's may
-# warn of nothing.
+# warn of nothing. With others=OFF tests and the Python package, whose packages ./demo does not install, are left out.
 build_targets()
 {
   # One set of options for all scripts, so that one reuses what the other has built.
@@ -94,6 +105,8 @@ build_targets()
     -DPython3_EXECUTABLE=/usr/bin/python3 \
     -DSURFACEFLATTENING_WARNINGS_AS_ERRORS="${WARNINGS_AS_ERRORS:-OFF}" \
     -DSURFACEFLATTENING_LINT="${lint:-OFF}" \
+    -DBUILD_TESTING="${others:-ON}" \
+    -DSURFACEFLATTENING_WRAP_PYTHON="${others:-ON}" \
     -DSURFACEFLATTENING_PRECOMPILE_HEADERS=ON \
     -DSURFACEFLATTENING_UNITE_SOURCES=ON \
     --log-level=WARNING

@@ -5,7 +5,7 @@
     speed.py --write    makes them anew
     speed.py --check    compares them with what would be made
 
-Both check the numbers in the sentences of README.md.
+Both check the numbers in its own sentences.
 """
 
 import json
@@ -198,7 +198,7 @@ def made(numbers):
 
 
 def sentences(numbers):
-    """What README.md must say."""
+    """What speed.md must say."""
     sizes = Sizes(numbers["flattening"])
     triangles = sizes.sizes[1]
     rigid, isometric, peer = (
@@ -221,7 +221,7 @@ def main():
     tables, files = made(numbers)
     files = {os.path.join("images", name): text for name, text in files.items()}
     files["speed.md"] = filled("speed.md", tables)
-    old = unsaid("../README.md", sentences(numbers))
+    old = unsaid("speed.md", sentences(numbers))
     for name, text in files.items():
         path = os.path.join(HERE, name)
         if sys.argv[1] == "--write":

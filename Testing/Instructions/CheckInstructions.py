@@ -88,7 +88,7 @@ def main():
     options.build += processor()
     baseline = json.loads(BASELINE.read_text(encoding="utf-8"))
     if not options.valgrind:
-        skip("valgrind is not installed; packages.txt lists it")
+        skip("valgrind is not installed; packages-test.txt lists it")
     if options.renew:
         baseline["build"] = options.build
         baseline["instructions"] = counts(options)

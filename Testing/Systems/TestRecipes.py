@@ -56,6 +56,9 @@ class Recipes(unittest.TestCase):
         recipe = load("packaging", "conda", "recipe.yaml")
         self.assertEqual(recipe["schema_version"], 1)
         self.assertEqual(recipe["context"]["version"], version_of_project())
+        for name, pattern in (("CITATION.cff", r"^version: (.*)$"), ("CHANGELOG.md", r"^## (\S+)$")):
+            with open(os.path.join(SOURCE, name), encoding="utf-8") as file:
+                self.assertEqual(re.search(pattern, file.read(), re.M).group(1), version_of_project(), name)
         self.assertLessEqual({"package", "source", "build", "requirements", "tests", "about"}, set(recipe))
         self.assertEqual(set(recipe["requirements"]), {"build", "host", "run"})
         place = os.path.normpath(os.path.join(SOURCE, "packaging", "conda", recipe["source"]["path"]))
