@@ -6,7 +6,7 @@
  * The way out for a surface that no cuts are wanted in: it is changed until the strain on 95 % of
  * each flat piece is within Bound. The surface is flattened and sewn together again in turn, the
  * cloth being drawn back to the design by springs that are weakened until the bound holds; then it
- * goes back towards the design as far as it holds. The aim is that of C. C. L. Wang, "Towards
+ * goes back towards the design while it holds. The aim is that of C. C. L. Wang, "Towards
  * flattenable mesh surfaces", Computer-Aided Design 40(1), 2008, with a bound on the strain, which
  * cloth can bear, in place of angles that sum to 2 pi. The boundary and curves that are named do
  * not move at all, so that their lengths stay and neighbours still fit. The same for any number of

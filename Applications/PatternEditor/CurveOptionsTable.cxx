@@ -63,7 +63,7 @@ CurveOptionsTable::CurveOptionsTable(const vtkPatternWriter* writer, const Piece
   this->setHorizontalHeaderLabels(
     { "Allowance", "Notches at", "Double", "Smooth within", "Dart tip", "Ease", "in piece" });
   this->setToolTip(
-    "Millimetres, for one curve; empty: as for all. Notches at so many millimetres "
+    "Millimetres, for one curve; empty: as for all. Notches at these distances in millimetres "
     "from the start of the curve, separated by spaces. An ease, such as +3 %, makes "
     "the curve longer in one piece alone: give its number where it is in two, and the "
     "curve a tolerance as large.");
@@ -147,7 +147,7 @@ QString CurveOptionsTable::defectOfLengths(int row) const
     {
       if (!isOne || lengthOf(word) < 0.0)
       {
-        return QString("%1 of %2: %3 is no length in millimetres")
+        return QString("%1 of %2: %3 is not a length in millimetres")
           .arg(this->horizontalHeaderItem(option)->text(), this->verticalHeaderItem(row)->text(),
             this->text(row, option));
       }
@@ -165,7 +165,7 @@ QString CurveOptionsTable::defectOfEase(int row) const
   const std::optional<double> fraction = fractionOf(ease);
   if (!ease.isEmpty() && !(fraction && std::abs(*fraction) < 1.0))
   {
-    return "Ease" + of + ease + " is no percentage, such as +3 %";
+    return "Ease" + of + ease + " is not a percentage, such as +3 %";
   }
   bool isNumber = true;
   if (!piece.isEmpty() && (piece.toInt(&isNumber) < 1 || !isNumber))

@@ -253,8 +253,9 @@ int runBatch(const Options& options)
   files.publish();
   if (!options.quiet)
   {
-    std::printf("%zu surfaces in %.2f s, %.3g a second; batch.json and a folder a surface written "
-                "to %s\n",
+    std::printf(
+      "%zu surfaces in %.2f s, %.3g a second; batch.json and one folder for each surface written "
+      "to %s\n",
       entries.size(), seconds, rate, plainText(folder).c_str());
   }
   return exitCode;

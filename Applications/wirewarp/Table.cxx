@@ -169,7 +169,7 @@ std::string fitVerdict(double strain, double bound)
   constexpr double ofCloth = 0.05;
   constexpr double ofElastic = 0.15;
   constexpr double tolerance = 1.1; // a search ends about at its bound
-  const std::string words = percent(strain);
+  std::string words = percent(strain);
   const double enough = bound > 0.0 ? tolerance * bound : ofCloth;
   if (std::isnan(strain))
   {
@@ -471,7 +471,7 @@ std::string keyPriceTable(const Flattening& result)
     const std::string released = plainText(textIn(table, row, "Released"));
     rows.push_back(
       { plainText(textIn(table, row, "Trial")), at("Price"), at("AreaError"), at("StrainP95"),
-        textIn(table, row, "Status") + (released.empty() ? "" : ", gave up " + released) });
+        textIn(table, row, "Status") + (released.empty() ? "" : ", released " + released) });
   }
   return rows.size() == 1 ? "" : '\n' + layOut(rows, 1);
 }

@@ -8,7 +8,7 @@ Each block is a piece with its curves as line cells (Examples/Python/make_collec
 files). ParaView deals the blocks out to the processes. The pieces are taken a portion at a time, so that
 memory does not grow with the collection; flat.csv has one row for each flat piece, with its status and measures.
 
-What is done stays in the folder flat/. After a fault the same command goes on with what is missing: the
+What is done stays in the folder flat/. After a fault the same command continues with what is missing: the
 portion in which a run died is taken again piece by piece, and a piece in which a run died alone gets the
 status Died and is not taken again. Another collection or scheme wants another folder.
 
@@ -22,7 +22,7 @@ that was killed after 120 pieces and started again.
 With ParaView 5.13 on two processors that others used as well, on 2026-11-24, 2000 pieces with 2.5 million triangles
 took one process 89 to 101 s of processor time, a third of it for files (308 and 97 s of clock), and two processes 176
 to 191 s together (197 and 248 s of clock); the tables were the same, byte for byte. A process that waits for another
-one keeps its processor busy: two that have a processor each take half of that sum at most, which says no more than that
+one keeps its processor busy: two that have a processor each take half of that sum at most, which means only that
 they are not slower. The times for two and eight above remain reckoned.
 """
 
@@ -75,7 +75,7 @@ def leaves_by_block(data, count):
 
 
 def rows_of(tables, block, name):
-    """A row a flat piece, as dictionaries."""
+    """One row for each flat piece, as dictionaries."""
     for table in tables:
         columns = [table.GetColumn(k) for k in range(table.GetNumberOfColumns())]
         for row in range(table.GetNumberOfRows()):
@@ -96,7 +96,7 @@ class Collection:
         return os.path.join(self.folder, f"{first:06}-{last:06}{ending}")
 
     def flatten(self, first, last):
-        """The pieces from first to last, as far as they are not done."""
+        """The pieces from first to last that are not done."""
         if os.path.exists(self.file(first, last, ".csv")):
             return
         begun = self.file(first, last, ".begun")

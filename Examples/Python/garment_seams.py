@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A whole garment in one mesh: cut along its seams, flattened, and what is sewn to what.
 
-The two banks of a seam lie on different pieces, or on the same one where it closes a tube. Both have
+The two sides of a seam lie on different pieces, or on the same one where it closes a tube. Both have
 the length of the seam on the surface, so they can be sewn without easing.
 """
 

@@ -202,7 +202,7 @@ Status readGrading(vtkPolyData* input, Grading& grading)
   const Index chosen = indexBelow(base->number(0), sizes);
   if (chosen == none)
   {
-    return invalidSizes("BaseSize is no size");
+    return invalidSizes("BaseSize is not one of the sizes");
   }
   grading.base = static_cast<std::size_t>(chosen);
   for (std::size_t s = 0; s < sizes; ++s)

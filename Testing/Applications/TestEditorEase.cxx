@@ -178,7 +178,7 @@ TEST_F(EditorEase, WhatCannotBeIsSaid)
       EXPECT_TRUE(dialog->isVisible());
       return dialog->findChild<QLabel*>("Defect")->text().toStdString();
     };
-    EXPECT_EQ(said("a bit", "1"), "Ease of yoke: a bit is no percentage, such as +3 %");
+    EXPECT_EQ(said("a bit", "1"), "Ease of yoke: a bit is not a percentage, such as +3 %");
     EXPECT_EQ(said("3", "0"), "Piece of yoke: 0 is not the number of a piece, from 1");
     EXPECT_EQ(said("", "2"), "Piece of yoke: there is no ease for it");
     table->item(row, easeColumn)->setText("3");

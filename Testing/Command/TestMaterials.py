@@ -81,10 +81,10 @@ class Materials(command.CommandTest):
         self.assertEqual(os.listdir(self.path("out")), ["report.json"])
         for change, words in (
                 ({"shear": -1}, "the shear stiffness -1"),
-                ({"warp": "stiff"}, 'has a "warp" that is no number'),
-                ({"warp": None}, 'has a "warp" that is no number'),
-                ({"warp": True}, 'has a "warp" that is no number'),
-                ({"warp": [2000]}, 'has a "warp" that is no number'),
+                ({"warp": "stiff"}, 'has a "warp" that is not a number'),
+                ({"warp": None}, 'has a "warp" that is not a number'),
+                ({"warp": True}, 'has a "warp" that is not a number'),
+                ({"warp": [2000]}, 'has a "warp" that is not a number'),
                 ({"warp": 0}, "the warp stiffness 0"),
                 ({"weft": -0.0}, "the weft stiffness"),
                 ({"weft": 1e300}, "the weft stiffness 1e+300"),
@@ -98,17 +98,17 @@ class Materials(command.CommandTest):
                 ({"limits": {"weft": [-1e-300, 1e-300]}}, "strain limits that leave out 0"),
                 ({"limits": {"shear": 0}}, "a shear limit"),
                 ({"limits": {"shear": -5}}, "a shear limit"),
-                ({"limits": {"shear": "5"}}, 'has a "shear" that is no number'),
+                ({"limits": {"shear": "5"}}, 'has a "shear" that is not a number'),
                 ({"limits": {"warp": 3}}, "are not two numbers"),
                 ({"limits": {"warp": [-1, 1, 2]}}, "are not two numbers"),
                 ({"limits": {"warp": [-1, None]}}, "are not two numbers"),
                 ({"limits": {"bias": [-1, 1]}}, 'has a member "bias" that means nothing'),
-                ({"limits": [-1, 1]}, 'has "limits" that are no object'),
+                ({"limits": [-1, 1]}, 'has "limits" that are not an object'),
                 ({"compression": 0}, "the compression ratio 0"),
                 ({"compression": 2}, "the compression ratio 2"),
                 ({"one_way": 1}, "neither true nor false"),
-                ({"name": 3}, 'has a "name" that is no text'),
-                ({"name": "x" * 5000}, 'has a "name" that is no text, or a long one'),
+                ({"name": 3}, 'has a "name" that is not text, or is too long'),
+                ({"name": "x" * 5000}, 'has a "name" that is not text, or is too long'),
                 ({"bending": 3}, 'has a member "bending" that means nothing')):
             self.write("bad.json", json.dumps({**TWILL, **change}))
             self.assertIn(words, self.refused("--material", "bad.json"), change)

@@ -58,7 +58,7 @@ Status checkProperties(const FeatureCurve& curve, std::size_t id)
         curveName(curve, id) + " has a planar shape of " +
           std::to_string(curve.planarShape.size()) + " points for " +
           std::to_string(curve.vertices.size()) +
-          " vertices, or a coordinate that is no number or beyond 1e300",
+          " vertices, or a coordinate that is not a number or beyond 1e300",
         ofCurve(id), { { Remedy::Give, "a finite point for each" } } };
     }
     const auto same = std::adjacent_find(curve.planarShape.begin(), curve.planarShape.end());
@@ -107,7 +107,7 @@ Status followCurves(
       {
         return { StatusCode::CurveNotOnEdges,
           curveName(curves[c], c) +
-            " has a segment that is no edge of the mesh, between vertices " +
+            " has a segment that is not an edge of the mesh, between vertices " +
             std::to_string(chain[i]) + " and " + std::to_string(chain[i + 1]),
           { ElementKind::Edges, Indices{ chain[i], chain[i + 1] } },
           { Remedy::SplitTriangles, Remedy::FollowEdges } };

@@ -138,7 +138,7 @@ Status checkPins(const TriangleMesh& mesh, const std::array<Index, 2>& pins)
     if (pin < 0 || pin >= mesh.vertexCount() || mesh.outgoing(pin) == none)
     {
       return { StatusCode::InvalidOption,
-        "pin " + std::to_string(pin) + " is no vertex of the surface",
+        "pin " + std::to_string(pin) + " is not a vertex of the surface",
         { ElementKind::Points, Indices{ pin } }, { Remedy::NamePins } };
     }
   }

@@ -357,7 +357,7 @@ Status overlap(const CutSurface& cut, const std::vector<FeatureCurve>& curves, b
   const Indices cuts = crossingCuts(cut, report);
   if (!cuts.empty())
   {
-    message += ", where the banks of " + quotedNames(curves, cuts) + " cross";
+    message += ", where the sides of " + quotedNames(curves, cuts) + " cross";
   }
   Status status{ StatusCode::Overlap, message, { ElementKind::Cells, triangles }, {} };
   if (!cuts.empty() && !closeCuts)

@@ -391,7 +391,7 @@ private:
         }
         return { StatusCode::CurveNotOnEdges,
           curveName(polyline, c) + ": between points " + std::to_string(ids[0]) + " and " +
-            std::to_string(ids[1]) + " the curve is no edge of the mesh",
+            std::to_string(ids[1]) + " the curve is not an edge of the mesh",
           { ElementKind::CurvePoints, ids }, { Remedy::SplitTriangles, Remedy::FollowEdges } };
       }
       route.stretches.push_back({ last, vertex });

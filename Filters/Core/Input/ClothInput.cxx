@@ -117,7 +117,7 @@ private:
     if (found != this->Object.end() &&
       (!found->is_string() || found->get_ref<const std::string&>().size() > longestText))
     {
-      this->blame(std::string("has a \"") + key + "\" that is no text, or a long one",
+      this->blame(std::string("has a \"") + key + "\" that is not text, or is too long",
         "a text of at most " + std::to_string(longestText) + " characters");
     }
     else if (found != this->Object.end())
@@ -153,7 +153,7 @@ private:
     }
     if (!found->is_number())
     {
-      this->blame(std::string("has a \"") + key + "\" that is no number", "a number");
+      this->blame(std::string("has a \"") + key + "\" that is not a number", "a number");
       return;
     }
     value = found->get<double>();
@@ -186,7 +186,7 @@ private:
     }
     if (!limits->is_object())
     {
-      this->blame("has \"limits\" that are no object", "such as {\"warp\": [-1, 1]}");
+      this->blame("has \"limits\" that are not an object", "such as {\"warp\": [-1, 1]}");
       return;
     }
     this->onlyMembers(*limits, { "warp", "weft", "shear" });

@@ -123,7 +123,7 @@ public:
     if (!unknown.empty())
     {
       return { StatusCode::CurvePointOffSurface,
-        "points " + listIds(unknown) + " of the edges are no points of the surface",
+        "points " + listIds(unknown) + " of the edges are not points of the surface",
         { ElementKind::CurvePoints, unknown }, { Remedy::TakeEdges } };
     }
     std::set<Pair> met;

@@ -785,7 +785,7 @@ Status checkDistance(
         status = { StatusCode::InvalidCurve,
           "the offset cannot be drawn: at (" + shortNumber(p.x()) + ", " + shortNumber(p.y()) +
             ", " + shortNumber(p.z()) + ") it would lie " + shortNumber(nearest) +
-            " from the curve in place of " + shortNumber(distance),
+            " from the curve instead of " + shortNumber(distance),
           {}, { Remedy::MendSlivers } };
       }
     }

@@ -83,7 +83,7 @@ Status checkPoints(
     {
       return { StatusCode::InvalidPointId,
         what + " in " + std::to_string(point.id) +
-          ", which is no vertex, edge or triangle of the surface" };
+          ", which is not a vertex, edge or triangle of the surface" };
     }
   }
   return {};

@@ -426,7 +426,7 @@ Status checkLoop(const TriangleMesh& mesh, const SurfacePath& loop)
   if (!liesOn(mesh, loop) || loop.points.size() < 3 ||
     !samePlace(loop.points.front(), loop.points.back()))
   {
-    return { StatusCode::InvalidCurve, "a loop is no closed path over the surface", {},
+    return { StatusCode::InvalidCurve, "a loop is not a closed path over the surface", {},
       { Remedy::RedrawCurve } };
   }
   return {};

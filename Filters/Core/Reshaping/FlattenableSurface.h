@@ -70,7 +70,7 @@ struct FlattenableSurface
 ///
 /// The surface is flattened and sewn together again in turn, the cloth being drawn back to the
 /// design by springs that are weakened until the bound holds; then they are strengthened again and
-/// the surface goes back towards the design as far as it holds (block descent on shift plus strain
+/// the surface goes back towards the design while it holds (block descent on shift plus strain
 /// energy; the aim is that of C. C. L. Wang, "Towards flattenable mesh surfaces", Computer-Aided
 /// Design 40(1), 2008, with a bound on the strain in place of angles that sum to 2 pi). Under the
 /// weakest springs it goes on for as long as that lowers the strain; where it does not, it starts

@@ -157,7 +157,7 @@ struct CsvReader
       if (found == head.end() && names[k] != "type")
       {
         this->refuse("the first line names no column " + inQuotes(names[k]) +
-          "; write name,type,x,y,z and a point a line below");
+          "; write name,type,x,y,z and one point on each line below");
       }
     }
   }
@@ -361,7 +361,7 @@ DataSet readCsvCurves(const std::string& path, const DataSet& surface)
   reader.endCurve();
   if (reader.curves.empty())
   {
-    throw InputError(path, "has no curve; write name,type,x,y,z and a point a line below");
+    throw InputError(path, "has no curve; write name,type,x,y,z and one point on each line below");
   }
   return reader.curves.over(std::make_shared<const Points3>(std::move(reader.points)));
 }

@@ -629,7 +629,7 @@ struct DxfReader
       if (!parseInteger(wordOf(code), group))
       {
         this->refuse(
-          inQuotes(code) + " is no group code; the file may be binary DXF or be damaged");
+          inQuotes(code) + " is not a group code; the file may be binary DXF or be damaged");
       }
       if (group == 0)
       {

@@ -104,7 +104,7 @@ public:
     std::string_view rest(line);
     if (takeWord(rest) != "ply")
     {
-      this->refuse("is no PLY file: its first line is not 'ply'");
+      this->refuse("is not a PLY file: its first line is not 'ply'");
     }
     while (this->Lines.next(line))
     {
@@ -386,7 +386,7 @@ void readStrips(const std::string& path, const PlyElement& element, ElementReade
       if (id < 0)
       {
         throw InputError(
-          path, "strip " + std::to_string(k) + " holds what is no vertex id; ids count from 0");
+          path, "strip " + std::to_string(k) + " has an invalid vertex id; ids count from 0");
       }
       corners = { corners[1], corners[2], id };
       const auto& [a, b, c] = corners;

@@ -152,7 +152,7 @@ void noteOpenings(const TriangleList& list, double diagonal, double size, double
     notes.push_back(std::to_string(unjoined.coincident.count) +
       " edges of the boundary lie on each other without being joined, the first at point " +
       std::to_string(unjoined.coincident.point) +
-      "; where these are no cuts but doubled points, as texture seams leave them, --weld joins "
+      "; where these are not cuts but doubled points, as texture seams leave them, --weld joins "
       "them");
   }
   if (unjoined.near.count > 0)

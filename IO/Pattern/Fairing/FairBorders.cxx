@@ -577,9 +577,8 @@ void addFairNotes(const FairPieceReport& report, PatternPiece& piece)
     return;
   }
   std::string note = of + std::to_string(report.splines) + " curves and " +
-    std::to_string(report.segments) + " straight lines in place of " +
-    std::to_string(report.edges) + " edges, at most " + formatNumber(report.deviation, 3) +
-    " mm from their points";
+    std::to_string(report.segments) + " straight lines instead of " + std::to_string(report.edges) +
+    " edges, at most " + formatNumber(report.deviation, 3) + " mm from their points";
   if (report.strainBefore > 0.0)
   {
     note += ", with 95 % of the area strained by no more than " +

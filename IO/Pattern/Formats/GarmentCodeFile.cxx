@@ -50,7 +50,7 @@ public:
     const Json& panels = this->member(pattern, "panels", "the pattern");
     if (this->Wrong.ok() && !panels.is_object())
     {
-      this->blame("the panels are no object of panels by their names");
+      this->blame("the panels are not an object of panels by their names");
     }
     if (this->Wrong.ok())
     {
@@ -97,7 +97,7 @@ private:
     const double number = value.is_number() ? value.get<double>() : 0.0;
     if (!value.is_number() || !std::isfinite(number) || std::abs(number) > 1e12)
     {
-      this->blame(what + " is no number, or a huge one");
+      this->blame(what + " is not a number, or is too large");
     }
     return number;
   }
@@ -111,7 +111,7 @@ private:
     if (!fits)
     {
       this->blame(
-        what + " is no list of " + std::to_string(Vector::SizeAtCompileTime) + " numbers");
+        what + " is not a list of " + std::to_string(Vector::SizeAtCompileTime) + " numbers");
     }
     for (std::size_t k = 0; fits && k < value.size(); ++k)
     {
@@ -124,7 +124,7 @@ private:
   {
     if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 1'000'000'000)
     {
-      this->blame(what + " is no whole number from 0");
+      this->blame(what + " is not a whole number from 0");
       return 0;
     }
     return value.get<std::size_t>();
@@ -139,7 +139,7 @@ private:
     }
     if (!found->is_string())
     {
-      this->blame("the label of " + owner + " is no text");
+      this->blame("the label of " + owner + " is not text");
       return {};
     }
     return found->get<std::string>();
@@ -302,7 +302,7 @@ private:
   {
     if (!json.is_array())
     {
-      this->blame("the stitches are no list");
+      this->blame("the stitches are not a list");
       return;
     }
     for (const Json& stitch : json)

@@ -126,7 +126,8 @@ Status readSurface(const DataSet& flat, PatternSource& source)
     const std::size_t cell = flat.firstFace() + k;
     if (flat.faces.end(k) - ids != 3)
     {
-      return invalidPieces("cell " + std::to_string(cell) + " of the flat surface is no triangle");
+      return invalidPieces(
+        "cell " + std::to_string(cell) + " of the flat surface is not a triangle");
     }
     Triangle triangle{};
     for (std::size_t c = 0; c < 3; ++c)

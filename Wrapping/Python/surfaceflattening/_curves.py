@@ -113,7 +113,7 @@ def _as_ids(values: Any, what: str) -> NDArray[np.int64]:
     array = _as_array(values, what)
     kind = array.dtype
     if kind == np.float64 and not isinstance(values, np.ndarray):
-        array = np.asarray(values, object)  # ids of which one is too large are no floats
+        array = np.asarray(values, object)  # ids of which one is too large are not floats
     if array.dtype == object and all(
             isinstance(value, Integral) and not isinstance(value, bool) for value in array.flat):
         too_large = [value for value in array.flat if not -2**63 <= value < 2**63]
@@ -309,7 +309,7 @@ def make_curves(curves: Sequence[Union[Curve, ArrayLike]], points: ArrayLike) ->
         points: positions of the surface, shape (n, 3), that point ids refer to.
 
     Raises:
-        TypeError: a name that is no string.
+        TypeError: a name that is not a string.
         ValueError: a wrong shape or word, a point that the surface does not have, or a name with
             NUL or what UTF-8 cannot hold.
     """

@@ -53,7 +53,7 @@ def flatten(
     Raises:
         FlatteningError: the input is refused; it carries code, name, ids and message.
         ValueError: an argument has a wrong shape, is not one of the words, is out of range, or is
-            given where the method has no use for it.
+            given where the method ignores it.
         TypeError: an unknown option, or a value of another type.
 
     Warns:

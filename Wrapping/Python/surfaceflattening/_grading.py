@@ -76,7 +76,7 @@ class Grading:
         self._write(path, "RuleTable", name)
 
     def write_nest(self, path: Union[str, os.PathLike[str]], name: str = "nest") -> None:
-        """Writes an SVG at true scale with the sew lines of all sizes on each other, a layer a size.
+        """Writes an SVG at true scale with the sew lines of all sizes on each other, one layer for each size.
 
         Raises:
             FileError: the file cannot be written; an earlier one stays.

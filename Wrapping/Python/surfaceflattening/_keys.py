@@ -44,7 +44,7 @@ class KeyPrice(ComparedByValue):
 
 @dataclass(frozen=True, eq=False)
 class KeyPrices(ComparedByValue):
-    """A table of keys, the dearest first; str() prints it."""
+    """A table of keys by decreasing cost; str() prints it."""
 
     all: KeyTrial
     none: KeyTrial
@@ -63,7 +63,7 @@ class KeyPrices(ComparedByValue):
         wide = max(len(row[0]) for row in rows)
         lines = [f"{'':{wide}}  {'price':>8}  {'E_area':>8}  {'strain p95':>10}  status"]
         for what, price, trial in rows:
-            released = f", gave up {', '.join(trial.released)}" if trial.released else ""
+            released = f", released {', '.join(trial.released)}" if trial.released else ""
             lines.append(f"{what:{wide}}  {price:>8}  {trial.E_area:8.5f}  {trial.strain_p95:10.5f}  "
                          f"{trial.status}{released}")
         return "\n".join(lines)
@@ -87,7 +87,7 @@ def price_keys(
         options: the options of :func:`flatten`, with which all trials are made.
 
     Returns:
-        A :class:`KeyPrices`, the dearest key first: by the number of keys that are given up with it and
+        A :class:`KeyPrices`, keys by decreasing cost: by the number of keys that are given up with it and
         not without it, then by `price`.
 
     Raises FlatteningError where there is no key curve, or the surface is refused with all keys; nothing

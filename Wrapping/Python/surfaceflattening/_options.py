@@ -123,7 +123,7 @@ def text_of(what: str, value: Any) -> str:
     try:
         value.encode()
     except UnicodeEncodeError as error:
-        raise ArgumentError(f"{what} = {value!r} is no text that UTF-8 can hold: {error.reason}") from None
+        raise ArgumentError(f"{what} = {value!r} is not text that UTF-8 can hold: {error.reason}") from None
     return value
 
 

@@ -136,7 +136,7 @@ def read_curves(path: Path, surface: Optional[vtkPolyData] = None) -> vtkPolyDat
     """Reads feature curves; the page of vtkFeatureCurveReader describes the formats. It needs VTK, of any version.
 
     Args:
-        path: a .csv table, a .dxf drawing, an .obj file with line elements, or a text with a curve a line:
+        path: a .csv table, a .dxf drawing, an .obj file with line elements, or a text with one curve on each line:
             TYPE NAME v0 v1 ...
         surface: what ids of points in texts, and edges along the boundary, refer to.
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Flat pieces sewn together again: how far what comes of a pattern is from the design."""
+"""Flat pieces sewn together again: how far the sewn pattern is from the design."""
 
 from __future__ import annotations  # help() prints hints as they are written here
 

@@ -140,7 +140,7 @@ def suggest(
         _OPTIONS_
         weights: how much distortion matters, a number from 0 for each triangle (of a flat list: each
             polygon), shape (m,): gains and strains of the cuts, and the bound, count each as if its area
-            were so many times as large. Only ratios count. Default: None, everywhere alike.
+            were multiplied by it. Only ratios count. Default: None, everywhere alike.
         options: the options of :func:`flatten`, with which the cuts are tried.
 
     Returns:

@@ -21,7 +21,7 @@ from ._pieces import Data
 
 
 def _as_text(value: Any) -> str:
-    """A text of VTK, which gives bytes where they are no UTF-8."""
+    """A text of VTK, which gives bytes where they are not UTF-8."""
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
 
 
