@@ -254,9 +254,9 @@ int runBatch(const Options& options)
   if (!options.quiet)
   {
     std::printf(
-      "%zu surfaces in %.2f s, %.3g a second; batch.json and one folder for each surface written "
+      "%zu surface%s in %.2f s, %.3g a second; batch.json and one folder for each surface written "
       "to %s\n",
-      entries.size(), seconds, rate, plainText(folder).c_str());
+      entries.size(), entries.size() == 1 ? "" : "s", seconds, rate, plainText(folder).c_str());
   }
   return exitCode;
 }
