@@ -39,6 +39,11 @@ class Suggestions(unittest.TestCase):
             steps = np.linalg.norm(np.diff(cut.curve.points, axis=0), axis=1)
             self.assertAlmostEqual(steps.sum(), cut.length, 9)
             self.assertGreater(cut.gain, 0)
+        for place, cut in enumerate(suggestion.cuts):
+            self.assertIn(cut.mirror_of, range(-1, len(suggestion.cuts)))
+            if cut.mirror_of >= 0:
+                self.assertAlmostEqual(suggestion.cuts[cut.mirror_of].length, cut.length, 6)
+                self.assertNotEqual(cut.mirror_of, place)
 
     def test_flatten_polydata_takes_what_is_proposed_for_a_mesh(self):
         points, triangles = dome()

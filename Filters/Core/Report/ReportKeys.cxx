@@ -155,6 +155,41 @@ const std::vector<ReportKey>& reportKeys(const std::string& record)
         { "strain_after", "StrainAfter", Kind::Number, "the largest strain on 95 % of a piece." },
         { "sound", "Sound", Kind::Truth, "it breaks no promise, but costs too much." },
       } },
+    { "SuggestedCut",
+      {
+        { "length", "Length", Kind::Number, "on the surface, unit of length." },
+        { "predicted_gain", "PredictedGain", Kind::Number,
+          "by how much it lowers the mean of the squared scale factor, by forecast." },
+        { "gain", "Gain", Kind::Number,
+          "by how much it lowers the mean rigid energy, in truth, after the cuts before it. A "
+          "line's is what it costs, and negative. NaN, as strain and E_area, where the surface "
+          "cannot be flattened without it, such as a closed one." },
+        { "opening", "Opening", Kind::Number,
+          "of a dart's mouth, or of the widest place of one inside, by forecast, unit of "
+          "length." },
+        { "strain_before", "StrainBefore", Kind::Number, "" },
+        { "strain_after", "StrainAfter", Kind::Number, "the largest strain on 95 % of a piece." },
+        { "mirror_of", "MirrorOf", Kind::Integer,
+          "place of the cut that it is the mirror image of, or -1." },
+        { "E_area_before", "AreaErrorBefore", Kind::Number, "" },
+        { "E_area_after", "AreaErrorAfter", Kind::Number, "mean change of area." },
+      } },
+    { "Flattenable",
+      {
+        { "bound_met", "BoundMet", Kind::Truth,
+          "whether the strain of every piece is within the bound." },
+        { "strain_before", "StrainBefore", Kind::Number, "" },
+        { "strain_after", "StrainAfter", Kind::Number, "the largest strain on 95 % of a piece." },
+        { "size", "Size", Kind::Number, "root of the area of the design, unit of length." },
+        { "shift_mean", "ShiftMean", Kind::Number, "" },
+        { "shift_max", "ShiftMax", Kind::Number,
+          "how far the points were moved, by area; unit of length." },
+        { "shift_outwards_mean", "ShiftOutwardsMean", Kind::Number,
+          "the mean, by area, of the part of the shift along the normals of the design; below 0 "
+          "inwards." },
+        { "shift_inwards_max", "ShiftInwardsMax", Kind::Number,
+          "how far a point was moved inwards, at most; 0: none was." },
+      } },
     { "ResewnShape",
       {
         { "pieces", "Pieces", Kind::Integer, "" },

@@ -269,7 +269,9 @@ py::dict suggest(const py::dict& surface, const py::list& curves, const py::obje
     }
     result["flattening"] = resultOf(std::move(*flattened));
     result["places"] = places;
-    result["curves"] = dictOf(suggestionArrays(found.curves, 0));
+    Columns curves = suggestionArrays(found.curves, 0);
+    result["cuts"] = objectOf({ reportRows(curves, reportKeys("SuggestedCut")) });
+    result["curves"] = dictOf(std::move(curves));
     result["search"] = dictOf(searchTable(found));
     result["left_out"] = objectOf({ reportRows(leftOutTable(found), reportKeys("LeftOutLine")) });
     result["mirror"] = dictOf(mirrorArrays(found));
@@ -307,7 +309,7 @@ py::dict makeFlattenable(const py::dict& surface, const py::list& curves,
     result["flattening"] = resultOf(std::move(*flattened));
     result["surface"] = dictOf(std::move(imprint.surface));
     result["curves"] = dictOf(std::move(imprint.curves));
-    result["measures"] = dictOf(shiftTable(*moved));
+    result["measures"] = objectOf({ reportRows(shiftTable(*moved), reportKeys("Flattenable")) });
   }
   return result;
 }
