@@ -165,12 +165,14 @@ def waiting_table(rows):
 
 
 def solver_table(rows):
+    """Of the largest size."""
+    largest = max(row["triangles"] for row in rows)
     return table(("system", "triangles", "unknowns", "solver", "order and structure, ms", "factor, ms", "solve, ms",
                   "entries of the factor", "residual"),
                  [(row["system"], f"{row['triangles']:,}", f"{row['unknowns']:,}", row["method"],
                    *(short(1e3 * row[f"seconds_{part}"]) for part in ("analyze", "factor", "solve")),
                    f"{row['entries']:,.0f}" if row["entries"] else "", f"{row['residual']:.0e}")
-                  for row in rows])
+                  for row in rows if row["triangles"] == largest])
 
 
 def machine_table(machine):
