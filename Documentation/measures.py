@@ -103,7 +103,7 @@ def gallery(measures):
 
 def comparison(measures):
     rows = []
-    for name in PIECES:
+    for name in CURVED:
         for method in METHODS:
             of = measures[method][name]
             rows.append((
