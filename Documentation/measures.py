@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tables of gallery.md and comparison.md, made by the command wirewarp.
+"""The tables of comparison.md, made by the command wirewarp.
 
     measures.py --check    compares the tables with what the command gives
     measures.py --write    writes them anew
 
-Both check the numbers in the sentences of these pages, of tutorial.md. The environment
+Both check the numbers in its sentences and in those of tutorial.md. The environment
 variable WIREWARP names the command; by default it is that of build/.
 """
 
@@ -92,15 +92,6 @@ def thousandths(value):
     return f"{1e3 * abs(value):.2f}"
 
 
-def gallery(measures):
-    rows = []
-    for name, what in PIECES.items():
-        of = measures["isometric"][name]
-        rows.append((f"`{name}`", what, of["triangles"], of["pieces"], thousandths(of["E_ang"]),
-                     f"{of['E_h']:.3f}", f"{abs(of['E_area']):.4f}", of["overlaps"]))
-    return table(("piece", "what", "triangles", "pieces", "E_ang x 1e3", "E_h", "E_area", "overlaps"), rows)
-
-
 def comparison(measures):
     rows = []
     for name in CURVED:
@@ -181,7 +172,6 @@ def sentences(measures):
             f"{median['global, rigid']} of that of `--scheme global`",
             f"{median['lscm']} of that of a least squares conformal map",
         ],
-        "gallery.md": ["to rounding, no triangle is flipped" if exact and not flips else "flipped"],
         "tutorial.md": tutorial_sentences(),
     }
 
@@ -256,7 +246,6 @@ def main():
     measures = {
         method: {name: worst(of) for name, of in flatten_all(method).items()} for method in METHODS}
     tables = {
-        "gallery.md": {"measures": gallery(measures)},
         "comparison.md": {"shares": shares(measures), "measures": comparison(measures)},
     }
     found = []
