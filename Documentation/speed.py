@@ -144,15 +144,6 @@ def batch_table(batch):
     return table(("what", "mean, ms a piece", "share"), lines)
 
 
-WAITING = {"isometric": "all defaults", "global": "`--scheme global`"}
-
-
-def waiting_table(rows):
-    return table(("triangles", "options", "scheme", "processor, ms"),
-                 [(f"{row['triangles']:,}", WAITING[row["scheme"]], row["scheme"],
-                   short(1e3 * row["cpu_seconds"])) for row in rows])
-
-
 def solver_table(rows):
     """Of the largest size."""
     largest = max(row["triangles"] for row in rows)
@@ -178,7 +169,6 @@ def made(numbers):
         "threads": sizes.parallel(),
         "stages": stage_table(numbers["stages"]),
         "solvers": solver_table(numbers["solvers"]),
-        "waiting": waiting_table(numbers["waiting"]),
         "batch": batch_table(numbers["batch"]),
     }, {
         "speed.svg": sizes.picture(),
