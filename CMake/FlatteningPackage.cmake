@@ -32,7 +32,7 @@ endforeach ()
 # commands of the pages work from there.
 set(share_dir "${CMAKE_INSTALL_DATADIR}/surfaceflattening")
 install(
-  FILES CHANGELOG.md CITATION.cff LICENSE README.md packages.txt
+  FILES CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE README.md packages.txt packages-test.txt
   DESTINATION "${share_dir}"
   COMPONENT documentation)
 install(
