@@ -183,7 +183,7 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound,
             : std::string("cuts do not help here")) +
         "; smooth the surface, or take a larger bound, or 0 to use up the cuts";
     case SearchEnd::CutsUsedUp:
-      return left + (more ? "about " + needed + " cuts would keep it; " : std::string()) +
+      return left + (more ? "it takes more than " + needed + " cuts; " : std::string()) +
         "allow more or longer cuts, or a larger bound";
     default:
       return left + "allow more or longer cuts, seams as well as darts, or a larger bound";

@@ -43,8 +43,8 @@ constexpr double workingSnap = 0.15;
 constexpr double mergingShare = 0.5;
 /// Of what is left then, for sewing seams from their ends on.
 constexpr double sewingShare = 0.2;
-/// Larger surfaces are parted on a version of half as many, to which their cuts are moved.
-constexpr Index settledTriangles = 30000;
+/// Larger surfaces are parted on a version of two thirds as many, whose cuts are moved to them.
+constexpr Index settledTriangles = 15000;
 /// Pieces with more strain than this many times the bound are parted again; darts do for others.
 constexpr double partedShare = 1.5;
 /// The flattening of a chart is given up after these steps; those of charts that keep the bound
@@ -518,9 +518,50 @@ private:
   SettledSeams Settled;
 };
 
+/// Those left where cuts that cannot be laid into the surface are taken out, with their images:
+/// what crosses itself, and otherwise the shortest of those that meet.
+std::vector<SuggestedCurve> possible(
+  const TriangleMesh& mesh, std::vector<SuggestedCurve> cuts, const FlatteningOptions& flattening)
+{
+  const CutTrials trials(mesh, {}, {}, flattening);
+  while (!cuts.empty() && trials.paths(linesOf(cuts)).empty())
+  {
+    std::vector<Indices> bad = failingLines(imprintCurves(mesh, linesOf(cuts), {}), cuts.size());
+    const auto alone = [](const Indices& set) { return set.front() == set.back(); };
+    const bool all = bad.size() == cuts.size() || std::none_of(bad.begin(), bad.end(), alone);
+    std::vector<char> out(cuts.size(), 0);
+    for (const Indices& set : bad)
+    {
+      out[*std::min_element(set.begin(), set.end(),
+        [&](Index a, Index b) { return cuts[a].length < cuts[b].length; })] |= all || alone(set);
+    }
+    if (bad.empty() || bad.size() == cuts.size())
+    {
+      return {};
+    }
+    std::vector<SuggestedCurve> left;
+    Indices place(cuts.size(), none);
+    for (std::size_t k = 0; k < cuts.size(); ++k)
+    {
+      const Index first = cuts[k].mirrorOf;
+      const bool image = k + 1 < cuts.size() && cuts[k + 1].mirrorOf == static_cast<Index>(k);
+      if (out[k] || (image && out[k + 1]) || (first != none && place[first] == none))
+      {
+        continue;
+      }
+      place[k] = static_cast<Index>(left.size());
+      left.push_back(std::move(cuts[k]));
+      left.back().mirrorOf = first == none ? none : place[first];
+    }
+    cuts = std::move(left);
+  }
+  return cuts;
+}
+
 /// The cuts of a version with fewer triangles on the surface itself.
 std::vector<SuggestedCurve> drawnOn(const TriangleMesh& mesh,
-  const std::optional<SymmetryPlane>& plane, std::vector<SuggestedCurve> cuts)
+  const std::optional<SymmetryPlane>& plane, std::vector<SuggestedCurve> cuts,
+  const FlatteningOptions& flattening)
 {
   const SeamDrawing drawing(mesh);
   const bool exact = plane && plane->error <= SurfaceMirror::exact;
@@ -539,12 +580,12 @@ std::vector<SuggestedCurve> drawnOn(const TriangleMesh& mesh,
     points = drawing.draw(drawing.place(points), SeamDrawing::levels - 1);
     cut.length = lengthOf(points);
   }
-  return cuts;
+  return possible(mesh, std::move(cuts), flattening);
 }
 
-/// Adds cuts in the pieces that do not keep the bound yet. False where there are none.
+/// Adds cuts in the pieces that do not keep a bound yet. False where there are none.
 bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirror, bool straight,
-  const ChartOptions& options, std::vector<SuggestedCurve>& cuts, ChartTrials& trials,
+  const ChartOptions& options, double bound, std::vector<SuggestedCurve>& cuts, ChartTrials& trials,
   TrialBudget& budget, const Execution& execution)
 {
   const ImprintedSurface surface = imprintCurves(mesh, linesOf(cuts), {});
@@ -560,7 +601,8 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
   std::vector<char> done(pieces.size(), 0);
   for (std::size_t p = 0; p < pieces.size() && !budget.spent(); ++p)
   {
-    if (done[p] || drawn.results[p].keeps(partedShare * options.bound))
+    if (done[p] || drawn.results[p].keeps(bound) ||
+      static_cast<double>(cuts.size()) > options.mostCuts)
     {
       continue;
     }
@@ -572,7 +614,7 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
     // charts.
     for (Index least : { 0, 2, 3, 4, 6 })
     {
-      if (worst < (least > 2 ? 1.0 : drawn.fault(p)) || budget.spent())
+      if ((!found.empty() && worst <= bound) || budget.spent())
       {
         break;
       }
@@ -606,16 +648,38 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
   }
   return added;
 }
+
+/// With more cuts in the pieces that do not keep a bound.
+std::vector<SuggestedCurve> parted(const TriangleMesh& mesh,
+  const std::optional<SurfaceMirror>& mirror, const ChartOptions& options, double bound,
+  std::vector<SuggestedCurve> cuts, TrialBudget& budget, const Execution& execution)
+{
+  ChartTrials trials(options.flattening, mostDrawnSteps);
+  const int partings = options.pieces > 0 ? 0 : mostPartings;
+  for (int k = 0; k < partings && !cuts.empty() && !budget.spent(); ++k)
+  {
+    if (!addCuts(mesh, mirror, k == 0, options, bound, cuts, trials, budget, execution) && k > 0)
+    {
+      break;
+    }
+  }
+  return cuts;
+}
 }
 
 std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   const std::optional<SymmetryPlane>& plane, const ChartOptions& options, TrialBudget& budget,
   const Execution& execution)
 {
+  const std::optional<SurfaceMirror> mirror =
+    plane ? std::optional<SurfaceMirror>(*plane) : std::nullopt;
+  const double bound = partedShare * options.bound;
   if (mesh.triangleCount() > settledTriangles)
   {
-    return drawnOn(mesh, plane,
-      chartCuts(fewTriangles(mesh, settledTriangles / 2), plane, options, budget, execution));
+    const TriangleMesh few = fewTriangles(mesh, 2 * settledTriangles / 3);
+    return parted(mesh, mirror, options, bound,
+      drawnOn(mesh, plane, chartCuts(few, plane, options, budget, execution), options.flattening),
+      budget, execution);
   }
   // What is left has to do for cuts without the mirror, where its two sides differ too much.
   const bool near = plane && plane->error > SurfaceMirror::exact && !options.mirrorKept;
@@ -644,17 +708,13 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
       return others;
     }
   }
-  const std::optional<SurfaceMirror> mirror =
-    plane ? std::optional<SurfaceMirror>(*plane) : std::nullopt;
-  ChartTrials trials(options.flattening, mostDrawnSteps);
-  const int partings = options.pieces > 0 ? 0 : mostPartings;
-  for (int k = 0; k < partings && !cuts.empty() && !budget.spent(); ++k)
-  {
-    if (!addCuts(mesh, mirror, k == 0, options, cuts, trials, budget, execution) && k > 0)
-    {
-      break;
-    }
-  }
-  return cuts;
+  return parted(mesh, mirror, options, bound, std::move(cuts), budget, execution);
+}
+
+std::vector<SuggestedCurve> partedCharts(const TriangleMesh& mesh,
+  const std::optional<SurfaceMirror>& mirror, const ChartOptions& options,
+  std::vector<SuggestedCurve> cuts, TrialBudget& budget, const Execution& execution)
+{
+  return parted(mesh, mirror, options, options.bound, std::move(cuts), budget, execution);
 }
 }

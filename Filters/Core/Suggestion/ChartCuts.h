@@ -3,6 +3,7 @@
 
 #include "Suggestion/ChartMerging.h"
 #include "Suggestion/CurveSuggestions.h"
+#include "Suggestion/SurfaceMirror.h"
 #include "Suggestion/SymmetryPlane.h"
 
 namespace flattening
@@ -23,4 +24,9 @@ namespace flattening
 std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   const std::optional<SymmetryPlane>& plane, const ChartOptions& options, TrialBudget& budget,
   const Execution& execution);
+
+/// More such cuts, in the pieces between some that do not keep the bound.
+std::vector<SuggestedCurve> partedCharts(const TriangleMesh& mesh,
+  const std::optional<SurfaceMirror>& mirror, const ChartOptions& options,
+  std::vector<SuggestedCurve> cuts, TrialBudget& budget, const Execution& execution);
 }

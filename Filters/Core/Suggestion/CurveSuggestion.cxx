@@ -28,6 +28,10 @@ namespace
 /// Share of the remaining work for a search, and for parting the surface into charts.
 constexpr double shareOfSearch = 0.5;
 constexpr double shareOfCharts = 0.8;
+/// Share of all work for the surface without cuts: what takes more lies very badly.
+constexpr double shareOfUncut = 0.2;
+/// Share of the remaining work for gores where other cuts may follow.
+constexpr double shareOfGores = 0.2;
 /// Where the surface had to be opened, which takes many cuts.
 constexpr double shareOpened = 0.9;
 /// Largest share of all work kept for measuring what each cut gains, by this many steps each; more
@@ -46,7 +50,7 @@ constexpr double noiseShare = 0.5;
 /// Charts are given up that take as many times the most cuts, or as many cuts in each part of the
 /// surface where the number is not limited.
 constexpr double farTooManyCuts = 4.0;
-constexpr double mostChartCuts = 250.0;
+constexpr double mostChartCuts = 500.0;
 /// The bound of charts where none is given.
 constexpr double chartBound = 0.05;
 /// Where charts would take more cuts than may be, they are tried again with the bound times this,
@@ -61,33 +65,6 @@ constexpr double nearlyExact = 3e-3;
 constexpr int mostStrippings = 3;
 /// Of the width allowed, that of strips: they are flattened anew and may come out a little wider.
 constexpr std::array<double, 3> stripShares{ 1.0, 0.97, 0.9 };
-/// Up to this many cuts are searched for once.
-constexpr Index singleSearch = 2;
-
-/// One way to search, beside the options.
-struct SearchWay
-{
-  SuggestedCuts cuts = SuggestedCuts::All;
-  SearchGoal goal = SearchGoal::Energy;
-};
-
-/// The ways to search one after the other, the most promising first: by two goals, and where darts
-/// and seams are wanted also with either alone.
-std::vector<SearchWay> searchWays(const SearchOptions& options)
-{
-  std::vector<SearchWay> all;
-  for (SuggestedCuts cuts : { SuggestedCuts::All, SuggestedCuts::Darts, SuggestedCuts::Seams })
-  {
-    if (cuts == options.cuts || options.cuts == SuggestedCuts::All)
-    {
-      all.push_back({ cuts, SearchGoal::Energy });
-      all.push_back({ cuts, options.bound > 0.0 ? SearchGoal::Strain : SearchGoal::Area });
-    }
-  }
-  const bool few = options.maximumCuts > 0 && options.maximumCuts <= singleSearch;
-  all.resize(few ? 1 : all.size());
-  return all;
-}
 
 bool isPaired(const std::vector<SuggestedCurve>& cuts)
 {
@@ -134,7 +111,9 @@ public:
       return refusal(mirror);
     }
     CutSet uncut;
-    uncut.outcome = this->Whole.run({}, this->Budget, this->Run);
+    TrialBudget uncutBudget(shareOfUncut * this->Budget.left(), this->Budget);
+    uncut.outcome = this->Whole.run({}, uncutBudget, this->Run);
+    this->Budget.add(uncutBudget);
     if (this->Run.cancelled())
     {
       return refusal({ StatusCode::Cancelled, "cancelled before any cut was chosen" });
@@ -356,9 +335,12 @@ private:
     const std::optional<SurfaceMirror>& mirror = this->Result.mirror;
     const bool round = strained && this->Curves.empty() && wanted.bound > 0.0 &&
       wanted.cuts != SuggestedCuts::Darts && mirror && mirror->plane();
+    TrialBudget trying(
+      (wanted.pieces > 0 ? 1.0 : shareOfGores) * this->Budget.left(), this->Budget);
     Gores gores = round
-      ? findGores(this->Mesh, *mirror->plane(), this->Whole, wanted, this->Budget, this->Run)
+      ? findGores(this->Mesh, *mirror->plane(), this->Whole, wanted, trying, this->Run)
       : Gores();
+    this->Budget.add(trying);
     const bool flat = this->isFlat(gores.set);
     const bool usable = gores.set.outcome.valid && this->allowed(gores.set) &&
       (flat || wanted.pieces > 0 || wanted.maximumCuts > 0);
@@ -454,9 +436,9 @@ private:
     bool tooMany = false;
     for (int k = 0; k < mostLooser; ++k)
     {
-      TrialBudget budget(shareOfCharts * (this->Budget.left() - this->MostMeasuring), this->Budget);
+      TrialBudget budget(shareOfCharts * this->Budget.left(), this->Budget);
       set = {};
-      set.cuts = this->chartsOf(surface, uncut, bound, budget);
+      set.cuts = this->chartsOf(surface, uncut, bound, most, budget);
       set.cutsNeeded = static_cast<double>(set.cuts.size());
       needed = k == 0 ? set.cutsNeeded : needed;
       spent = budget.spent();
@@ -494,9 +476,34 @@ private:
       : tooMany                 ? SearchEnd::CutsUsedUp
                                 : SearchEnd::NothingHelps;
     set.cutsNeeded = tooMany ? needed : set.cutsNeeded;
-    return set.end != SearchEnd::NothingHelps || wanted.bound == 0.0 || wanted.pieces > 0
-      ? set
-      : this->improved(std::move(set));
+    if (set.end == SearchEnd::NothingHelps && wanted.bound > 0.0 && wanted.pieces == 0)
+    {
+      if (set.outcome.flipped + set.outcome.overlaps > 0)
+      {
+        set = this->parted(std::move(set)); // single cuts are hardly found there
+      }
+      set = this->parted(this->improved(std::move(set)));
+    }
+    return set;
+  }
+
+  /// With charts that miss the bound parted, where others than single cuts help.
+  CutSet parted(CutSet set)
+  {
+    if (this->isFlat(set) || !this->Curves.empty())
+    {
+      return set;
+    }
+    TrialBudget budget(shareOfSearch * this->Budget.left(), this->Budget);
+    CutSet more;
+    more.cuts = partedCharts(this->Mesh, this->Result.mirror,
+      this->chartOptions(this->Options.search.bound), set.cuts, budget, this->Run);
+    this->Budget.add(budget);
+    more = withFolds(
+      std::move(more), this->Whole, 0, this->Options.search.bound, this->Budget, this->Run);
+    more.end = this->isFlat(more) ? SearchEnd::BoundMet : set.end;
+    more.cutsNeeded = static_cast<double>(more.cuts.size());
+    return this->allowed(more) && this->better(more, set) ? more : set;
   }
 
   /// With more cuts, one after the other, until the bound is met.
@@ -506,7 +513,7 @@ private:
     {
       return set;
     }
-    TrialBudget budget(this->Budget.left() - this->MostMeasuring, this->Budget);
+    TrialBudget budget(shareOfSearch * this->Budget.left(), this->Budget);
     SearchOptions options = this->Options.search;
     const auto count = static_cast<Index>(set.cuts.size());
     options.maximumCuts =
@@ -536,8 +543,7 @@ private:
       length <= wanted.cutLengthLimit();
   }
 
-  std::vector<SuggestedCurve> chartsOf(
-    const ImprintedSurface& surface, const CutSet& uncut, double bound, TrialBudget& budget) const
+  ChartOptions chartOptions(double bound) const
   {
     ChartOptions options;
     options.bound = bound;
@@ -547,6 +553,14 @@ private:
     options.pieces = this->Options.search.pieces;
     options.darts = this->Options.search.cuts == SuggestedCuts::All;
     options.flattening = this->Options.flattening;
+    return options;
+  }
+
+  std::vector<SuggestedCurve> chartsOf(const ImprintedSurface& surface, const CutSet& uncut,
+    double bound, double most, TrialBudget& budget) const
+  {
+    ChartOptions options = this->chartOptions(bound);
+    options.mostCuts = most;
     const CutSurface cut = cutSurface(surface.mesh, surface.curves);
     const std::vector<Piece> pieces = extractPieces(cut);
     const bool known = uncut.outcome.pieceStrains.size() == pieces.size();

@@ -31,6 +31,8 @@ constexpr double farTooMany = 4.0;
 constexpr double mostFolding = 4.0;
 /// As many of the cuts found are tried on the surface itself, where the coarse version misled.
 constexpr std::size_t mostAttempts = 4;
+/// Up to this many cuts are searched for once.
+constexpr Index singleSearch = 2;
 
 /// Of the strain, with which a goal goes.
 double powerOf(SearchGoal goal)
@@ -396,6 +398,22 @@ bool openFolds(
   pairTypes(cuts);
   return opened;
 }
+}
+
+std::vector<SearchWay> searchWays(const SearchOptions& options)
+{
+  std::vector<SearchWay> all;
+  for (SuggestedCuts cuts : { SuggestedCuts::All, SuggestedCuts::Darts, SuggestedCuts::Seams })
+  {
+    if (cuts == options.cuts || options.cuts == SuggestedCuts::All)
+    {
+      all.push_back({ cuts, SearchGoal::Energy });
+      all.push_back({ cuts, options.bound > 0.0 ? SearchGoal::Strain : SearchGoal::Area });
+    }
+  }
+  const bool few = options.maximumCuts > 0 && options.maximumCuts <= singleSearch;
+  all.resize(few ? 1 : all.size());
+  return all;
 }
 
 CutSet searchCuts(

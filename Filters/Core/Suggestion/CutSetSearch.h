@@ -33,4 +33,15 @@ CutSet searchCuts(
 /// \param curves of the surface, before the cuts in the trials
 CutSet withFolds(CutSet set, const CutTrials& trials, std::size_t curves, double bound,
   TrialBudget& budget, const Execution& execution);
+
+/// One way to search, beside the options.
+struct SearchWay
+{
+  SuggestedCuts cuts = SuggestedCuts::All;
+  SearchGoal goal = SearchGoal::Energy;
+};
+
+/// The ways to search one after the other, the most promising first: by two goals, and where darts
+/// and seams are wanted also with either alone.
+std::vector<SearchWay> searchWays(const SearchOptions& options);
 }
