@@ -10,12 +10,9 @@
 #include "Make.h"
 #include "Options.h"
 #include "PlainText.h"
+#include "Progress.h"
 #include "Resewing.h"
 #include "Table.h"
-
-#ifndef _WIN32
-#include <unistd.h>
-#endif
 
 #include <cerrno>
 #include <csignal>
@@ -79,7 +76,7 @@ std::string writtenFiles(const std::vector<std::string>& files)
 /// On a terminal, unless its user wants no colors.
 void sayInRed(const std::string& text)
 {
-  const bool red = isatty(STDERR_FILENO) == 1 && !std::getenv("NO_COLOR") && !text.empty();
+  const bool red = stderrIsTerminal() && !std::getenv("NO_COLOR") && !text.empty();
   std::cerr << (red ? "\033[31m" : "") << text << (red ? "\033[0m" : "");
 }
 

@@ -21,8 +21,9 @@ constexpr std::chrono::milliseconds terminalPeriod(200);
 constexpr std::chrono::seconds logPeriod(10);
 
 volatile std::sig_atomic_t interrupted = 0;
+}
 
-bool isTerminal()
+bool stderrIsTerminal()
 {
 #ifdef _WIN32
   return _isatty(_fileno(stderr)) != 0;
@@ -30,11 +31,10 @@ bool isTerminal()
   return isatty(STDERR_FILENO) == 1;
 #endif
 }
-}
 
 Progress::Progress(bool quiet)
   : Quiet(quiet)
-  , Terminal(isTerminal())
+  , Terminal(stderrIsTerminal())
   , Next(this->Begin + (this->Terminal ? std::chrono::seconds(1) : logPeriod))
 {
 }

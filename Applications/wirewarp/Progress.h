@@ -7,6 +7,8 @@
 
 namespace wirewarp
 {
+bool stderrIsTerminal();
+
 /// Shows on stderr, while it lives, how far a run has come: on a terminal as one line that renews
 /// itself, else as a line every ten seconds. Short runs show nothing.
 class Progress
