@@ -228,8 +228,8 @@ const std::vector<ReportKey>& reportKeys(const std::string& record)
         { "shear_rms", "ShearRms", Kind::Number, "" },
       } },
   };
-  static const std::vector<ReportKey> none;
+  static const std::vector<ReportKey> unknown;
   const auto found = records.find(record);
-  return found == records.end() ? none : found->second;
+  return found == records.end() ? unknown : found->second;
 }
 }
