@@ -25,7 +25,6 @@ METHODS = {  # and what they are called here
     "isometric": "isometric",
 }
 PEERS = ("CGAL LSCM", "CGAL ARAP", "BFF")
-PARTS = {"read": "reading", "core": "core", "filter": "filter", "write": "writing"}
 
 
 def exponent(points):
@@ -112,38 +111,6 @@ class Sizes:
         return svg.log_log(series, "triangles n", "processor seconds of one thread", lambda value: f"{value:g}")
 
 
-def stage_table(stages):
-    sizes = sorted({row["triangles"] for row in stages})
-    names = list(dict.fromkeys(row["stage"] for row in stages))
-    lines = []
-    for name in names:
-        times = {row["triangles"]: row["ms"] for row in stages if row["stage"] == name}
-        lines.append((name, *(short(times[size]) if size in times else "" for size in sizes),
-                      f"{exponent(list(times.items())):.2f}"))
-    share = {row["triangles"]: row["of_core"] for row in stages if "of_core" in row}
-    lines.append(("filter overhead, of Core", *(f"{share[size]:.0%}" for size in sizes), ""))
-    return table(("stage", *(f"{size:,}, ms" for size in sizes), "exponent"), lines)
-
-
-def batch_rows(batch):
-    """Name and mean milliseconds of each part, the mean of all first."""
-    groups = {}
-    for row in batch["surfaces"]:
-        groups.setdefault(row["name"], []).append(row)
-    return [(name, [1e3 * sum(row[part] for row in rows) / len(rows) for part in PARTS])
-            for name, rows in [("mean of all", batch["surfaces"]), *sorted(groups.items())]]
-
-
-def batch_table(batch):
-    _, mean = batch_rows(batch)[0]
-    lines = [(name, f"{value:.1f}", f"{value / sum(mean):.0%}")
-             for name, value in zip(PARTS.values(), mean)]
-    lines.append(("together", f"{sum(mean):.1f}", ""))
-    lines.append((f"pieces a second, {batch['workers']} at a time",
-                  f"{batch['surfaces_per_second']:.1f}", ""))
-    return table(("what", "mean, ms a piece", "share"), lines)
-
-
 def solver_table(rows):
     """Of the largest size."""
     largest = max(row["triangles"] for row in rows)
@@ -155,25 +122,15 @@ def solver_table(rows):
                   for row in rows if row["triangles"] == largest])
 
 
-def machine_table(machine):
-    return table(("processor", "cores", "runs on when it began"),
-                 [(machine["processor"], machine["cores"], f"{machine['load']:.1f}")])
-
-
 def made(numbers):
     """Tables by their marks, pictures by their names."""
     sizes = Sizes(numbers["flattening"])
     return ({
-        "machine": machine_table(numbers["machine"]),
         "sizes": sizes.table(),
         "threads": sizes.parallel(),
-        "stages": stage_table(numbers["stages"]),
         "solvers": solver_table(numbers["solvers"]),
-        "batch": batch_table(numbers["batch"]),
     }, {
         "speed.svg": sizes.picture(),
-        "batch.svg": svg.stacked_bars(list(PARTS.values()), batch_rows(numbers["batch"]),
-                                      "milliseconds a piece"),
     })
 
 
@@ -183,6 +140,7 @@ def sentences(numbers):
     triangles = sizes.sizes[1]
     rigid, isometric, peer = (
         sizes.row(method, triangles)["seconds"] for method in ("rigid", "isometric", "CGAL LSCM"))
+    machine = numbers["machine"]
     command = {row["scheme"]: row for row in numbers["waiting"]}
     if {row["triangles"] for row in command.values()} != {triangles}:
         raise ValueError("the command was not run on the trouser leg of the second size")
@@ -190,7 +148,8 @@ def sentences(numbers):
             f"{command['isometric']['cpu_seconds']:.1f} s of processor time by default and "
             f"{command['global']['cpu_seconds']:.1f} s by `--scheme global`",
             f"takes {isometric:.1f} s and {1e3 * rigid:.0f} ms on two threads",
-            f"knows one thread, {peer:.1f} s"]
+            f"knows one thread, {peer:.1f} s",
+            f"measured on {machine['cores']} cores of an {machine['processor']}"]
 
 
 def main():

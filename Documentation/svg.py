@@ -114,32 +114,3 @@ def panels(titles, names, rows, across):
                     canvas.add(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{size}" fill="{COLORS[k]}"/>')
     canvas.text(left + (width + gap) * len(titles) / 2, canvas.height - 8, across, "middle")
     return canvas.document()
-
-
-def stacked_bars(parts, rows, unit):
-    """Rows are (name, [value of each part]); the axis counts in `unit`."""
-    left, right, height = 200, 720, 22
-    top = 2 * MARGIN + 8
-    canvas = Canvas(760, top + height * len(rows) + 48)
-    bottom = top + height * len(rows)
-    most = max(sum(values) for _, values in rows)
-    step = 10.0**math.floor(math.log10(most))
-    step *= next(f for f in (0.1, 0.2, 0.5, 1.0) if most / (step * f) <= 10)
-    for k in range(math.floor(most / step) + 1):
-        x = left + k * step / most * (right - left)
-        canvas.line(x, top, x, bottom, "#ddd")
-        canvas.text(x, bottom + 18, f"{k * step:g}", "middle")
-    canvas.text((left + right) / 2, bottom + 38, unit, "middle")
-    for k, part in enumerate(parts):
-        x = left + 110 * k
-        canvas.box(x, MARGIN - 6, 14, 14, COLORS[k])
-        canvas.text(x + 20, MARGIN + 6, part)
-    for row, (name, values) in enumerate(rows):
-        y = top + height * row
-        canvas.text(left - 8, y + height - 7, name, "end")
-        x = float(left)
-        for k, value in enumerate(values):
-            width = value / most * (right - left)
-            canvas.box(x, y + 3, width, height - 6, COLORS[k])
-            x += width
-    return canvas.document()

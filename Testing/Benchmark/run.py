@@ -3,14 +3,13 @@
 """Runs the benchmarks that build-benchmarks has built and keeps their numbers in build/benchmark.
 
     run.py                      all of them; on a quiet machine 15 minutes
-    run.py --only stages batch  some of: flattening, stages, solvers, waiting, batch
+    run.py --only solvers       some of: flattening, solvers, waiting
     run.py --bff PROGRAM        with boundary first flattening by a program of your own (see speed.md)
     run.py --page               afterwards writes Documentation/speed.json, and from it the tables and
                                 pictures of Documentation/speed.md; --only none: from earlier runs
 """
 
 import argparse
-import glob
 import json
 import os
 import resource
@@ -19,13 +18,12 @@ import sys
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 DATA = os.path.join(ROOT, "Data")
-SURFACES = 100
 
 
-def run(*command, codes=(0,)):
+def run(*command):
     print("+", *command, flush=True)
     code = subprocess.run(command, check=False).returncode
-    if code not in codes:
+    if code != 0:
         sys.exit(f"{os.path.basename(command[0])} ended with {code}")
 
 
@@ -35,31 +33,12 @@ def flattening(options, folder):
         "--isometric-until", "3000000", "--json", f"{folder}/flattening.json")
 
 
-def stages(options, folder):
-    # Beyond, the isometric scheme takes minutes.
-    divisions = [str(division) for division in options.divisions if division <= 11]
-    run(f"{options.bin}/StageBenchmark", DATA, "--divisions", *divisions,
-        f"--benchmark_out={folder}/stages.json", "--benchmark_out_format=json")
-
-
 def solvers(options, folder):
     """One thread for CHOLMOD's BLAS: more make it slower here."""
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
     divisions = [str(division) for division in options.divisions if division <= 11]
     run(f"{options.bin}/SolverBenchmark", DATA, "--divisions", *divisions,
         "--json", f"{folder}/solvers.json")
-
-
-def batch(options, folder):
-    """The pieces of Data, again and again, in one call of the command."""
-    sets = [(curves[:curves.rindex("_curves")] + ".vtp", curves)
-            for curves in sorted(glob.glob(f"{DATA}/*_curves*.vtp"))]
-    with open(f"{folder}/list.txt", "w", encoding="utf-8") as file:
-        for k in range(SURFACES):
-            file.write(" ".join(f'"{name}"' for name in sets[k % len(sets)]) + "\n")
-    # 4: a broken promise, such as a piece that overlaps itself
-    run(f"{options.bin}/wirewarp", "batch", f"{folder}/list.txt", "--output", f"{folder}/batch",
-        "--threads", "2", "--quiet", codes=(0, 4))
 
 
 def divided(folder):
@@ -105,47 +84,19 @@ def processor():
     return names[0] if names else "unknown"
 
 
-def stage_rows(report):
-    rows = []
-    for entry in report["benchmarks"]:
-        if entry.get("aggregate_name", "median") == "median" and "triangles" in entry:
-            name = entry["name"].partition("/")[0]
-            manual = "of_core" in entry
-            row = {"stage": name, "triangles": round(entry["triangles"]),
-                   "ms": entry["real_time" if manual else "cpu_time"]}
-            rows.append({**row, "of_core": entry["of_core"]} if manual else row)
-    return rows
-
-
-def piece_name(curves):
-    """Of the surface, and of the set of curves where there are several."""
-    return os.path.splitext(os.path.basename(curves))[0].replace("_curves", "")
-
-
 def write_numbers(folder):
-    report = read(f"{folder}/batch/batch.json")
-    stages_report = read(f"{folder}/stages.json")
-    parts = ("read", "core", "filter", "write")
     numbers = {
-        "machine": {"processor": processor(), "cores": os.cpu_count(),
-                    "load": stages_report["context"]["load_avg"][0]},
+        "machine": {"processor": processor(), "cores": os.cpu_count()},
         "flattening": read(f"{folder}/flattening.json"),
-        "stages": stage_rows(stages_report),
         "solvers": read(f"{folder}/solvers.json"),
-        "waiting": read(f"{folder}/waiting.json"),
-        "batch": {
-            "workers": report["workers"],
-            "surfaces_per_second": report["surfaces_per_second"],
-            "surfaces": [{"name": piece_name(row["curve_files"][0]),
-                          **{part: row["seconds"][part] for part in parts}}
-                         for row in report["surfaces"]]}}
+        "waiting": read(f"{folder}/waiting.json")}
     with open(f"{ROOT}/Documentation/speed.json", "w", encoding="utf-8") as file:
         json.dump(numbers, file, indent=1)
         file.write("\n")
 
 
 def main():
-    steps = {"flattening": flattening, "stages": stages, "solvers": solvers, "waiting": waiting, "batch": batch}
+    steps = {"flattening": flattening, "solvers": solvers, "waiting": waiting}
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", nargs="+", choices=[*steps, "none"], default=list(steps))
