@@ -461,11 +461,11 @@ TEST(CurveImprint, TakesPicksThatLieALittleOffTheSurface)
   options.tolerance = std::stod(refused.status.remedies[1].subject);
   EXPECT_TRUE(imprintCurves(mesh, { line }, options).status.ok());
   // A tenth of the diagonal away none is given: it would lay down curves of another unit.
-  EXPECT_EQ(refused.status.message.find("unit"), std::string::npos) << refused.status.message;
+  EXPECT_EQ(refused.status.message.find("differ"), std::string::npos) << refused.status.message;
   line.points[1].z() = 0.11 * diagonal;
   const auto far = imprintCurves(mesh, { line }, {});
   EXPECT_EQ(far.status.remedies.size(), 1U);
-  EXPECT_NE(far.status.message.find("unit"), std::string::npos) << far.status.message;
+  EXPECT_NE(far.status.message.find("differ in unit"), std::string::npos) << far.status.message;
 }
 
 TEST(CurveImprint, KeepsACurveOnOnePartWherePartsTouchWithoutBeingJoined)

@@ -269,9 +269,9 @@ py::dict suggest(const py::dict& surface, const py::list& curves, const py::obje
     }
     result["flattening"] = resultOf(std::move(*flattened));
     result["places"] = places;
-    Columns curves = suggestionArrays(found.curves, 0);
-    result["cuts"] = objectOf({ reportRows(curves, reportKeys("SuggestedCut")) });
-    result["curves"] = dictOf(std::move(curves));
+    Columns proposed = suggestionArrays(found.curves, 0);
+    result["cuts"] = objectOf({ reportRows(proposed, reportKeys("SuggestedCut")) });
+    result["curves"] = dictOf(std::move(proposed));
     result["search"] = dictOf(searchTable(found));
     result["left_out"] = objectOf({ reportRows(leftOutTable(found), reportKeys("LeftOutLine")) });
     result["mirror"] = dictOf(mirrorArrays(found));
