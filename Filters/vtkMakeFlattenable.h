@@ -3,7 +3,7 @@
  * @class vtkMakeFlattenable
  * @brief move a surface as little as it takes to lie flat with little strain, and flatten it
  *
- * The way out for a surface that no cuts are wanted in: it is changed until the strain on 95 % of
+ * For a surface in which no cuts are wanted: it is changed until the strain on 95 % of
  * each flat piece is within Bound. The surface is flattened and sewn together again in turn, the
  * cloth being drawn back to the design by springs that are weakened until the bound holds; then it
  * goes back towards the design while it holds. The aim is that of C. C. L. Wang, "Towards

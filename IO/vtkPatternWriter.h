@@ -62,7 +62,7 @@
  * closed a cut, nothing is drawn.
  *
  * **Errors**: nothing to draw, broken input, an invalid option, a pattern too large for the pages,
- * memory that ran out, a file that cannot be written. One vtkErrorMacro says what and the way out,
+ * memory that ran out, a file that cannot be written. One vtkErrorMacro says what and the remedy,
  * Write() returns 0, GetStatusName(), GetErrorCode() and GetErrorMessage() tell it again, and an
  * earlier file of that name stays as it was: the new one is written aside and then renamed.
  *

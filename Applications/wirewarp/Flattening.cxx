@@ -549,33 +549,6 @@ private:
 };
 }
 
-namespace
-{
-/// A column and whether it has the row.
-const Column* cellOf(const Table& rows, std::size_t row, const char* name)
-{
-  const Column* const column = findColumn(rows, name);
-  return column && row < column->rows() ? column : nullptr;
-}
-}
-
-double numberIn(const Table& rows, std::size_t row, const char* column)
-{
-  const Column* const found = cellOf(rows, row, column);
-  return found ? found->number(row) : 0.0;
-}
-
-long long integerIn(const Table& rows, std::size_t row, const char* column)
-{
-  return static_cast<long long>(numberIn(rows, row, column));
-}
-
-std::string textIn(const Table& rows, std::size_t row, const char* column)
-{
-  const Column* const found = cellOf(rows, row, column);
-  return found ? found->text(row) : std::string();
-}
-
 std::vector<Remedy> remediesOf(const PieceTables& tables, std::size_t piece)
 {
   std::vector<Remedy> remedies;

@@ -26,16 +26,10 @@ using Table = flattening::Columns;
 /// What is written to a file; null: nothing.
 using Data = std::shared_ptr<const DataSet>;
 
-/// Of a table.
-inline std::size_t rowsOf(const Table& table)
-{
-  return table.empty() ? 0 : table.front().rows();
-}
-
-/// A value of a table; 0 or empty where there is no such column.
-double numberIn(const Table& rows, std::size_t row, const char* column);
-long long integerIn(const Table& rows, std::size_t row, const char* column);
-std::string textIn(const Table& rows, std::size_t row, const char* column);
+using flattening::integerIn;
+using flattening::numberIn;
+using flattening::rowsOf;
+using flattening::textIn;
 
 /// A strain above this multiple of the bound misses it.
 constexpr double missedBy = 1.5;

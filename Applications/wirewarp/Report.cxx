@@ -34,28 +34,7 @@ using flattening::reportKeys;
 using Json = nlohmann::ordered_json;
 
 using Kind = flattening::ReportKind;
-using ReportColumn = flattening::ReportKey;
-using ReportColumns = std::vector<ReportColumn>;
-
-const ReportColumns suggestionColumns{ { "type", "Type", Kind::Text, "" },
-  { "name", "Name", Kind::Text, "" }, { "length", "Length", Kind::Number, "" },
-  { "gain", "Gain", Kind::Number, "" }, { "E_area_before", "AreaErrorBefore", Kind::Number, "" },
-  { "E_area_after", "AreaErrorAfter", Kind::Number, "" },
-  { "strain_p95_before", "StrainBefore", Kind::Number, "" },
-  { "strain_p95_after", "StrainAfter", Kind::Number, "" },
-  { "gain_predicted", "PredictedGain", Kind::Number, "" },
-  { "opening", "Opening", Kind::Number, "" }, { "mirror_of", "MirrorOf", Kind::Text, "" } };
-
-const ReportColumns leftOutLineColumns = []() {
-  ReportColumns columns(suggestionColumns.begin(), suggestionColumns.begin() + 8);
-  columns.push_back({ "sound", "Sound", Kind::Truth, "" });
-  return columns;
-}();
-
-const ReportColumns keyPriceColumns{ { "trial", "Trial", Kind::Text, "" },
-  { "price", "Price", Kind::Number, "" }, { "E_area", "AreaError", Kind::Number, "" },
-  { "strain_p95", "StrainP95", Kind::Number, "" }, { "status", "Status", Kind::Text, "" },
-  { "released", "Released", Kind::Text, "" } };
+using flattening::ReportKey;
 
 Json jsonOf(const flattening::ReportValue& value)
 {
@@ -88,9 +67,9 @@ Json jsonOf(const flattening::ReportValue& value)
     value.value);
 }
 
-Json rowReports(const Table& table, const ReportColumns& columns)
+Json rowReports(const Table& table, const std::vector<ReportKey>& keys)
 {
-  return jsonOf({ flattening::reportRows(table, columns) });
+  return jsonOf({ flattening::reportRows(table, keys) });
 }
 
 /// The two banks of a dart or seam that are sewn together, where both pieces stay the same.
@@ -187,7 +166,7 @@ Json mirrorReport(const Flattening& result)
 }
 
 /// The table that rows of a report were made of.
-void addColumn(const Json& rows, const ReportColumn& column, Table& table)
+void addColumn(const Json& rows, const ReportKey& column, Table& table)
 {
   std::vector<std::string> texts;
   std::vector<double> numbers;
@@ -364,11 +343,11 @@ std::string makeReport(const Options& options, const Flattening& result)
     { "left_out", rowReports(result.leftOutPieces, reportKeys("LeftOut")) },
     { "curves", rowReports(result.curveTable, reportKeys("CurveReport")) },
     { "seams", seamReports(result) },
-    { "suggestions", rowReports(suggestedCuts(result), suggestionColumns) },
+    { "suggestions", rowReports(suggestedCuts(result), reportKeys("suggestions")) },
     { "flattenable", flattenableReport(options, result) },
-    { "suggestions_left_out", rowReports(result.leftOutLines, leftOutLineColumns) },
+    { "suggestions_left_out", rowReports(result.leftOutLines, reportKeys("suggestions_left_out")) },
     { "suggestions_mirror", mirrorReport(result) },
-    { "key_prices", rowReports(result.keyPrices, keyPriceColumns) },
+    { "key_prices", rowReports(result.keyPrices, reportKeys("key_prices")) },
     { "resewn", resewnReports(options, result.sewnShapes) },
     { "seconds",
       { { "read", result.secondsRead }, { "core", result.seconds[3] },
@@ -393,7 +372,7 @@ void takeReport(const std::string& text, Flattening& result)
   const Json report = Json::parse(text);
   const Json& pieces = report.at("pieces");
   Table& table = result.tables.pieces;
-  for (const ReportColumn& column : reportKeys("PieceReport"))
+  for (const ReportKey& column : reportKeys("PieceReport"))
   {
     addColumn(pieces, column, table);
   }
@@ -413,12 +392,12 @@ void takeReport(const std::string& text, Flattening& result)
   addColumn(sizes, { "height_mm", "FlatHeight", Kind::Number, "" }, table);
   if (!cloths.empty() && cloths.front().is_object())
   {
-    for (const ReportColumn& column : reportKeys("ClothReport"))
+    for (const ReportKey& column : reportKeys("ClothReport"))
     {
       addColumn(cloths, column, table);
     }
   }
-  for (const ReportColumn& column : reportKeys("CurveReport"))
+  for (const ReportKey& column : reportKeys("CurveReport"))
   {
     addColumn(report.at("curves"), column, result.curveTable);
   }

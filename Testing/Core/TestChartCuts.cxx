@@ -243,7 +243,8 @@ TEST(ChartCuts, KeepToTheMirrorThatIsStated)
 
 TEST(ChartCuts, AreMappedToTheOtherSideWhereAMirrorIsForced)
 {
-  SuggestionOptions options = optionsOf(0.08, 0);
+  SuggestionOptions options = optionsOf(0.1, 0);
+  EXPECT_FALSE(suggestCurves(bean(), {}, options).mirror.has_value());
   options.search.symmetric = "force";
   const CurveSuggestions forced = suggestCurves(bean(), {}, options);
   ASSERT_TRUE(forced.mirror.has_value());

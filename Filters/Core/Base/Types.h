@@ -60,6 +60,12 @@ inline double cross(const Point2& u, const Point2& v)
   return u.x() * v.y() - u.y() * v.x();
 }
 
+/// The vertical axis of a body where no other is stated: of y and z that along which it is larger.
+inline Eigen::Index upAxisOf(const Point3& sizes)
+{
+  return sizes.y() > sizes.z() ? 1 : 2;
+}
+
 /// The angle between two vectors of space, in [0, pi].
 inline double angleBetween(const Point3& u, const Point3& v)
 {

@@ -22,6 +22,13 @@ std::vector<Value> valuesOf(
   }
   return copied;
 }
+
+/// A column that has a row; null where there is none.
+const Column* cellOf(const Columns& table, std::size_t row, const std::string& name)
+{
+  const Column* const column = findColumn(table, name);
+  return column && row < column->rows() ? column : nullptr;
+}
 }
 
 std::size_t Column::rows() const
@@ -67,6 +74,28 @@ const Column* findColumn(const Columns& columns, const std::string& name)
   return found == columns.end() ? nullptr : &*found;
 }
 
+std::size_t rowsOf(const Columns& table)
+{
+  return table.empty() ? 0 : table.front().rows();
+}
+
+double numberIn(const Columns& table, std::size_t row, const std::string& name)
+{
+  const Column* const column = cellOf(table, row, name);
+  return column ? column->number(row) : 0.0;
+}
+
+std::int64_t integerIn(const Columns& table, std::size_t row, const std::string& name)
+{
+  return static_cast<std::int64_t>(numberIn(table, row, name));
+}
+
+std::string textIn(const Columns& table, std::size_t row, const std::string& name)
+{
+  const Column* const column = cellOf(table, row, name);
+  return column ? column->text(row) : std::string();
+}
+
 void setColumn(Columns& columns, Column column)
 {
   const auto known = std::find_if(columns.begin(), columns.end(),
@@ -105,5 +134,12 @@ Columns copiedRows(const Columns& columns, const std::vector<std::int64_t>& rowO
       column.components, column.role });
   }
   return copied;
+}
+
+/// A column that has a row; null where there is none.
+const Column* cellOf(const Columns& table, std::size_t row, const std::string& name)
+{
+  const Column* const column = findColumn(table, name);
+  return column && row < column->rows() ? column : nullptr;
 }
 }

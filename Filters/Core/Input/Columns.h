@@ -52,6 +52,14 @@ using Columns = std::vector<Column>;
 /// The column of a name; null where there is none.
 const Column* findColumn(const Columns& columns, const std::string& name);
 
+/// Of a table.
+std::size_t rowsOf(const Columns& table);
+
+/// A value of a table; 0 or empty where there is no such column or row.
+double numberIn(const Columns& table, std::size_t row, const std::string& name);
+std::int64_t integerIn(const Columns& table, std::size_t row, const std::string& name);
+std::string textIn(const Columns& table, std::size_t row, const std::string& name);
+
 /// Replaces the column of its name, or adds it.
 void setColumn(Columns& columns, Column column);
 

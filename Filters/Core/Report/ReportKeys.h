@@ -27,6 +27,7 @@ struct ReportKey
   const char* help; ///< empty: that of the next key is of both
 };
 
-/// The keys of a record by its name in Python, such as "PieceReport"; none where there is none.
+/// The keys of a record by its name in Python, such as "PieceReport", or by that of its list in
+/// report.json where that has other keys; none where there is none.
 const std::vector<ReportKey>& reportKeys(const std::string& record);
 }

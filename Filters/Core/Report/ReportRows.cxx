@@ -8,23 +8,6 @@ namespace flattening
 {
 namespace
 {
-std::size_t rowsOf(const Columns& table)
-{
-  return table.empty() ? 0 : table.front().rows();
-}
-
-double numberIn(const Columns& table, std::size_t row, const char* name)
-{
-  const Column* const column = findColumn(table, name);
-  return column ? column->number(row) : 0.0;
-}
-
-std::string textIn(const Columns& table, std::size_t row, const char* name)
-{
-  const Column* const column = findColumn(table, name);
-  return column ? column->text(row) : std::string();
-}
-
 ReportValue valueOf(const Columns& table, std::size_t row, const ReportKey& key)
 {
   const double number = key.kind == ReportKind::Text ? 0.0 : numberIn(table, row, key.column);
@@ -128,7 +111,7 @@ ReportList pieceReports(const PieceReportTables& tables)
     std::istringstream words(textIn(pieces, piece, "StatusIds"));
     for (std::int64_t id = 0; words >> id;)
     {
-      ids.push_back({ id });
+      ids.emplace_back().value = id;
     }
     ReportList remedies;
     for (const std::size_t row : rowsOfPiece(tables.remedies, piece))

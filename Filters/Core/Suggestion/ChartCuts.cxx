@@ -313,7 +313,6 @@ public:
       TrialBudget some(roughWork * budget.left(), budget);
       merged.divide(some, this->Run);
       merged.merge(true, some, this->Run);
-      budget.add(some);
       parted = straighten(parted.mesh, merged.arcs());
     }
     const CutMesh whole = this->withMirrored(parted);
@@ -332,12 +331,10 @@ public:
     {
       charts.merge(false, budget, this->Run);
     }
-    this->Budget.add(budget);
     if (this->Options.darts)
     {
       TrialBudget sewing(sewingShare * this->Budget.left(), this->Budget);
       charts.shorten(sewing, this->Run);
-      this->Budget.add(sewing);
     }
     this->Settled = settleSeams(this->Given, this->Surface, this->Mirror,
       this->seams(whole.mesh, parted.mesh.vertexCount(), charts.arcs(this->Mirror.has_value())),
@@ -648,23 +645,6 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
   }
   return added;
 }
-
-/// With more cuts in the pieces that do not keep a bound.
-std::vector<SuggestedCurve> parted(const TriangleMesh& mesh,
-  const std::optional<SurfaceMirror>& mirror, const ChartOptions& options, double bound,
-  std::vector<SuggestedCurve> cuts, TrialBudget& budget, const Execution& execution)
-{
-  ChartTrials trials(options.flattening, mostDrawnSteps);
-  const int partings = options.pieces > 0 ? 0 : mostPartings;
-  for (int k = 0; k < partings && !cuts.empty() && !budget.spent(); ++k)
-  {
-    if (!addCuts(mesh, mirror, k == 0, options, bound, cuts, trials, budget, execution) && k > 0)
-    {
-      break;
-    }
-  }
-  return cuts;
-}
 }
 
 std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
@@ -677,7 +657,7 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   if (mesh.triangleCount() > settledTriangles)
   {
     const TriangleMesh few = fewTriangles(mesh, 2 * settledTriangles / 3);
-    return parted(mesh, mirror, options, bound,
+    return partedCharts(mesh, mirror, options, bound,
       drawnOn(mesh, plane, chartCuts(few, plane, options, budget, execution), options.flattening),
       budget, execution);
   }
@@ -699,7 +679,6 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
       best = &*second;
     }
   }
-  budget.add(trying);
   if (plane && (cuts.empty() || (near && best->fails())))
   {
     std::vector<SuggestedCurve> others = chartCuts(mesh, std::nullopt, options, budget, execution);
@@ -708,13 +687,22 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
       return others;
     }
   }
-  return parted(mesh, mirror, options, bound, std::move(cuts), budget, execution);
+  return partedCharts(mesh, mirror, options, bound, std::move(cuts), budget, execution);
 }
 
 std::vector<SuggestedCurve> partedCharts(const TriangleMesh& mesh,
-  const std::optional<SurfaceMirror>& mirror, const ChartOptions& options,
+  const std::optional<SurfaceMirror>& mirror, const ChartOptions& options, double bound,
   std::vector<SuggestedCurve> cuts, TrialBudget& budget, const Execution& execution)
 {
-  return parted(mesh, mirror, options, options.bound, std::move(cuts), budget, execution);
+  ChartTrials trials(options.flattening, mostDrawnSteps);
+  const int partings = options.pieces > 0 ? 0 : mostPartings;
+  for (int k = 0; k < partings && !cuts.empty() && !budget.spent(); ++k)
+  {
+    if (!addCuts(mesh, mirror, k == 0, options, bound, cuts, trials, budget, execution) && k > 0)
+    {
+      break;
+    }
+  }
+  return cuts;
 }
 }

@@ -25,8 +25,9 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   const std::optional<SymmetryPlane>& plane, const ChartOptions& options, TrialBudget& budget,
   const Execution& execution);
 
-/// More such cuts, in the pieces between some that do not keep the bound.
+/// Cuts with more of such in the pieces that do not keep a bound, which may be another than that of
+/// the options.
 std::vector<SuggestedCurve> partedCharts(const TriangleMesh& mesh,
-  const std::optional<SurfaceMirror>& mirror, const ChartOptions& options,
+  const std::optional<SurfaceMirror>& mirror, const ChartOptions& options, double bound,
   std::vector<SuggestedCurve> cuts, TrialBudget& budget, const Execution& execution);
 }

@@ -113,7 +113,6 @@ public:
     CutSet uncut;
     TrialBudget uncutBudget(shareOfUncut * this->Budget.left(), this->Budget);
     uncut.outcome = this->Whole.run({}, uncutBudget, this->Run);
-    this->Budget.add(uncutBudget);
     if (this->Run.cancelled())
     {
       return refusal({ StatusCode::Cancelled, "cancelled before any cut was chosen" });
@@ -340,7 +339,6 @@ private:
     Gores gores = round
       ? findGores(this->Mesh, *mirror->plane(), this->Whole, wanted, trying, this->Run)
       : Gores();
-    this->Budget.add(trying);
     const bool flat = this->isFlat(gores.set);
     const bool usable = gores.set.outcome.valid && this->allowed(gores.set) &&
       (flat || wanted.pieces > 0 || wanted.maximumCuts > 0);
@@ -442,7 +440,6 @@ private:
       set.cutsNeeded = static_cast<double>(set.cuts.size());
       needed = k == 0 ? set.cutsNeeded : needed;
       spent = budget.spent();
-      this->Budget.add(budget);
       // The number of cuts falls with the root of the bound, as the width of strips grows.
       const double excess = set.cutsNeeded / most;
       const double looser = bound * std::max(looserBound, excess * excess);
@@ -495,12 +492,15 @@ private:
       return set;
     }
     TrialBudget budget(shareOfSearch * this->Budget.left(), this->Budget);
+    const double bound = this->Options.search.bound;
     CutSet more;
-    more.cuts = partedCharts(this->Mesh, this->Result.mirror,
-      this->chartOptions(this->Options.search.bound), set.cuts, budget, this->Run);
-    this->Budget.add(budget);
-    more = withFolds(
-      std::move(more), this->Whole, 0, this->Options.search.bound, this->Budget, this->Run);
+    more.cuts = partedCharts(this->Mesh, this->Result.mirror, this->chartOptions(bound), bound,
+      set.cuts, budget, this->Run);
+    if (more.cuts.size() == set.cuts.size())
+    {
+      return set;
+    }
+    more = withFolds(std::move(more), this->Whole, 0, bound, this->Budget, this->Run);
     more.end = this->isFlat(more) ? SearchEnd::BoundMet : set.end;
     more.cutsNeeded = static_cast<double>(more.cuts.size());
     return this->allowed(more) && this->better(more, set) ? more : set;
@@ -521,7 +521,6 @@ private:
     set = searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
                        options, this->Result.mirror, this->Weights, SearchGoal::Strain },
       std::move(set), budget, this->Run);
-    this->Budget.add(budget);
     return set;
   }
 
@@ -600,7 +599,6 @@ private:
       TrialBudget share(budget.left() * pieces[p].mesh.triangleCount() / triangles, budget);
       std::vector<SuggestedCurve> here = chartCuts(
         pieces[p].mesh, plane ? mirror->plane() : std::nullopt, options, share, this->Run);
-      budget.add(share);
       if (here.empty() && findDefect(pieces[p]))
       {
         here = this->opened(pieces[p], cut, marks);
@@ -681,7 +679,6 @@ private:
         searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
                      options, this->Result.mirror, this->Weights, ways[k].goal },
           this->start(first, ways[k].goal, budget), budget, this->Run));
-      this->Budget.add(budget);
       const bool met = this->isFlat(*std::min_element(found.begin(), found.end(), better));
       if ((met && (found.back().cuts.size() == first.size() || k > 0)) ||
         found.back().end == SearchEnd::GivenUp || found.front().end == SearchEnd::GivenUp ||

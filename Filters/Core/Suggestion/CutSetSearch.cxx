@@ -438,7 +438,6 @@ CutSet withFolds(CutSet set, const CutTrials& trials, std::size_t curves, double
   {
     TrialBudget folding(std::min(most, budget.left()), budget);
     flat = trials.trial(linesOf(set.cuts), folding, execution);
-    budget.add(folding);
     if (!flat.outcome.valid)
     {
       break;

@@ -32,13 +32,13 @@ public:
     : Most(most)
   {
   }
-  /// A share of another budget, in which add() enters what it paid.
+  /// A share of another budget, which pays as well.
   TrialBudget(double most, TrialBudget& whole)
     : Most(most)
     , Whole(&whole)
   {
   }
-  /// Hands on the part of the work that is done, of shares as well, with each payment.
+  /// Hands on the part of the work that is done with each payment.
   void watch(std::function<void(double)> watcher) { this->Watcher = std::move(watcher); }
 
   bool spent() const { return this->Paid >= this->Most; }
@@ -49,24 +49,15 @@ public:
 
   void pay(double work)
   {
-    this->Paid += work;
-    ++this->Trials;
-    TrialBudget* root = this;
-    while (root->Whole)
+    for (TrialBudget* budget = this; budget; budget = budget->Whole)
     {
-      root = root->Whole;
+      budget->Paid += work;
+      ++budget->Trials;
+      if (budget->Watcher)
+      {
+        budget->Watcher(std::min(1.0, budget->Paid / budget->Most));
+      }
     }
-    root->Seen += work;
-    if (root->Watcher)
-    {
-      root->Watcher(std::min(1.0, root->Seen / root->Most));
-    }
-  }
-  /// What another paid.
-  void add(const TrialBudget& other)
-  {
-    this->Paid += other.Paid;
-    this->Trials += other.Trials;
   }
 
 private:
@@ -74,7 +65,6 @@ private:
   double Paid = 0.0;
   Index Trials = 0;
   TrialBudget* Whole = nullptr;
-  double Seen = 0.0; ///< paid here and from shares
   std::function<void(double)> Watcher;
 };
 

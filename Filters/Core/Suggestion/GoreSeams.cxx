@@ -457,7 +457,6 @@ CutSet fewestGores(const GoreSeams& gores, double triangles, const CutTrials& tr
                             : std::min(budget.left(), mostGoreSteps * factorizationWork(triangles)),
         budget);
       set.outcome = trials.run(linesOf(set.cuts), some, execution);
-      budget.add(some);
     }
     return set;
   };

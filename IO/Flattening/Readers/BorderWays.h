@@ -20,7 +20,7 @@ public:
 
   /// The points from each of some points on the boundary to the next, each time the shorter way
   /// round; of a point and itself the whole loop. None where there is no such way: then `fault`
-  /// says why, and the way out.
+  /// says why, and the remedy.
   std::optional<std::vector<std::int64_t>> through(
     const std::vector<std::int64_t>& points, std::string& fault) const;
 

@@ -117,12 +117,10 @@ bool isBoundaryWord(std::string_view word)
   return word == "opening" || word == "boundary";
 }
 
-/// The direction that a word names: up is of y and z the axis along which the surface is larger,
-/// front the third axis, right x.
+/// The direction that a word names; right is along x.
 std::optional<Point3> directionOf(std::string_view word, const TriangleList& list)
 {
-  const Point3 sides = boxOf(list).sizes();
-  const bool upIsY = sides.y() > sides.z();
+  const bool upIsY = flattening::upAxisOf(boxOf(list).sizes()) == 1;
   const Point3 up = upIsY ? Point3::UnitY() : Point3::UnitZ();
   const Point3 front = upIsY ? Point3(Point3::UnitZ()) : Point3(-Point3::UnitY());
   const std::map<std::string_view, Point3> directions{ { "left", -Point3::UnitX() },

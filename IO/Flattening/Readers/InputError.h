@@ -11,7 +11,7 @@ namespace wirewarp
 inline constexpr const char* wayOutOfMemory =
   "close other programs, raise the limit of memory, or take a smaller surface";
 
-/// An input that is refused. The text says what is wrong, where, and the way out.
+/// An input that is refused. The text says what is wrong, where, and the remedy.
 class InputError : public std::runtime_error
 {
 public:

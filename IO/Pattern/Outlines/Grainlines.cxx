@@ -76,8 +76,7 @@ std::optional<Point2> upOf(const PatternSource& source, std::size_t piece, UpAxi
   const Eigen::Index up = axis == UpAxis::X ? 0
     : axis == UpAxis::Y                     ? 1
     : axis == UpAxis::Z                     ? 2
-    : box.sizes().y() > box.sizes().z()     ? 1
-                                            : 2;
+                                            : upAxisOf(box.sizes());
   Point2 slope = Point2::Zero(); // of the height, times the area
   double area = 0.0;
   for (std::size_t t = 0; t < source.triangles.size(); ++t)
