@@ -175,9 +175,12 @@ DataSet dataSetOf(const py::dict& data)
     {
       set.faces.offsets = idsOf(data["offsets"]);
     }
-    for (std::size_t k = 3; !data.contains("offsets") && k <= set.faces.ids.size(); k += 3)
+    else
     {
-      set.faces.offsets.push_back(static_cast<std::int64_t>(k));
+      for (std::size_t k = 3; k <= set.faces.ids.size(); k += 3)
+      {
+        set.faces.offsets.push_back(static_cast<std::int64_t>(k));
+      }
     }
   }
   for (const auto& [key, list] : { std::pair("lines", &set.lines), { "strips", &set.strips } })
