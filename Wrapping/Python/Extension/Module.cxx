@@ -8,7 +8,6 @@
 #include "Command.h"
 #endif
 
-#include "Base/LengthUnit.h"
 #include "Design/KeyPrices.h"
 #include "Input/DataSet.h"
 #include "Input/InputSurface.h"
@@ -16,9 +15,9 @@
 #include "Report/FlatteningData.h"
 #include "Report/FlatteningRun.h"
 #include "Report/FlatteningTables.h"
-#include "Report/PieceSizes.h"
 #include "Report/ReshapingReport.h"
 #include "Report/SuggestionReport.h"
+#include "Report/SurfaceRun.h"
 #include "Reshaping/FlattenableSurface.h"
 
 #include <pybind11/stl.h>
@@ -31,122 +30,43 @@ namespace flattening::python
 {
 namespace
 {
-/// A surface, and data sets of its curves, as front ends have them.
-struct Source
+/// \param connected data sets of its curves
+SurfaceRun runOf(const py::dict& given, const py::list& connected)
 {
-  DataSet surface;
-  CurveInput curves;
-  FlatteningRun run; ///< its warnings begin with those of the arrays
-  SurfaceArrays arrays;
-  std::string unit; ///< empty: none is stated
-
-  Source(const py::dict& given, const py::list& connected)
-    : surface(dataSetOf(given))
-    , arrays(this->surface, this->run.source.warnings)
-  {
-    this->read(this->surface, given, 0);
-    int number = 0;
-    for (const py::handle item : connected)
+  std::vector<DataSet> lines;
+  Status defect;
+  const auto read = [&defect](const py::dict& data) {
+    if (data.contains("defect")) // cells that do not fit their list of points
     {
-      const auto data = item.cast<py::dict>();
-      this->read(dataSetOf(data), data, ++number);
-    }
-  }
-
-  SurfaceTriangles triangles() const
-  {
-    SurfaceTriangles refused;
-    refused.outcome = this->defect;
-    return this->defect.ok() ? readTriangles(this->surface) : refused;
-  }
-
-private:
-  Status defect; ///< of cells that do not fit their list of points
-
-  void read(const DataSet& data, const py::dict& given, int number)
-  {
-    if (given.contains("defect"))
-    {
-      this->defect = { StatusCode::InvalidPointId, given["defect"].cast<std::string>(), {},
+      defect = { StatusCode::InvalidPointId, data["defect"].cast<std::string>(), {},
         { Remedy::WriteAgain } };
     }
-    if (this->curves.outcome.ok())
-    {
-      readCurves(data, number, this->curves);
-    }
-    const Column* const stated = findColumn(data.fieldArrays, "LengthUnit");
-    const Unit known =
-      stated && stated->rows() > 0 ? unitNamed(stated->text(0)) : Unit::Unspecified;
-    if (this->unit.empty() && known != Unit::Unspecified)
-    {
-      this->unit = unitName(known);
-    }
-  }
-};
-
-/// What Python makes a Flattening of.
-struct Flattened
-{
-  FlatteningData data;
-  Columns pieces;
-  Columns curves;
-  ReportTables tables;
-  StageSeconds seconds;
-};
-
-void setField(Columns& fields, const char* name, const std::string& text)
-{
-  setColumn(fields, { name, std::vector<std::string>{ text } });
-}
-
-/// \pre the status of the run is that of the result
-Flattened reportOf(Source& source, const FlatteningResult& result, const FlatteningOptions& options)
-{
-  FlatteningRun& run = source.run;
-  Flattened flattened;
-  FlatteningData& data = flattened.data;
-  data = flatteningData(source.arrays, run.source, result, options);
-  const Column* const names = findColumn(data.flat.cellArrays, "PieceName");
-  flattened.pieces = pieceTable(run.source, result, source.unit,
-    names && names->isText() ? std::get<std::vector<std::string>>(names->values)
-                             : std::vector<std::string>());
-  const std::string size = sizeWarning(pieceSizes(result), source.unit);
-  if (!source.unit.empty())
+    return dataSetOf(data);
+  };
+  DataSet surface = read(given);
+  for (const py::handle item : connected)
   {
-    run.warn(size.empty() ? std::vector<std::string>() : std::vector<std::string>{ size });
-    for (DataSet* const part : { &data.flat, &data.wires, &data.cut })
-    {
-      setField(part->fieldArrays, "LengthUnit", source.unit);
-    }
+    lines.push_back(read(item.cast<py::dict>()));
   }
-  setField(data.flat.fieldArrays, "RunStatus", statusName(run.status.code));
-  setField(data.flat.fieldArrays, "RunStatusMessage", inWords(run.status));
-  flattened.curves = curveTable(result.curves);
-  flattened.tables = ReportTables(run.source, result);
-  flattened.seconds = result.seconds;
-  return flattened;
+  SurfaceRun source(std::move(surface), lines);
+  source.defect = defect;
+  return source;
 }
 
-py::dict resultOf(Flattened flattened)
+py::dict resultOf(FlatteningReport flattened)
 {
-  const StageSeconds& seconds = flattened.seconds;
-  const ReportTables& tables = flattened.tables;
   using pybind11::literals::operator""_a;
   return py::dict("flat"_a = dictOf(std::move(flattened.data.flat)),
     "wires"_a = dictOf(std::move(flattened.data.wires)),
     "cut"_a = dictOf(std::move(flattened.data.cut)),
-    "pieces"_a = objectOf({ pieceReports({ flattened.pieces, tables.angleIterations,
-      tables.isometricIterations, tables.releaseTrials, tables.pieceRemedies }) }),
-    "curves"_a = objectOf({ reportRows(flattened.curves, reportKeys("CurveReport")) }),
-    "left_out"_a = objectOf({ reportRows(tables.leftOutPieces, reportKeys("LeftOut")) }),
-    "seconds"_a = py::make_tuple(seconds.wires, seconds.interior, seconds.quality, seconds.total));
+    "tables"_a = objectOf({ std::move(flattened.tables) }));
 }
 
 /// Runs work(execution, watched) with the interpreter's lock free, where the surface can be used.
 /// \return what Python learns of it
 template <class Work>
-py::dict runWatched(Source& source, const Settings& settings, py::object progress, const Work& work,
-  bool endsEarly = false)
+py::dict runWatched(SurfaceRun& source, const Settings& settings, py::object progress,
+  const Work& work, bool endsEarly = false)
 {
   WatchedRun watched(std::move(progress));
   FlatteningRun& run = source.run;
@@ -170,13 +90,13 @@ py::dict flatten(const py::dict& surface, const py::list& curves, const std::str
 {
   const Settings settings(owner, options);
   const FlatteningOptions& flattening = settings.structures.flattening;
-  Source source(surface, curves);
-  std::optional<Flattened> flattened;
+  SurfaceRun source = runOf(surface, curves);
+  std::optional<FlatteningReport> flattened;
   py::dict result =
     runWatched(source, settings, std::move(progress), [&](const Execution& execution, WatchedRun&) {
       if (const auto done = source.run.flatten(flattening, settings.pins, execution))
       {
-        flattened = reportOf(source, *done, flattening);
+        flattened = reportFlattening(source, *done, flattening);
       }
     });
   if (flattened)
@@ -200,7 +120,7 @@ py::dict priceKeys(const py::dict& surface, const py::list& curves, const std::s
   const py::dict& options, py::object progress)
 {
   const Settings settings(owner, options);
-  Source source(surface, curves);
+  SurfaceRun source = runOf(surface, curves);
   FlatteningRun& run = source.run;
   KeyPrices prices;
   py::dict result =
@@ -239,9 +159,9 @@ py::dict suggest(const py::dict& surface, const py::list& curves, const py::obje
   search.flattening = all.flattening;
   const auto weightOfCell = weights.is_none() ? Numbers(0) : weights.cast<Numbers>();
   const bool lines = all.search.cuts == SuggestedCuts::Lines;
-  Source source(surface, curves);
+  SurfaceRun source = runOf(surface, curves);
   CurveSuggestions found;
-  std::optional<Flattened> flattened;
+  std::optional<FlatteningReport> flattened;
   py::dict result = runWatched(
     source, settings, std::move(progress),
     [&](const Execution& execution, WatchedRun& watched) {
@@ -256,7 +176,7 @@ py::dict suggest(const py::dict& surface, const py::list& curves, const py::obje
       if (const auto done = source.run.suggest(
             search, execution, [&watched] { watched.goOn(); }, found))
       {
-        flattened = reportOf(source, *done, search.flattening);
+        flattened = reportFlattening(source, *done, search.flattening);
       }
     },
     !lines);
@@ -287,10 +207,10 @@ py::dict makeFlattenable(const py::dict& surface, const py::list& curves,
   FlattenableOptions reshaping = settings.structures.reshaping;
   reshaping.flattening = settings.structures.flattening;
   const LoadedBody body = bodyOf(bodySurface);
-  Source source(surface, curves);
+  SurfaceRun source = runOf(surface, curves);
   CurvedSurface& shaped = source.run.source;
   std::optional<FlattenableSurface> moved;
-  std::optional<Flattened> flattened;
+  std::optional<FlatteningReport> flattened;
   ImprintData imprint;
   py::dict result =
     runWatched(source, settings, std::move(progress), [&](const Execution& execution, WatchedRun&) {
@@ -299,7 +219,7 @@ py::dict makeFlattenable(const py::dict& surface, const py::list& curves,
       {
         Columns arrays = shiftArrays(shaped.imprinted.mesh, *moved);
         shaped.imprinted.mesh = moved->mesh;
-        flattened = reportOf(source, moved->after, reshaping.flattening);
+        flattened = reportFlattening(source, moved->after, reshaping.flattening);
         imprint = imprintData({}, shaped);
         imprint.surface.pointArrays = std::move(arrays);
       }

@@ -52,8 +52,8 @@ def values_in(table: Table, name: str) -> List[Any]:
 def make_report(run: Mapping[str, Any], flattening: Mapping[str, Any]) -> Report:
     """What became of a run that gave flat pieces."""
     _, name, defect, ids, kind, remedies = run["status"]
-    wires, interior, quality, total = flattening["seconds"]
-    for piece in flattening["pieces"]:
+    tables = flattening["tables"]
+    for piece in tables["pieces"]:
         piece["message"] = make_message(piece["message"], [(way["name"], way["subject"]) for way in piece["remedies"]])
     return cast(Report, {
         "status": name,
@@ -62,9 +62,5 @@ def make_report(run: Mapping[str, Any], flattening: Mapping[str, Any]) -> Report
         "id_kind": kind,
         "remedies": [{"name": remedy, "subject": subject} for remedy, subject in remedies],
         "warnings": run["warnings"],
-        "pieces": flattening["pieces"],
-        "left_out": flattening["left_out"],
-        "curves": flattening["curves"],
-        "seconds": {
-            "wires": wires, "interior": interior, "quality": quality, "core": total, "total": total},
+        **tables,
     })

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Flattening/FlatteningOptions.h"
+#include "Report/FlatteningData.h"
+#include "Report/FlatteningRun.h"
+#include "Report/ReportRows.h"
+
+#include <string>
+#include <vector>
+
+namespace flattening
+{
+/// A run on data sets of a surface and of its curves, for front ends that get and give arrays.
+struct SurfaceRun
+{
+  DataSet surface;
+  CurveInput curves;
+  FlatteningRun run; ///< its warnings begin with those of the arrays
+  SurfaceArrays arrays;
+  std::string unit; ///< the first that one of the data sets states; empty: none
+  Status defect;    ///< set by the front end: why the surface cannot be read
+
+  /// \param lines further data sets whose lines are curves
+  SurfaceRun(DataSet given, const std::vector<DataSet>& lines);
+
+  SurfaceTriangles triangles() const;
+
+private:
+  void read(const DataSet& data, int number);
+};
+
+/// What a front end that gets arrays makes of a result.
+struct FlatteningReport
+{
+  FlatteningData data;
+  /// By the keys "pieces", "curves", "left_out" and "seconds" of report.json.
+  ReportObject tables;
+};
+
+/// \pre the status of the run is that of the result
+FlatteningReport reportFlattening(
+  SurfaceRun& source, const FlatteningResult& result, const FlatteningOptions& options);
+}
