@@ -5,7 +5,6 @@
 #include "Outlines/PatternText.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
 
@@ -16,14 +15,6 @@ namespace
 Status invalid(const std::string& message)
 {
   return { StatusCode::InvalidPattern, message };
-}
-
-/// The fewest digits that give the same bits again.
-std::string exactNumber(double value)
-{
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return std::string(buffer.data(), end);
 }
 
 template <typename Vector>

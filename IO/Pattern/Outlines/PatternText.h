@@ -23,6 +23,9 @@ std::string dxfSymbol(const std::string& text, std::size_t most);
 /// decimal separator is a point in every locale.
 std::string formatNumber(double value, int digits);
 
+/// The fewest digits that give the same bits again.
+std::string exactNumber(double value);
+
 /// A field of comma-separated values, in quotes where its characters ask for them.
 std::string csvField(const std::string& text);
 
