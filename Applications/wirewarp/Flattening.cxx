@@ -231,15 +231,14 @@ RunInput readInput(const Options& options, const std::string& base, Flattening& 
     contents.curves = model.curves;
   }
   const bool scaled = isScaled(options);
+  const double factor = scaled ? scaleOf(options, contents.surface, result.unit) : 1.0;
   if (options.neutralLayer != 0.0)
   {
-    const double inwards = options.neutralLayer / millimetresOf(result.unit);
-    contents.surface = neutralLayer(
-      contents.surface, scaled ? inwards / scaleOf(options, owner, result.unit) : inwards);
+    contents.surface =
+      neutralLayer(contents.surface, options.neutralLayer / millimetresOf(result.unit) / factor);
   }
   RunInput input;
   input.surface = contents.surface;
-  const double factor = scaled ? scaleOf(options, contents.surface, result.unit) : 1.0;
   if (scaled)
   {
     scaleBy(factor, input.surface);

@@ -20,7 +20,7 @@ std::size_t firstSentence(const std::string& text)
       return k;
     }
   }
-  return text.size();
+  return text.size() - (!text.empty() && text.back() == '.' ? 1 : 0);
 }
 }
 

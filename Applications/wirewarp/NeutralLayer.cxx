@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -15,7 +16,7 @@ namespace wirewarp
 namespace
 {
 /// The least move of a point that takes all planes around it along by a distance, or nearly where
-/// no move does.
+/// no move does; at sharp edges, where it would be far beyond them, of at most twice the distance.
 Eigen::Vector3d moveOf(const Eigen::Matrix3d& planes, const Eigen::Vector3d& normals, double by)
 {
   constexpr double leastShare = 1e-6; // of rounding, where planes are parallel
@@ -29,7 +30,9 @@ Eigen::Vector3d moveOf(const Eigen::Matrix3d& planes, const Eigen::Vector3d& nor
       move += by * axis.dot(normals) / axes.eigenvalues()[k] * axis;
     }
   }
-  return move;
+  const double largest = 2.0 * std::abs(by);
+  const double length = move.norm();
+  return length > largest ? Eigen::Vector3d(largest / length * move) : move;
 }
 }
 

@@ -127,6 +127,19 @@ class Make(command.CommandTest):
             width = 48 * math.sin(math.pi / 24) * (10 - inwards / 10 / math.cos(math.pi / 24))
             self.assertAlmostEqual(sum(self.array("out/wires.vtp", "FlatLength")), 2 * (width + 30), delta=1e-6)
 
+    def test_a_shell_lies_within_the_stated_height_and_keeps_sharp_edges(self):
+        """Planes of a block move inwards by 2.5 mm each; those of a wedge of 4 degrees meet 36 mm behind its edge."""
+        block = [(x, y, z) for z in (0, 2) for y in (0, 3) for x in (0, 4)]
+        faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+        self.write("block.obj", command.obj(block, faces))
+        run = self.make("block.obj", "--height", "300mm", "--template", "foam-shell", "-o", "a.svg")
+        self.assertIn("block.obj, 395 x 295 x 195 mm", run.stdout)
+        flat = [(x, y, z * (4 - x) / 28) for x, y, z in block]
+        self.write("wedge.obj", command.obj([flat[k] for k in (0, 1, 2, 3, 4, 6)],
+                                            [(0, 2, 3, 1), (4, 1, 3, 5), (0, 1, 4), (2, 5, 3), (0, 4, 5, 2)]))
+        run = self.make("wedge.obj", "--height", "300mm", "--template", "foam-shell", "-o", "a.svg")
+        self.assertGreater(int(re.search(r"wedge.obj, (\d+) x", run.stdout).group(1)), 391)
+
     def test_a_missed_bound_is_red_on_a_terminal_and_nowhere_else(self):
         arguments = [command.EXECUTABLE, "make", "cap.obj", "--unit", "cm", "--max-strain", "0.1%", "--max-cuts", "1",
                      "-o", "a.svg"]

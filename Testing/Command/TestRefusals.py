@@ -65,13 +65,16 @@ class Refusals(command.CommandTest):
                 run = self.run_command("check", surface, "--unit", "cm", *quiet)
                 self.assertEqual((run.returncode, not run.stdout), (code, bool(quiet)))
 
-    def test_a_check_names_points_that_are_not_finite(self):
+    def test_points_that_are_not_finite_are_named_by_their_lines(self):
         points, triangles, _ = command.quarter_sphere()
+        unused = command.obj([*points, (float("inf"), 0.0, 0.0)], triangles)
+        self.write("unused.obj", unused)
+        self.assertEqual(self.run_command("check", "unused.obj", "--unit", "cm").returncode, 0)
         points[3] = (float("nan"), 0.0, 0.0)
-        self.write("nan.obj", command.obj(points, triangles))
+        self.write("nan.obj", "# a comment\n" + command.obj(points, triangles))
         run = self.run_command("check", "nan.obj")
         self.assertEqual(run.returncode, 3)
-        self.assertIn("points 3 have a coordinate that is not a finite number", run.stderr)
+        self.assertIn("nan.obj:5: a coordinate is not a finite number", run.stderr)
 
     def test_strains_are_said_in_few_figures(self):
         """A plane has none but that of rounding."""

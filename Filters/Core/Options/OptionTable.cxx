@@ -291,9 +291,9 @@ void addSuggestion(Table& table)
     .spelled("kind", "cuts")
     .words({ { "darts", "Darts" }, { "seams", "Seams" }, { "all", "DartsAndSeams" },
       { "lines", "Lines" }, { "gores", "Gores" } })
-    .help("What is proposed: darts, seams, or all; gores of a round surface, the fewest within the "
-          "bound; or lines: no cuts, but center and grain lines, girths and style lines, each with "
-          "its cost. What opens a closed surface, a tube or a handle is proposed with darts, seams "
+    .help("What is proposed: darts, seams, all (both), gores (equal seams of a round surface) or "
+          "lines (no cuts, but center and grain lines, girths and style lines). What opens a "
+          "closed surface, a tube or a handle is proposed with darts, seams "
           "and all.");
   table.add("Bound", [](All& all) { return &all.search.bound; })
     .spelled("max-strain", "bound")
