@@ -92,7 +92,7 @@ std::string formatted(const char* pattern, Values... values)
 std::vector<std::string> errorTable(const FlatPiece& piece, std::size_t maximumRows)
 {
   std::vector<std::string> rows{
-    "piece    E_len   E_ang     E_h     E_r  E_area  flips  overlaps"
+    "piece  E_len %   E_ang     E_h     E_r  E_area  flips  overlaps"
   };
   const vtkIdType count = piece.pieces ? piece.pieces->GetNumberOfRows() : 0;
   for (vtkIdType row = 0; row < count; ++row)
@@ -102,8 +102,8 @@ std::vector<std::string> errorTable(const FlatPiece& piece, std::size_t maximumR
       rows.push_back("... and " + std::to_string(count - row) + " more");
       break;
     }
-    rows.push_back(formatted("%5d  %7.1e  %6.4f  %6.3f  %6.3f  %6.4f  %5.0f  %8.0f",
-      static_cast<int>(row + 1), piece.number("EdgeLengthError", row),
+    rows.push_back(formatted("%5d  %7.4f  %6.4f  %6.3f  %6.3f  %6.4f  %5.0f  %8.0f",
+      static_cast<int>(row + 1), 100.0 * piece.number("EdgeLengthError", row),
       piece.number("AngleErrorMean", row), piece.number("GlobalHomogeneity", row),
       piece.number("GlobalAspectRatio", row), piece.number("AreaError", row),
       piece.number("FlippedTriangles", row), piece.number("Overlaps", row)));

@@ -52,7 +52,8 @@ using flattening::Columns;
 using flattening::OptionOwner;
 using flattening::Status;
 
-/// A bound that was asked for and is missed by more than half of it, or a width that is exceeded.
+/// A bound that was given and is missed by more than half of it, or a width that is exceeded; what
+/// helps is in the warning of the search.
 void checkBound(const Options& options, Flattening& result)
 {
   if (result.exitCode != Done || rowsOf(result.search) == 0)
@@ -75,19 +76,18 @@ void checkBound(const Options& options, Flattening& result)
   if (kept)
   {
     message << "a piece is " << width << " wide, more than the " << mostWidth
-            << " allowed; allow more cuts (--max-cuts), or part it by seams";
+            << " allowed (--max-width, --max-cuts)";
   }
   else if (std::isnan(strain))
   {
     message << "no cuts are found with which the surface can be flattened, so that the bound of "
-            << bound << " is not met; draw seams that open the surface";
+            << bound << " is not met";
   }
   else
   {
     message << "the proposed cuts leave a strain of " << strain
             << ", more than half above the bound of " << bound
-            << "; allow more cuts (--max-cuts), a longer search (--effort) or a larger strain "
-               "(--max-strain)";
+            << " (--max-strain, --max-cuts, --effort)";
   }
   result.exitCode = Flawed;
   result.status = "BoundMissed";

@@ -132,7 +132,7 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound,
   if (more && suggestions.curves.empty())
   {
     return "nothing was tried: the surface takes " + needed +
-      " seams to be opened, more than the cuts allowed; allow as many";
+      " seams to be opened, more than the cuts allowed; allow more cuts";
   }
   if (std::isnan(suggestions.strainAfter) && suggestions.end == SearchEnd::Interrupted)
   {
@@ -141,7 +141,7 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound,
   if (std::isnan(suggestions.strainAfter) && worked)
   {
     return byWork +
-      ", before the surface could be flattened with any cuts; allow more work, or draw "
+      ", before the surface could be flattened with any cuts; allow a longer search, or draw "
       "seams that open the surface";
   }
   if (std::isnan(suggestions.strainAfter))
@@ -162,8 +162,8 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound,
   if (suggestions.boundMet || bound == 0.0)
   {
     return suggestions.end == SearchEnd::Interrupted ? interrupted
-      : worked && bound == 0.0                       ? byWork + "; allow more work for more cuts"
-                                                     : std::string();
+      : worked && bound == 0.0 ? byWork + "; allow a longer search for more cuts"
+                               : std::string();
   }
   const Point3& p = suggestions.worstPlace;
   const std::string left = "the proposed cuts leave a strain of " +
@@ -173,7 +173,7 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound,
   switch (suggestions.end)
   {
     case SearchEnd::WorkUsedUp:
-      return left + byWork + "; allow more work, or a larger bound";
+      return left + byWork + "; allow a longer search or a larger strain";
     case SearchEnd::Interrupted:
       return left + interrupted;
     case SearchEnd::GivenUp:
@@ -181,12 +181,12 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound,
         (suggestions.cutsNeeded > 0.0 && suggestions.cutsNeeded < 1e6
             ? "at this rate about " + needed + " cuts would be needed"
             : std::string("cuts do not help here")) +
-        "; smooth the surface, or take a larger bound, or 0 to use up the cuts";
+        "; smooth the surface, or allow a larger strain, or give 0 to use up the cuts";
     case SearchEnd::CutsUsedUp:
       return left + (more ? "it takes more than " + needed + " cuts; " : std::string()) +
-        "allow more or longer cuts, or a larger bound";
+        "allow more or longer cuts, or a larger strain";
     default:
-      return left + "allow more or longer cuts, seams as well as darts, or a larger bound";
+      return left + "allow more or longer cuts, seams as well as darts, or a larger strain";
   }
 }
 }
