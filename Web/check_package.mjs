@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The package has the native build's numbers and says what is wrong with its input:
+// node check_package.mjs PACKAGE PIECES.json, the pieces of TestWithoutVtk.py --write as JSON.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
+
+const precision = 1e-9; // of the size of the pieces
+const [, , folder, file] = process.argv;
+const { load } = await import(pathToFileURL(`${folder}/index.js`).href);
+const engine = await load();
+const types = ["accessory", "key", "dart", "seam"];
+const difference = (a, b) => a.reduce((most, value, k) => Math.max(most, Math.abs(value - b[k])), a.length === b.length ? 0 : Infinity);
+let worst = 0;
+const pieces = Object.entries(JSON.parse(readFileSync(file, "utf8")));
+for (const [name, piece] of pieces) {
+  const curves = piece.types.map((type, k) => ({
+    type: piece.shapes[k] === 1 ? "straight" : types[type],
+    name: piece.names[k],
+    points: Float64Array.from(piece.chains.slice(piece.ends[k], piece.ends[k + 1]).flatMap((id) => piece.curve_points[id])),
+  }));
+  const surface = engine.makeSurface(piece.points.flat(), piece.triangles.flat());
+  const start = performance.now();
+  const flattening = surface.flatten(curves);
+  const seconds = (performance.now() - start) / 1000;
+  const report = flattening.report();
+  assert.equal(report.status.name, piece.status, `${name}: ${report.status.message}`);
+  const flat = flattening.flat().points.filter((_, k) => k % 3 !== 2);
+  const wanted = piece.positions.flat();
+  const size = Math.max(...wanted) - Math.min(...wanted);
+  const found = Math.max(difference(Array.from(flat), wanted) / size, difference(report.pieces.map((row) => row.E_area), piece.E_area));
+  worst = Math.max(worst, found);
+  console.log(`${name}: ${piece.triangles.length} triangles, ${seconds.toFixed(2)} s, differences up to ${found.toExponential(1)}`);
+  assert.ok(found <= precision, name);
+  flattening.delete();
+  surface.delete();
+}
+assert.ok(pieces.length > 9);
+console.log(`${pieces.length} pieces, differences up to ${worst.toExponential(1)}`);
+
+// A sheet of one unit, bent along its diagonal.
+const corners = [0, 1, 2, 0, 2, 3];
+const obj = "# units: cm\nv 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3\nf 1 3 4\ng dart left\nl 1 3\n";
+const read = (name, text) => engine.readSurface(name, new TextEncoder().encode(text));
+const sheet = read("sheet.obj", obj);
+assert.equal(sheet.unit(), "cm");
+assert.deepEqual(Array.from(sheet.arrays().corners), corners);
+assert.deepEqual(sheet.curves("").cellArrays.CurveName, ["left"]);
+const { points } = sheet.arrays();
+const drawn = sheet.flatten([{ type: "key", name: "fold", points: [...points.slice(0, 3), ...points.slice(6, 9)] }]);
+const endings = { svg: "<?xml", dxf: "0\r\nSECTION", plt: "IN;", json: "{", csv: "curve," };
+for (const [ending, start] of Object.entries(endings)) {
+  const { status, bytes } = drawn.pattern(ending, { allowance: 0, date: "2026-01-01" });
+  assert.equal(status.name, "Ok", `${ending}: ${status.message}`);
+  assert.ok(new TextDecoder().decode(bytes).trimStart().startsWith(start), `${ending}: ${new TextDecoder().decode(bytes.slice(0, 40))}`);
+}
+const proposed = sheet.suggest([], { bound: 0.5 });
+assert.ok(proposed.boundMet && proposed.cuts.length === 0);
+
+const editor = engine.edit(sheet);
+assert.equal(editor.add("dart", "d", [0, 0, 0, 1, 1, 0.5], "geodesic", false).name, "Ok");
+assert.ok(Math.abs(editor.curves()[0].length - 1.5) < 1e-12);
+editor.undo();
+assert.equal(editor.curves().length, 0);
+assert.ok(editor.canRedo());
+assert.notEqual(editor.remove(7).name, "Ok");
+
+// Errors name what is wrong and where.
+assert.throws(() => read("broken.obj", "v 0 0\nf 1 2 3\n"), /broken\.obj:1: a vertex needs three/);
+assert.throws(() => read("picture.png", "no surface"), /picture\.png/);
+assert.throws(() => engine.makeSurface([0, 0, 0, 1], corners), /three numbers/);
+assert.throws(() => sheet.flatten([], { scheme: "nonsense" }), /scheme must be one of .*isometric/);
+assert.throws(() => sheet.flatten([], { no_such: 1 }), /no_such/);
+assert.throws(() => sheet.flatten([{ type: "zip", points }]), /zip.*dart/);
+assert.throws(() => editor.add("dart", "d", [0, 0], "geodesic", false), /three numbers/);
+assert.throws(() => editor.moveNode(0, 0, []), /three numbers/);
+const refused = (surface, words) => {
+  const { refused: is, status } = surface.flatten().report();
+  assert.ok(is && words.test(status.message), status.message);
+};
+refused(engine.makeSurface(points, [0, 1, 9]), /outside 0\.\.3/);
+refused(engine.makeSurface([NaN, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, 2]), /not a finite number/);
+refused(engine.makeSurface([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], [0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2]), /closed/);
+assert.throws(() => engine.edit(engine.makeSurface(points, [0, 1, 9])), /outside 0\.\.3/);
+assert.equal(drawn.pattern("bmp").status.name, "InvalidOption");
+console.log("patterns, curves and errors are as they should be");

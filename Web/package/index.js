@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import create from "./surfaceflattening.mjs";
+
+const wasm = new URL("surfaceflattening.wasm", import.meta.url);
+
+/** Under node the file is read here, in a browser the module fetches it. */
+async function settingsOf(given) {
+  if (given.wasmBinary || given.locateFile || wasm.protocol !== "file:") {
+    return { locateFile: () => wasm.href, ...given };
+  }
+  const { readFile } = await import(/* @vite-ignore */ "node:fs/promises");
+  return { wasmBinary: await readFile(wasm), ...given };
+}
+
+export async function load(given = {}) {
+  const module = await create(await settingsOf(given));
+  // Functions of C++ take all their arguments.
+  for (const [owner, name, count] of [["Surface", "flatten", 3], ["Surface", "suggest", 3], ["Flattening", "pattern", 2]]) {
+    const { prototype } = module[owner];
+    const whole = prototype[name];
+    prototype[name] = function (...given) {
+      return whole.apply(this, Array.from({ length: count }, (_, k) => given[k]));
+    };
+  }
+  // A file is known by its ending alone; its name is in messages.
+  const inFile = (name, bytes, use) => {
+    const path = `/${name.replace(/^.*[\\/]/, "")}`;
+    module.FS.writeFile(path, bytes);
+    try {
+      return use(path);
+    } catch (error) {
+      throw new Error(error.message.replaceAll(path, path.slice(1)));
+    } finally {
+      module.FS.unlink(path);
+    }
+  };
+  return {
+    readSurface: (name, bytes) => inFile(name, bytes, (path) => module.Surface.ofFile(path)),
+    makeSurface: (points, triangles, unit = "") => module.Surface.ofArrays(points, triangles, unit),
+    readCurves: (surface, name, bytes) => inFile(name, bytes, (path) => surface.curves(path)),
+    edit: (surface) => module.Editor.of(surface),
+    options: () => module.options(),
+    memory: () => module.HEAPU8.length,
+  };
+}
