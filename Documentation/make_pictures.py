@@ -15,7 +15,7 @@ import subprocess
 import sys
 
 from vtkmodules.vtkFiltersCore import vtkImageAppend
-from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkImageConstantPad, vtkImageResize
+from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkImageResize
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 import shapes
@@ -23,8 +23,6 @@ from measures import COMMAND, DATA, HERE, PIECES
 
 WIDTH = 640  # of a picture in a page, in pixels
 COLUMNS, COLUMN_WIDTH = 3, 240  # of the gallery
-CLOTHED = ("shirt_front", "shirt_back", "pants_back", "wetsuit_upper_front", "shoe_upper", "quarter_sphere")
-CLOTH_WIDTH = 360
 SHAPE_WIDTH = 480
 WINDOW_WIDTH = 900  # of a picture of the window
 EDITOR = os.environ.get("PATTERN_EDITOR_TEST",
@@ -73,19 +71,6 @@ def appended(images, axis):
         append.AddInputData(image)
     append.Update()
     return append.GetOutput()
-
-
-def padded(image, rows):
-    """With white rows below, to so many."""
-    columns, now, _ = image.GetDimensions()
-    pad = vtkImageConstantPad()
-    pad.SetInputData(image)
-    pad.SetConstant(255)
-    pad.SetOutputWholeExtent(0, columns - 1, now - rows, now - 1, 0, 0)
-    pad.Update()
-    result = pad.GetOutput()
-    result.SetExtent(0, columns - 1, 0, rows - 1, 0, 0)
-    return result
 
 
 def commands():
@@ -172,46 +157,6 @@ def draw_materials(folder, images):
     write(appended(drawn, 0), f"{images}/materials.png")
 
 
-def legend(picture, width):
-    """The scale of colours below a picture at the right, below white columns as wide as is asked for."""
-    columns, rows, _ = picture.GetDimensions()
-    part = vtkExtractVOI()
-    part.SetInputData(picture)
-    part.SetVOI(columns * 65 // 100, columns - 1, 0, rows * 12 // 100, 0, 0)
-    part.Update()
-    scale = part.GetOutput()
-    size = scale.GetDimensions()
-    scale.SetExtent(0, size[0] - 1, 0, size[1] - 1, 0, 0)
-    pad = vtkImageConstantPad()
-    pad.SetInputData(scale)
-    pad.SetConstant(255)
-    pad.SetOutputWholeExtent(size[0] - width, size[0] - 1, 0, size[1] - 1, 0, 0)
-    pad.Update()
-    result = pad.GetOutput()
-    result.SetExtent(0, width - 1, 0, size[1] - 1, 0, 0)
-    return result
-
-
-def draw_cloths(folder, images):
-    """Six pieces, one below the other, in a plain weave, a twill and a knit, side by side."""
-    rows = []
-    for name in CLOTHED:
-        drawn = []
-        for material in ("plain", "twill", "jersey"):
-            path = os.path.join(folder, f"{name}_{material}.png")
-            run = subprocess.run(
-                [COMMAND, "picture", f"{DATA}/{name}.vtp", f"{DATA}/{name}_curves.vtp", "--no-keys",
-                 "--material", material, "--color", "stretch", "--quiet", "-o", path],
-                capture_output=True, check=False)
-            if run.returncode not in (0, 4):
-                raise RuntimeError(f"wirewarp ended with {run.returncode} on {name} in {material}")
-            picture = read(path)
-            drawn.append(scaled(picture, CLOTH_WIDTH, picture.GetDimensions()[1] * 17 // 100))
-        rows.append(appended(drawn, 0))
-    rows.append(legend(picture, CLOTH_WIDTH * 3))
-    write(appended(rows[::-1], 1), f"{images}/cloths.png")
-
-
 def draw_pieces(folder, images):
     small, page = [], "# Pictures of the pieces\n"
     for name in PIECES:
@@ -244,7 +189,6 @@ def main():
     draw_shapes(folder, images)
     draw_sewn(folder, images)
     draw_materials(folder, images)
-    draw_cloths(folder, images)
     draw_pieces(folder, images)
 
 

@@ -139,7 +139,7 @@ void EditorWindow::showMeasures()
     }
     table = table.trimmed();
     table += this->Behind && this->isWaiting() ? "   (of before; recomputing...)"
-      : this->Behind                           ? "   (of before: what is there now is refused)"
+      : this->Behind                           ? "   (of before: what is there now is rejected)"
       : this->Live->care() == Care::Draft      ? "   (draft)"
                                                : "";
   }

@@ -17,7 +17,8 @@ PHRASES = {
     r"asks? for(?! root)": "needs, requests",
     r"in (?:the )?place of": "instead of",
     r"as far as": "until, where",
-    r"(?:is|are) told": "reports, knows",
+    r"told": "reports, knows",
+    r"(?:is|are|was|were|be) refused|refuses?|refusing": "rejects, is an error",
     r"nobody": "no user",
     r"somebody|whoever": "a user, users",
     r"ways? out": "remedy",
@@ -58,7 +59,7 @@ PHRASES = {
     r"with regards? to|in regards? to": "about",
     r"and/or": "or",
 }
-PATTERNS = [(re.compile(r"\b" + phrase + r"\b" if not phrase.endswith("(?! )") else r"\b" + phrase, re.IGNORECASE), better)
+PATTERNS = [(re.compile(r"\b(?:" + phrase + (")" if phrase.endswith("(?! )") else r")\b"), re.IGNORECASE), better)
             for phrase, better in PHRASES.items()]
 CODE = ("Applications/", "Filters/", "IO/", "Interaction/", "Figures/", "Plugin/", "Wrapping/")
 TEXTS = ("Wrapping/Python/", "Plugin/", "Examples/")

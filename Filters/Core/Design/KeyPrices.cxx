@@ -64,7 +64,7 @@ public:
     KeyPrices prices;
     if (this->Keys.empty())
     {
-      prices.status = { StatusCode::InvalidCurve, "there is no key curve whose price could be told",
+      prices.status = { StatusCode::InvalidCurve, "there is no key curve that could have a price",
         {}, { { Remedy::Give, "at least one curve of type key" } } };
       return prices;
     }

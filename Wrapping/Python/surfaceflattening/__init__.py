@@ -7,7 +7,7 @@ Two ways to use it:
   Python classes that derive from vtkPolyData, such as PyVista's, are handed over as they are;
 - :func:`flatten` for numpy arrays, :func:`flatten_polydata` for a vtkPolyData or a PyVista mesh: one
   call, and a :class:`Flattening` back, which draws itself in notebooks, plot()s, becomes a mesh with
-  to_polydata() and is cut from paper after write_pattern(); an exception where the input is refused.
+  to_polydata() and is cut from paper after write_pattern(); an exception where the input is rejected.
   :func:`suggest` and :func:`suggest_polydata` propose the cuts as well, and :func:`price_keys` says what
   each key curve costs; :func:`resew` sews the pieces together again to say how far that is from
   the design; :func:`make_flattenable` and :func:`make_flattenable_polydata` move the surface until it

@@ -32,7 +32,7 @@ def flatten(
 
     Args:
         points: positions in space in any unit of length, shape (n, 3). Integers are taken for what they
-            are, up to 2**53; masked values are refused.
+            are, up to 2**53; masked values are rejected.
         triangles: ids of their corners, counted from 0, shape (m, 3); or a flat list of polygons, each
             the number of its corners and then their ids, as PyVista's `faces`.
         curves: a list of feature curves, each a :class:`Curve`, or what its `points` may be (then it is
@@ -51,7 +51,7 @@ def flatten(
         last, at its place.
 
     Raises:
-        FlatteningError: the input is refused; it carries code, name, ids and message.
+        FlatteningError: the input is rejected; it carries code, name, ids and message.
         ValueError: an argument has a wrong shape, is not one of the words, is out of range, or is
             given where the method ignores it.
         TypeError: an unknown option, or a value of another type.

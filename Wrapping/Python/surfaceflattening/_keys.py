@@ -21,9 +21,9 @@ class KeyTrial(ComparedByValue):
 
     #: "Ok", or the name of what is broken.
     status: str
-    #: Mean change of area; NaN where the surface was refused.
+    #: Mean change of area; NaN where the surface was rejected.
     E_area: float
-    #: The strain on 95 % of the area; NaN where the surface was refused.
+    #: The strain on 95 % of the area; NaN where the surface was rejected.
     strain_p95: float
     #: Keys that lost their shape, since they clash with others.
     released: List[str]
@@ -90,7 +90,7 @@ def price_keys(
         A :class:`KeyPrices`, keys by decreasing cost: by the number of keys that are given up with it and
         not without it, then by `price`.
 
-    Raises FlatteningError where there is no key curve, or the surface is refused with all keys; nothing
+    Raises FlatteningError where there is no key curve, or the surface is rejected with all keys; nothing
     warns.
     """
     owner, values = read_options(options, "price_keys", keeps_lengths=True)

@@ -40,7 +40,7 @@ def draw_curve(
         The curve; at an offset several where the boundary interrupts it.
 
     Raises:
-        FlatteningError: the surface is refused, too few different control points, or parts that are not connected.
+        FlatteningError: the surface is rejected, too few different control points, or parts that are not connected.
         ValueError, TypeError: an argument of another shape, word or type.
     """
     controls = as_numbers(through, "through")
@@ -73,7 +73,7 @@ def measure(points: ArrayLike, triangles: ArrayLike, positions: ArrayLike) -> Qu
         positions: of the same points in the plane, shape (n, 2).
 
     Raises:
-        FlatteningError: the surface is refused, or a position is not finite.
+        FlatteningError: the surface is rejected, or a position is not finite.
         ValueError: an argument of another shape.
     """
     data, flat = surface_data(points, triangles), as_numbers(positions, "positions")
@@ -88,7 +88,7 @@ def developability(points: ArrayLike, triangles: ArrayLike) -> NDArray[np.float6
     """The angle defect around each interior point (Eq. 25), radians; 0 on the boundary; shape (n,).
 
     Raises:
-        FlatteningError: the surface is refused.
+        FlatteningError: the surface is rejected.
     """
     status, refused, arrays = _core.developability(surface_data(points, triangles))
     raise_refusal({"status": status, "refused": refused})
