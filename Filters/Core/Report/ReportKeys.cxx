@@ -5,6 +5,27 @@
 
 namespace flattening
 {
+namespace
+{
+/// Those of a proposed line, and others.
+std::vector<ReportKey> ofCuts(const std::vector<ReportKey>& others)
+{
+  using Kind = ReportKind;
+  std::vector<ReportKey> keys{
+    { "type", "Type", Kind::Text, "" },
+    { "name", "Name", Kind::Text, "" },
+    { "length", "Length", Kind::Number, "" },
+    { "gain", "Gain", Kind::Number, "" },
+    { "E_area_before", "AreaErrorBefore", Kind::Number, "" },
+    { "E_area_after", "AreaErrorAfter", Kind::Number, "" },
+    { "strain_p95_before", "StrainBefore", Kind::Number, "" },
+    { "strain_p95_after", "StrainAfter", Kind::Number, "" },
+  };
+  keys.insert(keys.end(), others.begin(), others.end());
+  return keys;
+}
+}
+
 const std::vector<ReportKey>& reportKeys(const std::string& record)
 {
   using Kind = ReportKind;
@@ -228,31 +249,12 @@ const std::vector<ReportKey>& reportKeys(const std::string& record)
         { "shear_rms", "ShearRms", Kind::Number, "" },
       } },
     { "suggestions",
-      {
-        { "type", "Type", Kind::Text, "" },
-        { "name", "Name", Kind::Text, "" },
-        { "length", "Length", Kind::Number, "" },
-        { "gain", "Gain", Kind::Number, "" },
-        { "E_area_before", "AreaErrorBefore", Kind::Number, "" },
-        { "E_area_after", "AreaErrorAfter", Kind::Number, "" },
-        { "strain_p95_before", "StrainBefore", Kind::Number, "" },
-        { "strain_p95_after", "StrainAfter", Kind::Number, "" },
+      ofCuts({
         { "gain_predicted", "PredictedGain", Kind::Number, "" },
         { "opening", "Opening", Kind::Number, "" },
         { "mirror_of", "MirrorOf", Kind::Text, "" },
-      } },
-    { "suggestions_left_out",
-      {
-        { "type", "Type", Kind::Text, "" },
-        { "name", "Name", Kind::Text, "" },
-        { "length", "Length", Kind::Number, "" },
-        { "gain", "Gain", Kind::Number, "" },
-        { "E_area_before", "AreaErrorBefore", Kind::Number, "" },
-        { "E_area_after", "AreaErrorAfter", Kind::Number, "" },
-        { "strain_p95_before", "StrainBefore", Kind::Number, "" },
-        { "strain_p95_after", "StrainAfter", Kind::Number, "" },
-        { "sound", "Sound", Kind::Truth, "" },
-      } },
+      }) },
+    { "suggestions_left_out", ofCuts({ { "sound", "Sound", Kind::Truth, "" } }) },
     { "key_prices",
       {
         { "trial", "Trial", Kind::Text, "" },

@@ -11,9 +11,10 @@
 
 namespace flattening
 {
-SurfaceRun::SurfaceRun(DataSet given, const std::vector<DataSet>& lines)
+SurfaceRun::SurfaceRun(DataSet given, const std::vector<DataSet>& lines, Status defect)
   : surface(std::move(given))
   , arrays(this->surface, this->run.source.warnings)
+  , Defect(std::move(defect))
 {
   this->read(this->surface, 0);
   for (std::size_t k = 0; k < lines.size(); ++k)
@@ -25,8 +26,8 @@ SurfaceRun::SurfaceRun(DataSet given, const std::vector<DataSet>& lines)
 SurfaceTriangles SurfaceRun::triangles() const
 {
   SurfaceTriangles refused;
-  refused.outcome = this->defect;
-  return this->defect.ok() ? readTriangles(this->surface) : refused;
+  refused.outcome = this->Defect;
+  return this->Defect.ok() ? readTriangles(this->surface) : refused;
 }
 
 void SurfaceRun::read(const DataSet& data, int number)

@@ -19,14 +19,18 @@ struct SurfaceRun
   FlatteningRun run; ///< its warnings begin with those of the arrays
   SurfaceArrays arrays;
   std::string unit; ///< the first that one of the data sets states; empty: none
-  Status defect;    ///< set by the front end: why the surface cannot be read
 
-  /// \param lines further data sets whose lines are curves
-  SurfaceRun(DataSet given, const std::vector<DataSet>& lines);
+  /// \param lines further data sets whose lines are curves \param defect why the surface cannot be
+  /// read
+  SurfaceRun(DataSet given, const std::vector<DataSet>& lines, Status defect = {});
+  SurfaceRun(const SurfaceRun&) = delete; // the arrays are those of the surface
+  SurfaceRun& operator=(const SurfaceRun&) = delete;
 
   SurfaceTriangles triangles() const;
 
 private:
+  Status Defect;
+
   void read(const DataSet& data, int number);
 };
 

@@ -48,9 +48,7 @@ SurfaceRun runOf(const py::dict& given, const py::list& connected)
   {
     lines.push_back(read(item.cast<py::dict>()));
   }
-  SurfaceRun source(std::move(surface), lines);
-  source.defect = defect;
-  return source;
+  return SurfaceRun(std::move(surface), lines, std::move(defect));
 }
 
 py::dict resultOf(FlatteningReport flattened)
