@@ -129,7 +129,7 @@ TEST_F(EditorPieces, NumbersOfEarlierCurvesAreGreyUntilThoseOfTheNewOnesAreThere
   EXPECT_FALSE(this->areGrey());
 }
 
-TEST_F(EditorPieces, OfWhatIsRefusedThereAreNoNumbersAndNoPattern)
+TEST_F(EditorPieces, OfWhatIsRejectedThereAreNoNumbersAndNoPattern)
 {
   vtkNew<vtkSphereSource> ball;
   ball->SetRadius(10.0);
@@ -158,7 +158,7 @@ TEST_F(EditorPieces, OfWhatIsRefusedThereAreNoNumbersAndNoPattern)
   ASSERT_TRUE(curves->SetCurveType(0, 0)); // nothing opens it any more
   this->waitForPieces();
   EXPECT_TRUE(this->areGrey());
-  EXPECT_TRUE(this->words().contains("refused")) << this->words().toStdString();
+  EXPECT_TRUE(this->words().contains("rejected")) << this->words().toStdString();
   EXPECT_FALSE(this->words().contains("recomputing")) << this->words().toStdString();
   EXPECT_FALSE(this->window->savePattern(pattern));
   EXPECT_TRUE(this->window->message().contains("closed")) << this->window->message().toStdString();
