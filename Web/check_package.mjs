@@ -60,10 +60,15 @@ assert.ok(proposed.boundMet && proposed.cuts.length === 0);
 const editor = engine.edit(sheet);
 assert.equal(editor.add("dart", "d", [0, 0, 0, 1, 1, 0.5], "geodesic", false).name, "Ok");
 assert.ok(Math.abs(editor.curves()[0].length - 1.5) < 1e-12);
+assert.deepEqual(editor.curves()[0].kinds, ["geodesic"]);
 editor.undo();
 assert.equal(editor.curves().length, 0);
 assert.ok(editor.canRedo());
 assert.notEqual(editor.remove(7).name, "Ok");
+
+assert.equal(editor.addStroke([0, 0, 0, 0.5, 0.5, 0.25, 1, 1, 0.5], 0.01).name, "Ok");
+assert.ok(Math.abs(editor.curves()[0].length - 1.5) < 1e-6);
+assert.ok(engine.materials().some(({ name }) => name === "denim"));
 
 // Errors name what is wrong and where.
 assert.throws(() => read("broken.obj", "v 0 0\nf 1 2 3\n"), /broken\.obj:1: a vertex needs three/);

@@ -3,6 +3,7 @@
 #include "Values.h"
 
 #include "Base/LengthUnit.h"
+#include "Cloth/ClothMaterial.h"
 #include "Editing/CurveEditor.h"
 #include "Editing/CurveSnapping.h"
 #include "Editing/DrawingSurface.h"
@@ -300,6 +301,9 @@ private:
   DataSet Lines;
 };
 
+/// Of SegmentKind.
+const std::vector<std::string> segmentWords{ "geodesic", "section", "edges", "spline" };
+
 /// Curves drawn on a surface by commands that can be undone; each says what is wrong with it.
 class Editor
 {
@@ -333,8 +337,9 @@ public:
     result.set("target", static_cast<int>(snapped.target));
     return result;
   }
-  val add(const std::string& type, const std::string& name, const val& nodes,
-    const std::string& kind, bool closed)
+  /// \param kinds one for all segments, or a list
+  val add(const std::string& type, const std::string& name, const val& nodes, const val& kinds,
+    bool closed)
   {
     EditedCurve curve;
     curve.traits = traitsOf(type, name);
@@ -343,8 +348,28 @@ public:
     {
       curve.nodes.push_back(this->Drawn->pointNear(point));
     }
-    curve.kinds.assign(segmentCount(curve.nodes.size(), closed), kindOf(kind));
+    if (kinds.isString())
+    {
+      curve.kinds.assign(segmentCount(curve.nodes.size(), closed), kindOf(kinds.as<std::string>()));
+    }
+    else
+    {
+      for (const std::string& kind : emscripten::vecFromJSArray<std::string>(kinds))
+      {
+        curve.kinds.push_back(kindOf(kind));
+      }
+    }
     return objectOf(this->Curves.add(std::move(curve)));
+  }
+  /// A smooth curve along a stroke by hand, up to a tolerance in space.
+  val addStroke(const val& places, double tolerance)
+  {
+    std::vector<SurfacePoint> stroke;
+    for (const Point3& place : pointsOf(places))
+    {
+      stroke.push_back(this->Drawn->pointNear(place));
+    }
+    return objectOf(this->Curves.addStroke(stroke, tolerance));
   }
   val describe(int curve, const std::string& type, const std::string& name)
   {
@@ -366,6 +391,10 @@ public:
     return objectOf(
       this->Curves.removeNode(static_cast<std::size_t>(curve), static_cast<std::size_t>(node)));
   }
+  val setClosed(int curve, bool closed)
+  {
+    return objectOf(this->Curves.setClosed(static_cast<std::size_t>(curve), closed));
+  }
   void undo() { this->Curves.undo(); }
   void redo() { this->Curves.redo(); }
   bool canUndo() const { return this->Curves.canUndo(); }
@@ -373,7 +402,7 @@ public:
   void beginGroup() { this->Curves.beginGroup(); }
   void endGroup() { this->Curves.endGroup(); }
 
-  /// Of each { name, type, closed, points, nodes, length }.
+  /// Of each { name, type, closed, points, nodes, kinds, length }.
   val curves() const
   {
     val list = val::array();
@@ -383,6 +412,11 @@ public:
       for (const SurfacePoint& node : curve->nodes)
       {
         nodes.push_back(node.position);
+      }
+      val kinds = val::array();
+      for (const SegmentKind kind : curve->kinds)
+      {
+        kinds.call<void>("push", segmentWords[static_cast<std::size_t>(kind)]);
       }
       const CurveTraits& traits = curve->traits;
       val object = val::object();
@@ -394,6 +428,7 @@ public:
       object.set("closed", curve->closed);
       object.set("points", arrayOf<double>(pointsAlong(curve->segments)));
       object.set("nodes", arrayOf<double>(nodes));
+      object.set("kinds", kinds);
       object.set("length", lengthOf(*curve));
       list.call<void>("push", object);
     }
@@ -428,10 +463,9 @@ private:
 
   static SegmentKind kindOf(const std::string& word)
   {
-    const std::vector<std::string> words{ "geodesic", "section", "edges", "spline" };
-    for (std::size_t k = 0; k < words.size(); ++k)
+    for (std::size_t k = 0; k < segmentWords.size(); ++k)
     {
-      if (words[k] == word)
+      if (segmentWords[k] == word)
       {
         return static_cast<SegmentKind>(k);
       }
@@ -442,6 +476,20 @@ private:
   std::shared_ptr<const DrawingSurface> Drawn;
   CurveEditor Curves;
 };
+
+/// { name, about } of each known material.
+val materials()
+{
+  val list = val::array();
+  for (const ClothMaterial& material : materialPresets())
+  {
+    val object = val::object();
+    object.set("name", material.name);
+    object.set("about", material.description);
+    list.call<void>("push", object);
+  }
+  return list;
+}
 
 /// { name, words, type, default, range, label, help, ofSuggestion } of each option.
 val optionsOfFlattening()
@@ -540,11 +588,13 @@ EMSCRIPTEN_BINDINGS(surfaceflattening)
     .class_function("of", &Safe<&Editor::of>::call)
     .function("snap", &Safe<&Editor::snap>::call)
     .function("add", &Safe<&Editor::add>::call)
+    .function("addStroke", &Safe<&Editor::addStroke>::call)
     .function("describe", &Safe<&Editor::describe>::call)
     .function("remove", &Safe<&Editor::remove>::call)
     .function("moveNode", &Safe<&Editor::moveNode>::call)
     .function("insertNode", &Safe<&Editor::insertNode>::call)
     .function("removeNode", &Safe<&Editor::removeNode>::call)
+    .function("setClosed", &Safe<&Editor::setClosed>::call)
     .function("undo", &Safe<&Editor::undo>::call)
     .function("redo", &Safe<&Editor::redo>::call)
     .function("canUndo", &Safe<&Editor::canUndo>::call)
@@ -552,5 +602,6 @@ EMSCRIPTEN_BINDINGS(surfaceflattening)
     .function("beginGroup", &Safe<&Editor::beginGroup>::call)
     .function("endGroup", &Safe<&Editor::endGroup>::call)
     .function("curves", &Safe<&Editor::curves>::call);
+  function("materials", &materials);
   function("options", &optionsOfFlattening);
 }

@@ -99,6 +99,7 @@ export interface Surface extends Owned {
 export interface DrawnCurve extends Required<Pick<Curve, "points" | "type" | "name">> {
   closed: boolean;
   nodes: Float64Array;
+  kinds: SegmentKind[];
   length: number;
 }
 
@@ -107,12 +108,15 @@ export interface Editor extends Owned {
   curves(): DrawnCurve[];
   /** target: 0 nothing, 1 boundary, 2 corner, 3 vertex, 4 curve, 5 tip of a dart, 6 mirror. */
   snap(place: ArrayLike<number>, reach: number, exceptCurve: number): { point: Float64Array; target: number };
-  add(type: CurveType, name: string, nodes: ArrayLike<number>, kind: SegmentKind, closed: boolean): Status;
+  add(type: CurveType, name: string, nodes: ArrayLike<number>, kinds: SegmentKind | SegmentKind[], closed: boolean): Status;
+  /** A smooth curve along a stroke by hand, up to a tolerance in space. */
+  addStroke(places: ArrayLike<number>, tolerance: number): Status;
   describe(curve: number, type: CurveType, name: string): Status;
   remove(curve: number): Status;
   moveNode(curve: number, node: number, place: ArrayLike<number>): Status;
   insertNode(curve: number, node: number, place: ArrayLike<number>, kind: SegmentKind): Status;
   removeNode(curve: number, node: number): Status;
+  setClosed(curve: number, closed: boolean): Status;
   undo(): void;
   redo(): void;
   canUndo(): boolean;
@@ -143,9 +147,10 @@ export interface Engine {
   /** Throws where the surface is rejected. */
   edit(surface: Surface): Editor;
   options(): Option[];
+  materials(): { name: string; about: string }[];
   /** Bytes that the module has taken from the system. */
   memory(): number;
 }
 
 /** Errors of all calls: what is wrong, as an Error with a message for people. */
-export function load(settings?: { wasmBinary?: ArrayBuffer | Uint8Array; locateFile?: (name: string) => string }): Promise<Engine>;
+export function load(settings?: { wasmBinary?: ArrayBuffer | Uint8Array; locateFile?: (name: string) => string; instantiateWasm?: (imports: WebAssembly.Imports, use: (instance: WebAssembly.Instance) => void) => object }): Promise<Engine>;

@@ -5,7 +5,7 @@ const wasm = new URL("surfaceflattening.wasm", import.meta.url);
 
 /** Under node the file is read here, in a browser the module fetches it. */
 async function settingsOf(given) {
-  if (given.wasmBinary || given.locateFile || wasm.protocol !== "file:") {
+  if (given.wasmBinary || given.instantiateWasm || given.locateFile || wasm.protocol !== "file:") {
     return { locateFile: () => wasm.href, ...given };
   }
   const { readFile } = await import(/* @vite-ignore */ "node:fs/promises");
@@ -40,6 +40,7 @@ export async function load(given = {}) {
     readCurves: (surface, name, bytes) => inFile(name, bytes, (path) => surface.curves(path)),
     edit: (surface) => module.Editor.of(surface),
     options: () => module.options(),
+    materials: () => module.materials(),
     memory: () => module.HEAPU8.length,
   };
 }
