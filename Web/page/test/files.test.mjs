@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files that are opened, their measures, patterns that are saved, and what is wrong with broken ones.
+import assert from "node:assert/strict";
+import test from "node:test";
+import { answered, checkAccess, native, openExample, openPage, openText, picture, saved, verdict, withBrowser } from "./browser.mjs";
+
+const sheet = "v 0 0 0\nv 30 0 0\nv 30 20 8\nv 0 20 0\nf 1 2 3\nf 1 3 4\n";
+const tetrahedron = "# units: cm\nv 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+
+/** A wavy sheet of two triangles a square. */
+function grid(side) {
+  const lines = ["# units: cm"];
+  for (let k = 0; k <= side; ++k) {
+    for (let j = 0; j <= side; ++j) {
+      lines.push(`v ${(100 * j) / side} ${(100 * k) / side} ${(5 * Math.sin((6 * j) / side) * Math.sin((6 * k) / side)).toFixed(4)}`);
+    }
+  }
+  for (let k = 0; k < side; ++k) {
+    for (let j = 1; j <= side; ++j) {
+      const a = k * (side + 1) + j;
+      lines.push(`f ${a} ${a + 1} ${a + side + 2}`, `f ${a} ${a + side + 2} ${a + side + 1}`);
+    }
+  }
+  return lines.join("\n");
+}
+
+await test("files", () => withBrowser(async (browser, address) => {
+  const page = await openPage(browser, address);
+  await checkAccess(page);
+  const pieces = native();
+
+  for (const name of ["shirt_front", "tshirt", "shoe_upper", "wetsuit_pants_back"]) {
+    await openExample(page, `${name}_lines.obj`);
+    const { rows, lengths } = await page.evaluate(() => ({ rows: window.workbench.report.pieces, lengths: window.workbench.report.curves }));
+    const wanted = pieces[name];
+    assert.equal(rows.length, wanted.E_area.length, name);
+    rows.forEach((row, k) => assert.ok(Math.abs(row.E_area - wanted.E_area[k]) <= 1e-9, `${name}: ${row.E_area}, natively ${wanted.E_area[k]}`));
+    lengths.forEach((row) => assert.ok(Math.abs(row.length_2d / row.length_3d - 1) < 1e-9, row.name));
+    await picture(page, name);
+  }
+
+  await openExample(page, "shirt_front_lines.obj");
+  await checkAccess(page);
+  await page.click("#pattern");
+  await checkAccess(page);
+  await picture(page, "pattern_dialog");
+  for (const [format, start, unit] of [["svg", "<?xml", "mm"], ["dxf", "0\r\nSECTION", "EOF"]]) {
+    await page.selectOption("#pattern-format", format);
+    const { name, text } = await saved(page, () => page.click("#pattern-save"));
+    assert.equal(name, `shirt_front_lines.${format}`);
+    assert.ok(text.trimStart().startsWith(start) && text.includes(unit), text.slice(0, 80));
+    await page.click("#pattern");
+  }
+  await page.keyboard.press("Escape");
+
+  // A file without a unit is asked for one; the answer sets the sizes.
+  await openText(page, "sheet.obj", sheet);
+  await page.waitForSelector("#unit-dialog[open]");
+  await picture(page, "unit_dialog");
+  await page.check("#unit-dialog input[value=mm]");
+  await page.click("#unit-dialog .main");
+  await answered(page);
+  assert.match(await page.textContent("#surface-panel"), /3\.00 x 2\.00 x 0\.800 cm/);
+
+  await openText(page, "broken.obj", "v 0 0\nf 1 2 3\n");
+  await verdict(page, /broken\.obj:1: a vertex needs three/);
+  assert.match(await page.textContent("#surface-panel"), /sheet\.obj/); // it is still open
+  await openText(page, "picture.ply", "no surface");
+  await verdict(page, /picture\.ply/);
+  await openText(page, "lines.json", "{}");
+  await verdict(page, /not a file of curves that this page has saved/);
+  await openText(page, "tetrahedron.obj", tetrahedron);
+  await verdict(page, /cannot be flattened.*closed.*Propose cuts/);
+  await picture(page, "closed");
+  await page.click("#propose");
+  await page.waitForSelector("#proposal-panel .card", { timeout: 60_000 });
+  await picture(page, "proposals");
+  await page.click("#proposal-panel button.main");
+  await answered(page);
+  await verdict(page, /fits|lies flat/);
+
+  // The memory of a large surface is free when another one is opened.
+  const megabytes = () => page.evaluate(async () => (await window.workbench.memory()) / 1e6);
+  await openText(page, "huge.obj", grid(710));
+  await verdict(page, /huge\.obj has 1,008,200 triangles\. Reduce it to at most 200,000/);
+  const large = await megabytes();
+  await openExample(page, "shirt_front.obj");
+  const small = await megabytes();
+  console.log(`memory with 1,008,200 triangles ${large.toFixed(0)} MB, then with a shirt ${small.toFixed(0)} MB`);
+  assert.ok(small < 0.5 * large, `${large} MB, then ${small} MB`);
+  assert.deepEqual(page.errors, []);
+
+  const old = await openPage(browser, address, { prepare: (tab) => tab.addInitScript(() => delete window.WebAssembly) });
+  await verdict(old, /no WebAssembly/);
+}));

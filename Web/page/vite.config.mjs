@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { defineConfig } from "vite";
+import { exampleText, examples } from "./examples.mjs";
+
+const at = (path) => fileURLToPath(new URL(path, import.meta.url));
+
+/** Files that are elsewhere in the repository: the pieces of Data, and the icon. */
+function copies() {
+  return {
+    name: "copies",
+    generateBundle() {
+      for (const example of examples) {
+        this.emitFile({ type: "asset", fileName: `examples/${example.file}`, source: exampleText(at("../../Data"), example) });
+      }
+      this.emitFile({ type: "asset", fileName: "icon.svg", source: readFileSync(at("../../Applications/PatternEditor/patterneditor.svg")) });
+    },
+  };
+}
+
+export default defineConfig({
+  base: "./",
+  plugins: [copies()],
+  define: { __EXAMPLES__: JSON.stringify(examples.map(({ file, words }) => ({ file, words }))) },
+  resolve: { alias: { surfaceflattening: at("../../build-web/package") } },
+  worker: { format: "es" },
+  build: { outDir: at("../../build-web/page"), emptyOutDir: true, target: "es2022", chunkSizeWarningLimit: 1200 },
+});
