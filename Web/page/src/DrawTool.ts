@@ -28,7 +28,7 @@ export class DrawTool {
   private curves: readonly DrawnCurve[] = [];
   /** The curve that is being drawn, or -1. */
   private drawing = -1;
-  private dragged: { curve: number; node: number; moved: boolean } | null = null;
+  private dragged: { curve: number; node: number; isMoved: boolean } | null = null;
   private stroke: number[] | null = null;
   private pressed: { x: number; y: number; id: number } | null = null;
   private readonly fingers = new Set<number>();
@@ -110,7 +110,7 @@ export class DrawTool {
       const node = this.nodeAt(event.offsetX, event.offsetY);
       if (node) {
         this.use.choose(node.curve, node.node);
-        this.dragged = { ...node, moved: false };
+        this.dragged = { ...node, isMoved: false };
         void this.use.editor().call("group", true);
         this.scene.surface.view.controls.enabled = false;
       } else {
@@ -133,14 +133,12 @@ export class DrawTool {
     const reach = this.reach(event);
     if (this.dragged) {
       const { curve, node } = this.dragged;
-      if (hit && this.pressed && Math.hypot(x - this.pressed.x, y - this.pressed.y) > 2 || this.dragged.moved) {
-        this.dragged.moved = true;
-        if (hit) {
-          this.latest(async () => {
-            await this.run(this.use.editor().call("moveNode", curve, node, hit.position, reach), true);
-            this.hint(lengthWords(this.curves[curve]?.length ?? 0, this.use.unit()));
-          });
-        }
+      this.dragged.isMoved ||= this.pressed !== null && Math.hypot(x - this.pressed.x, y - this.pressed.y) > 2;
+      if (hit && this.dragged.isMoved) {
+        this.latest(async () => {
+          await this.run(this.use.editor().call("moveNode", curve, node, hit.position, reach), true);
+          this.hint(lengthWords(this.curves[curve]?.length ?? 0, this.use.unit()));
+        });
       }
     } else if (this.stroke && hit) {
       this.stroke.push(...hit.position);
@@ -160,10 +158,7 @@ export class DrawTool {
     this.pressed = this.dragged = this.stroke = null;
     if (dragged) {
       this.latest(async () => {
-        await this.use.editor().call("group", false);
-        if (dragged.moved) {
-          await this.run(this.use.editor().call("moveNode", dragged.curve, dragged.node, this.nodePlace(dragged), 0), false);
-        }
+        await this.run(this.use.editor().call("group", false), false);
         this.hint("");
       });
     } else if (stroke && stroke.length > 6) {
@@ -177,10 +172,6 @@ export class DrawTool {
         void this.click(event.offsetX, event.offsetY, this.reach(event));
       }
     }
-  }
-
-  private nodePlace({ curve, node }: { curve: number; node: number }): number[] {
-    return Array.from(this.curves[curve]?.nodes.slice(3 * node, 3 * node + 3) ?? []);
   }
 
   /** Sets a node of the curve that is being drawn. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { DrawnCurve, Report, SuggestedCut } from "surfaceflattening";
 import type { FlatPieces, OpenedSurface } from "./engine/messages";
+import type { Care } from "./engine/LiveFlattening";
 import { byId } from "./ui/elements";
 import { curveTypes, percent, pieceRows, verdictOf } from "./ui/words";
 import { atPoints, colorsOf, cssColor, rangeOf } from "./view/colors";
@@ -24,12 +25,17 @@ export class Scene {
   private chosen: { curve: number; node: number } = { curve: -1, node: -1 };
   private cursor: number[] | null = null;
   private pointed: { space: number[]; plane: number[] } | null = null;
+  private range = 1;
+  private keepsRange = false;
   private rubber: number[] | null = null;
 
   constructor() {
     this.surface = new SurfaceView(byId<HTMLCanvasElement>("surface"), () => {});
     this.pieces = new PieceView(byId<HTMLCanvasElement>("pieces"), byId("labels"), byId("scale"));
-    byId("color").addEventListener("change", () => this.paint(false));
+    byId("color").addEventListener("change", () => {
+      this.keepsRange = false;
+      this.paint(false);
+    });
     isDark.addEventListener("change", () => this.paint(false));
     byId("legend-bar").style.background =
       `linear-gradient(to right, ${Array.from({ length: 17 }, (_, k) => cssColor(k / 8 - 1)).join(", ")})`;
@@ -48,7 +54,9 @@ export class Scene {
     this.pieces.view.render();
   }
 
-  setPieces(flat: FlatPieces | null, report: Report): void {
+  /** A draft keeps the range of the colors, which would jump. */
+  setPieces(flat: FlatPieces | null, report: Report, care: Care): void {
+    this.keepsRange = care === "draft";
     this.flat = flat;
     this.report = report;
     this.pointed = null;
@@ -98,6 +106,11 @@ export class Scene {
     }
   }
 
+  /** The place that is shown in both views. */
+  pointedPlace(): { space: number[]; plane: number[] } | null {
+    return this.pointed;
+  }
+
   isFlat(): boolean {
     return this.flat !== null;
   }
@@ -111,7 +124,10 @@ export class Scene {
     const mesh = flat ? { points: flat.space, corners: flat.corners } : opened;
     const values = ofArea ? atPoints(flat.corners, flat.areaRatios.map((ratio) => 1 - ratio), flat.points.length / 3)
       : (flat ?? opened).developability ?? new Float64Array(mesh.points.length / 3);
-    const range = ofArea ? Math.max(0.02, rangeOf(values)) : rangeOf(values);
+    if (!ofArea || !this.keepsRange) {
+      this.range = ofArea ? Math.max(0.02, rangeOf(values)) : rangeOf(values);
+    }
+    const { range } = this;
     const colors = colorsOf(values, range);
     this.surface.setMesh(mesh, colors, isNew);
     byId("legend").hidden = false;

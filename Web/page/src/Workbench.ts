@@ -34,8 +34,9 @@ export class Workbench {
   private ghosts: SuggestedCut[] = [];
   private isSaved = true;
   private opening = 0;
-  /** Of the last answer, for tests and the curious. */
+  /** Of the last answer, and how many drafts were shown: for tests and the curious. */
   milliseconds = 0;
+  drafts = 0;
 
   constructor(private readonly module: WebAssembly.Module) {
     this.editor = new EngineClient(module);
@@ -106,7 +107,11 @@ export class Workbench {
 
   /** Whether nothing is under way. */
   isSettled(): boolean {
-    return this.opening === 0 && this.live.isIdle();
+    return this.opening === 0 && !this.editor.isBusy() && this.live.isIdle();
+  }
+
+  lines(): { type: string; name: string; length: number; nodes: number }[] {
+    return this.curves.map(({ type, name, length, nodes }) => ({ type, name, length, nodes: nodes.length / 3 }));
   }
 
   /** Bytes that the engines have taken. */
@@ -201,7 +206,7 @@ export class Workbench {
     this.showSurface();
     this.setSaved(true);
     const triangles = surface.corners.length / 3;
-    await this.live.setSurface(name, bytes, this.unit);
+    await this.live.setSurface(name, bytes, this.unit, triangles);
     await this.editor.call("setUnit", this.unit);
     this.enable();
     if (triangles > mostTriangles) {
@@ -296,11 +301,12 @@ export class Workbench {
 
   private take({ report, pieces, milliseconds }: FlatteningAnswer, care: Care): void {
     this.milliseconds = milliseconds;
+    this.drafts += care === "draft" ? 1 : 0;
     if (report.refused && care === "draft") {
       return;
     }
     this.report = report;
-    this.scene.setPieces(pieces, report);
+    this.scene.setPieces(pieces, report, care);
     if (care === "full") {
       this.sidebar.showPieces(report);
       this.sayVerdict(report);

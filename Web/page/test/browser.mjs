@@ -10,7 +10,8 @@ import { serve } from "./serve.mjs";
 const build = fileURLToPath(new URL("../../../build-web/", import.meta.url));
 const pictures = `${build}pictures`;
 
-export const native = () => JSON.parse(readFileSync(`${build}pieces.json`, "utf8"));
+/** The native build's numbers: of "pieces" or of the "tutorial". */
+export const native = (name) => JSON.parse(readFileSync(`${build}${name}.json`, "utf8"));
 
 /** Starts a server and a browser; use() gets a new page. */
 export async function withBrowser(use) {

@@ -27,7 +27,7 @@ function grid(side) {
 await test("files", () => withBrowser(async (browser, address) => {
   const page = await openPage(browser, address);
   await checkAccess(page);
-  const pieces = native();
+  const pieces = native("pieces");
 
   for (const name of ["shirt_front", "tshirt", "shoe_upper", "wetsuit_pants_back"]) {
     await openExample(page, `${name}_lines.obj`);

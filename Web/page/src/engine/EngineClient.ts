@@ -38,6 +38,10 @@ export class EngineClient {
     });
   }
 
+  isBusy(): boolean {
+    return this.waiting.size > 0;
+  }
+
   /** Ends the worker with all that it does and holds; the next one is empty. */
   restart(): void {
     this.end();

@@ -9,7 +9,8 @@ import type {
   EditorState, FlatPieces, FlatteningAnswer, OpenedSurface, Proposal, StoredCurve, WorkerReply, WorkerRequest,
 } from "./messages";
 
-const fine: Status = { code: 0, name: "Ok", message: "", ids: new Int32Array(), kind: "" };
+/** New for each reply, with whose buffers it is handed over. */
+const fine = (): Status => ({ code: 0, name: "Ok", message: "", ids: new Int32Array(), kind: "" });
 const curveTypes: CurveType[] = ["accessory", "key", "dart", "seam"];
 
 export type PatternEnding = "svg" | "dxf" | "plt" | "json" | "csv";
@@ -78,7 +79,7 @@ export class EngineSession {
 
   addCurves(curves: StoredCurve[]): EditorState {
     return this.edit((editor) => {
-      let status = fine;
+      let status = fine();
       editor.beginGroup();
       for (const { type, name, nodes, kinds, closed } of curves) {
         const added = editor.add(type, name, nodes, kinds, closed);
@@ -135,8 +136,8 @@ export class EngineSession {
   }
 
   /** Until it ends, all commands are undone as one. */
-  group(begins: boolean): void {
-    begins ? this.editor?.beginGroup() : this.editor?.endGroup();
+  group(begins: boolean): EditorState {
+    return this.edit((editor) => void (begins ? editor.beginGroup() : editor.endGroup()));
   }
 
   snap(place: number[], reach: number, exceptCurve: number): { point: Float64Array; target: number } {
@@ -153,7 +154,7 @@ export class EngineSession {
 
   private edit(command: (editor: Editor) => Status | void): EditorState {
     const editor = this.drawn();
-    const status = command(editor) ?? fine;
+    const status = command(editor) ?? fine();
     return { status, curves: editor.curves(), canUndo: editor.canUndo(), canRedo: editor.canRedo() };
   }
 
