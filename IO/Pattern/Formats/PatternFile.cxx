@@ -7,6 +7,7 @@
 #include "Formats/DxfWriter.h"
 #include "Formats/GarmentCode.h"
 #include "Formats/HpglWriter.h"
+#include "Formats/PageDrawing.h"
 #include "Formats/PdfWriter.h"
 #include "Formats/SvgWriter.h"
 #include "Grading/GradeFiles.h"
@@ -144,6 +145,10 @@ Status makePatternFile(
         {
           drawing.tables.push_back(walkRows(walk, drawing));
         }
+      }
+      if (status.ok() && options.canvas)
+      {
+        return drawPages(drawing, options.pages, *options.canvas);
       }
       return status.ok() ? makePdf(drawing, options.pages, content) : status;
     case FileFormat::Dxf:

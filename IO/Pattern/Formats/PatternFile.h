@@ -11,6 +11,7 @@
 namespace flattening::pattern
 {
 class FairCache;
+class PageCanvas;
 
 /// What a flattening can be written as.
 enum class FileFormat
@@ -46,7 +47,8 @@ struct FileOptions
   bool laserColours = false; ///< of SVG
   bool cutterStyle = false;  ///< of DXF
   const Grading* grading =
-    nullptr;                 ///< of a pattern of several sizes, of which the source is the base
+    nullptr;                    ///< of a pattern of several sizes, of which the source is the base
+  PageCanvas* canvas = nullptr; ///< of PDF: takes the pages, of which no bytes are made then
   FairCache* fair = nullptr; ///< smooth borders are kept there for other files; null: for this one
 };
 

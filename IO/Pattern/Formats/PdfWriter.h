@@ -5,8 +5,6 @@
 
 namespace flattening::pattern
 {
-/// A pattern as PDF at 1:1, on as many pages as it needs. Each page bears its row and column and,
-/// at the corners of the band that it shares with its neighbours, the crosses at which they are
-/// joined; the first one a test rectangle of 100 mm x 50 mm.
+/// A pattern as PDF at 1:1, on the pages that drawPages() draws, by cairo.
 Status makePdf(const Pattern& drawing, const PageOptions& options, std::string& pdf);
 }
