@@ -54,6 +54,12 @@ for (const [ending, start] of Object.entries(endings)) {
   assert.equal(status.name, "Ok", `${ending}: ${status.message}`);
   assert.ok(new TextDecoder().decode(bytes).trimStart().startsWith(start), `${ending}: ${new TextDecoder().decode(bytes.slice(0, 40))}`);
 }
+const calls = {};
+const canvas = new Proxy({}, { get: (_, name) => (...given) => (calls[name] ??= []).push(given) });
+assert.equal(drawn.pattern("pdf", { allowance: 0, paper: "A4" }, canvas).status.name, "Ok");
+assert.deepEqual(calls.beginPage[0], [210, 297]);
+assert.ok(calls.rectangle.some((given) => given.join() === "0,0,100,50"));
+assert.match(drawn.pattern("pdf", { allowance: 0 }).status.message, /cannot write PDF/);
 const proposed = sheet.suggest([], { bound: 0.5 });
 assert.ok(proposed.boundMet && proposed.cuts.length === 0);
 

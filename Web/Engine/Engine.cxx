@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The module for JavaScript: classes Surface, Flattening and Editor; see Web/package/index.d.ts.
+#include "PageWriter.h"
 #include "Values.h"
 
 #include "Base/LengthUnit.h"
@@ -128,11 +129,17 @@ public:
   val wires() const { return this->part(&FlatteningData::wires); }
   val cut() const { return this->part(&FlatteningData::cut); }
 
-  /// \return { status, warnings, bytes } \param ending of the file: svg, dxf, plt, json or csv
-  val pattern(const std::string& ending, const val& options) const
+  /// \return { status, warnings, bytes } \param ending of the file: svg, dxf, plt, json or csv; or
+  /// pdf, of which the pages are drawn on a canvas, without bytes
+  val pattern(const std::string& ending, const val& options, const val& canvas) const
   {
     pattern::FileOptions file;
     file.format = pattern::formatOf("x." + ending);
+    std::optional<PageWriter> writer;
+    if (!canvas.isUndefined())
+    {
+      file.canvas = &writer.emplace(canvas);
+    }
     for (const pattern::PatternOption& option : pattern::patternOptionTable())
     {
       const val given =

@@ -54,6 +54,27 @@ export interface PatternFile {
   bytes: Uint8Array;
 }
 
+/** Draws pages, in millimeters, y down from the upper left corner of the paper. */
+export interface PageCanvas {
+  beginPage(width: number, height: number): void;
+  endPage(): void;
+  /** Between save() and restore() transformations and clips are local. */
+  save(): void;
+  restore(): void;
+  translate(x: number, y: number): void;
+  scale(factor: number): void;
+  clip(x: number, y: number, width: number, height: number): void;
+  pen(red: number, green: number, blue: number, width: number, dashes: number[]): void;
+  moveTo(x: number, y: number): void;
+  lineTo(x: number, y: number): void;
+  curveTo(x1: number, y1: number, x2: number, y2: number, x: number, y: number): void;
+  rectangle(x: number, y: number, width: number, height: number): void;
+  closePath(): void;
+  stroke(isFilled: boolean): void;
+  /** y: middle of the text's height; anchor: 0 start, 0.5 middle, 1 end; angle: anti-clockwise. */
+  text(words: string, x: number, y: number, height: number, anchor: number, angle: number): void;
+}
+
 /** Objects live in the module's memory until delete(). */
 interface Owned {
   delete(): void;
@@ -67,6 +88,8 @@ export interface Flattening extends Owned {
   cut(): DataSet | null;
   /** A pattern at true scale. Options: those of write_pattern() of the Python package, and date. */
   pattern(ending: "svg" | "dxf" | "plt" | "json" | "csv", options?: Record<string, number | string | boolean>): PatternFile;
+  /** The pages of a PDF, at 1:1, drawn on a canvas; there are no bytes. */
+  pattern(ending: "pdf", options: Record<string, number | string | boolean>, canvas: PageCanvas): PatternFile;
 }
 
 export interface SuggestedCut extends Required<Pick<Curve, "points" | "type" | "name">> {

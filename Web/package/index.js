@@ -15,7 +15,7 @@ async function settingsOf(given) {
 export async function load(given = {}) {
   const module = await create(await settingsOf(given));
   // Functions of C++ take all their arguments.
-  for (const [owner, name, count] of [["Surface", "flatten", 3], ["Surface", "suggest", 3], ["Flattening", "pattern", 2]]) {
+  for (const [owner, name, count] of [["Surface", "flatten", 3], ["Surface", "suggest", 3], ["Flattening", "pattern", 3]]) {
     const { prototype } = module[owner];
     const whole = prototype[name];
     prototype[name] = function (...given) {
