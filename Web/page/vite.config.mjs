@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
@@ -14,14 +15,32 @@ function copies() {
       for (const example of examples) {
         this.emitFile({ type: "asset", fileName: `examples/${example.file}`, source: exampleText(at("../../Data"), example) });
       }
+      this.emitFile({ type: "asset", fileName: "manifest.webmanifest", source: readFileSync(at("manifest.webmanifest")) });
       this.emitFile({ type: "asset", fileName: "icon.svg", source: readFileSync(at("../../Applications/PatternEditor/patterneditor.svg")) });
+    },
+  };
+}
+
+/** What lets the page be installed and used without a network. */
+function offline() {
+  return {
+    name: "offline",
+    enforce: "post",
+    generateBundle(_, bundle) {
+      const hash = createHash("sha256");
+      const files = Object.keys(bundle).sort();
+      for (const file of files) {
+        hash.update(bundle[file].code ?? bundle[file].source);
+      }
+      const head = `const files = ${JSON.stringify(files)};\nconst version = "${hash.digest("hex").slice(0, 16)}";\n`;
+      this.emitFile({ type: "asset", fileName: "serviceWorker.js", source: head + readFileSync(at("serviceWorker.js")) });
     },
   };
 }
 
 export default defineConfig({
   base: "./",
-  plugins: [copies()],
+  plugins: [copies(), offline()],
   define: { __EXAMPLES__: JSON.stringify(examples.map(({ file, words }) => ({ file, words }))) },
   resolve: { alias: { surfaceflattening: at("../../build-web/package") } },
   worker: { format: "es" },

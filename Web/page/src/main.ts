@@ -146,6 +146,10 @@ try {
   connect(bench);
   window.workbench = bench;
   document.body.dataset.ready = String(Math.round(performance.now()));
+  if (import.meta.env.PROD && "serviceWorker" in navigator) {
+    // Without it the page works while there is a network.
+    navigator.serviceWorker.register("serviceWorker.js").catch(() => {});
+  }
 } catch (error) {
   byId("verdict").textContent = (error as Error).message;
   byId("verdict").classList.add("problem");

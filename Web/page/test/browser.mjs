@@ -8,7 +8,8 @@ import { chromium } from "playwright-core";
 import { serve } from "./serve.mjs";
 
 const build = fileURLToPath(new URL("../../../build-web/", import.meta.url));
-const pictures = `${build}pictures`;
+export const pictures = `${build}pictures`;
+export const pageFolder = `${build}page`;
 
 /** The native build's numbers: of "pieces" or of the "tutorial". */
 export const native = (name) => JSON.parse(readFileSync(`${build}${name}.json`, "utf8"));
@@ -16,7 +17,7 @@ export const native = (name) => JSON.parse(readFileSync(`${build}${name}.json`, 
 /** Starts a server and a browser; use() gets a new page. */
 export async function withBrowser(use) {
   mkdirSync(pictures, { recursive: true });
-  const server = await serve(`${build}page`);
+  const server = await serve(pageFolder);
   const browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args: ["--enable-unsafe-swiftshader", ...(process.getuid() === 0 ? ["--no-sandbox"] : [])],
@@ -74,6 +75,23 @@ export async function checkAccess(page) {
   const { violations } = await page.evaluate(() => window.axe.run());
   const serious = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
   assert.deepEqual(serious.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(" | ")}`), []);
+}
+
+/** A wavy sheet of two triangles a square. */
+export function grid(side) {
+  const lines = ["# units: cm"];
+  for (let k = 0; k <= side; ++k) {
+    for (let j = 0; j <= side; ++j) {
+      lines.push(`v ${(100 * j) / side} ${(100 * k) / side} ${(5 * Math.sin((6 * j) / side) * Math.sin((6 * k) / side)).toFixed(4)}`);
+    }
+  }
+  for (let k = 0; k < side; ++k) {
+    for (let j = 1; j <= side; ++j) {
+      const a = k * (side + 1) + j;
+      lines.push(`f ${a} ${a + 1} ${a + side + 2}`, `f ${a} ${a + side + 2} ${a + side + 1}`);
+    }
+  }
+  return lines.join("\n");
 }
 
 /** What a click makes the page save: { name, text }. */

@@ -111,6 +111,15 @@ await test("the tutorial by mouse", () => withBrowser(async (browser, address) =
   await answered(page);
   assert.equal((await state(page))[0].type, "straight");
 
+  // A woven cloth along the grain.
+  await page.getByRole("combobox", { name: "Material" }).selectOption("denim");
+  await answered(page);
+  await page.getByRole("spinbutton", { name: "Grain" }).fill("10");
+  await page.keyboard.press("Tab");
+  await answered(page);
+  const cloth = await page.evaluate(() => window.workbench.report.pieces[0].cloth);
+  near(cloth.grain_angle, 10, "grain");
+
   // The same place is shown in both views.
   const at = await pixelOf(page, tutorial.curves[1].nodes[1]);
   await page.mouse.move(at.x, at.y + 40);

@@ -2,27 +2,10 @@
 // Files that are opened, their measures, patterns that are saved, and what is wrong with broken ones.
 import assert from "node:assert/strict";
 import test from "node:test";
-import { answered, checkAccess, native, openExample, openPage, openText, picture, saved, verdict, withBrowser } from "./browser.mjs";
+import { answered, checkAccess, grid, native, openExample, openPage, openText, picture, saved, verdict, withBrowser } from "./browser.mjs";
 
 const sheet = "v 0 0 0\nv 30 0 0\nv 30 20 8\nv 0 20 0\nf 1 2 3\nf 1 3 4\n";
 const tetrahedron = "# units: cm\nv 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
-
-/** A wavy sheet of two triangles a square. */
-function grid(side) {
-  const lines = ["# units: cm"];
-  for (let k = 0; k <= side; ++k) {
-    for (let j = 0; j <= side; ++j) {
-      lines.push(`v ${(100 * j) / side} ${(100 * k) / side} ${(5 * Math.sin((6 * j) / side) * Math.sin((6 * k) / side)).toFixed(4)}`);
-    }
-  }
-  for (let k = 0; k < side; ++k) {
-    for (let j = 1; j <= side; ++j) {
-      const a = k * (side + 1) + j;
-      lines.push(`f ${a} ${a + 1} ${a + side + 2}`, `f ${a} ${a + side + 2} ${a + side + 1}`);
-    }
-  }
-  return lines.join("\n");
-}
 
 await test("files", () => withBrowser(async (browser, address) => {
   const page = await openPage(browser, address);

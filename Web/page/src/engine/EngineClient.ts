@@ -3,7 +3,7 @@ import type { WorkerReply, WorkerRequest } from "./messages";
 import type { EngineSession } from "./worker";
 
 type Method = { [K in keyof EngineSession]: EngineSession[K] extends (...given: never[]) => unknown ? K : never }[keyof EngineSession];
-type Answer<K extends Method> = EngineSession[K] extends (...given: never[]) => infer R ? R : never;
+type Answer<K extends Method> = EngineSession[K] extends (...given: never[]) => infer R ? Awaited<R> : never;
 
 interface Waiting {
   resolve: (value: never) => void;

@@ -15,9 +15,13 @@ interface Order {
 /** How long a newer order waits for a careful run before that is ended, in milliseconds. */
 const patience = 1500;
 
+/** How long a draft by the careful scheme, with fewer steps, may take; above, drafts are by the paper's equations, which take a tenth. */
+const promptness = 50;
+
 /** Flattens the surface again and again, with other curves; of the orders that wait only the last one counts. */
 export class LiveFlattening {
-  private surface: { name: string; bytes: Uint8Array; unit: Unit; triangles: number } | null = null;
+  private surface: { name: string; bytes: Uint8Array; unit: Unit } | null = null;
+  private isSlow = false;
   private next: Order | null = null;
   private running: Promise<void> | null = null;
   private latest: Order | null = null;
@@ -31,7 +35,8 @@ export class LiveFlattening {
   ) {}
 
   async setSurface(name: string, bytes: Uint8Array, unit: Unit, triangles: number): Promise<void> {
-    this.surface = { name, bytes, unit, triangles };
+    this.surface = { name, bytes, unit };
+    this.isSlow = triangles > 2500;
     this.next = this.latest = null;
     await this.begin();
   }
@@ -105,7 +110,8 @@ export class LiveFlattening {
       this.next = null;
       this.latest = order;
       try {
-        const answer = await this.client.call("flatten", order.curves, { ...this.options, ...optionsFor(order.care, this.surface?.triangles ?? 0) });
+        const answer = await this.client.call("flatten", order.curves, { ...this.options, ...this.optionsFor(order.care) });
+        this.isSlow ||= order.care === "draft" && answer.milliseconds > promptness;
         this.show(answer, order.care);
       } catch (error) {
         if (!(error instanceof Cancelled)) {
@@ -115,13 +121,10 @@ export class LiveFlattening {
     }
     this.running = null;
   }
-}
 
-/** Up to so many triangles a draft has the careful scheme with fewer steps; above, the paper's equations, in a tenth of the time. */
-const smallSurface = 2500;
-
-function optionsFor(care: Care, triangles: number): FlatteningOptions {
-  return care === "full" ? { release_trials: false }
-    : triangles <= smallSurface ? { release_trials: false, isometric_tolerance: 1e-3 }
-    : { scheme: "global", interior: "laplacian" };
+  private optionsFor(care: Care): FlatteningOptions {
+    return care === "full" ? { release_trials: false }
+      : this.isSlow ? { scheme: "global", interior: "laplacian" }
+      : { release_trials: false, isometric_tolerance: 1e-3 };
+  }
 }

@@ -3,7 +3,7 @@
 // memory of the old one is free.
 import { load } from "surfaceflattening";
 import type {
-  Curve, CurveType, DataSet, Editor, Engine, Flattening, FlatteningOptions, SegmentKind, Status, SuggestionOptions, Surface, Unit,
+  Curve, CurveType, DataSet, Editor, Engine, Flattening, FlatteningOptions, PatternFile, SegmentKind, Status, SuggestionOptions, Surface, Unit,
 } from "surfaceflattening";
 import type {
   EditorState, FlatPieces, FlatteningAnswer, OpenedSurface, Proposal, StoredCurve, WorkerReply, WorkerRequest,
@@ -13,7 +13,7 @@ import type {
 const fine = (): Status => ({ code: 0, name: "Ok", message: "", ids: new Int32Array(), kind: "" });
 const curveTypes: CurveType[] = ["accessory", "key", "dart", "seam"];
 
-export type PatternEnding = "svg" | "dxf" | "plt" | "json" | "csv";
+export type PatternEnding = "pdf" | "svg" | "dxf" | "plt" | "json" | "csv";
 export type PatternOptions = Record<string, string | number | boolean>;
 
 export class EngineSession {
@@ -69,12 +69,15 @@ export class EngineSession {
   }
 
   /** A file of the pieces flattened last. */
-  pattern(ending: PatternEnding, options: PatternOptions): { bytes: Uint8Array; warnings: string[] } {
-    const { status, bytes, warnings } = this.flattened().pattern(ending, options);
-    if (status.code !== 0) {
-      throw new Error(status.message);
+  async pattern(ending: PatternEnding, options: PatternOptions): Promise<{ bytes: Uint8Array; warnings: string[] }> {
+    if (ending !== "pdf") {
+      return checked(this.flattened().pattern(ending, options));
     }
-    return { bytes, warnings };
+    const { PdfCanvas } = await import("../files/PdfCanvas");
+    const canvas = await PdfCanvas.create(String(options.name));
+    const { warnings } = checked(this.flattened().pattern(ending, options, canvas));
+    const lacking = Array.from(canvas.lacking, (words) => `The PDF shows ? for letters of "${words}".`);
+    return { bytes: await canvas.bytes(), warnings: [...warnings, ...lacking] };
   }
 
   addCurves(curves: StoredCurve[]): EditorState {
@@ -182,6 +185,13 @@ export class EngineSession {
   }
 }
 
+function checked(file: PatternFile): PatternFile {
+  if (file.status.code !== 0) {
+    throw new Error(file.status.message);
+  }
+  return file;
+}
+
 function missing(what: string): never {
   throw new Error(what);
 }
@@ -262,7 +272,7 @@ addEventListener("message", async ({ data }: MessageEvent<WorkerRequest>) => {
     const target = await session;
     current = data.id;
     const method = target[data.call as keyof EngineSession] as (...given: unknown[]) => unknown;
-    reply({ id: data.id, result: method.apply(target, data.given) });
+    reply({ id: data.id, result: await method.apply(target, data.given) });
   } catch (error) {
     const words = error instanceof Error ? error.message : String(error);
     const full = error instanceof RangeError || /memory|bad_alloc/i.test(words);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {
-  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, LineBasicMaterial, LineSegments, Mesh as ThreeMesh,
+  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Mesh as ThreeMesh,
   MeshBasicMaterial, MeshLambertMaterial, OrthographicCamera, PerspectiveCamera, Points, PointsMaterial, Scene, Vector2, Vector3,
   WebGLRenderer,
 } from "three";
@@ -30,7 +30,6 @@ export class MeshCanvas {
   readonly controls: OrbitControls;
   private readonly renderer: WebGLRenderer;
   private readonly surface = new ThreeMesh(new BufferGeometry());
-  private readonly edges = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true, opacity: 0.25 }));
   private lines: LineSegments2[] = [];
   private dots: Points[] = [];
   private requested = false;
@@ -47,7 +46,7 @@ export class MeshCanvas {
     const lamp = new DirectionalLight(0xffffff, 2.2);
     lamp.position.set(0.4, 0.7, 1);
     camera.add(lamp);
-    this.scene.add(camera, new AmbientLight(0xffffff, 1.2), this.surface, this.edges);
+    this.scene.add(camera, new AmbientLight(0xffffff, 1.2), this.surface);
     this.controls = new OrbitControls(camera, canvas);
     this.controls.addEventListener("change", () => this.render());
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement as HTMLElement);
@@ -62,22 +61,6 @@ export class MeshCanvas {
     geometry.computeVertexNormals();
     this.surface.geometry.dispose();
     this.surface.geometry = geometry;
-    this.render();
-  }
-
-  setMeshLines(mesh: Mesh | null, color: string): void {
-    const ends: number[] = [];
-    const { points, corners } = mesh ?? { points: [], corners: [] };
-    for (let c = 0; c < corners.length; ++c) {
-      const [a, b] = [corners[c], corners[c - (c % 3) + ((c + 1) % 3)]];
-      if (a < b) {
-        ends.push(points[3 * a], points[3 * a + 1], points[3 * a + 2], points[3 * b], points[3 * b + 1], points[3 * b + 2]);
-      }
-    }
-    this.edges.geometry.dispose();
-    this.edges.geometry = new BufferGeometry();
-    this.edges.geometry.setAttribute("position", new BufferAttribute(Float32Array.from(ends), 3));
-    this.edges.material.color.set(color);
     this.render();
   }
 
