@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import type { CurveType, DrawnCurve, SegmentKind } from "surfaceflattening";
+import type { CurveType, DrawnCurve, SegmentKind, Unit } from "surfaceflattening";
 import type { EngineClient } from "./engine/EngineClient";
 import type { EditorState } from "./engine/messages";
 import type { Scene } from "./Scene";
@@ -16,7 +16,7 @@ export interface DrawToolUse {
   /** Takes what a command has made. \param live while something is dragged */
   apply(state: EditorState, live: boolean): void;
   choose(curve: number, node: number): void;
-  unit(): string;
+  unit(): Unit;
   fail(error: unknown): void;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import type { DrawnCurve, Report, SuggestedCut } from "surfaceflattening";
+import type { DrawnCurve, Report, SuggestedCut, Unit } from "surfaceflattening";
 import type { FlatPieces, OpenedSurface } from "./engine/messages";
 import type { Care } from "./engine/LiveFlattening";
 import { byId } from "./ui/elements";
-import { curveTypes, percent, pieceRows, verdictOf } from "./ui/words";
+import { curveTypes, lengthWords, percent, pieceRows, verdictOf } from "./ui/words";
 import { atPoints, colorsOf, cssColor, rangeOf } from "./view/colors";
 import type { Dot, Line } from "./view/MeshCanvas";
 import { PieceView } from "./view/PieceView";
@@ -49,8 +49,8 @@ export class Scene {
     this.pieces.fit();
   }
 
-  setUnit(unit: string): void {
-    this.pieces.unit = unit;
+  setUnit(unit: Unit): void {
+    this.pieces.lengthWords = (length) => lengthWords(length, unit);
     this.pieces.view.render();
   }
 

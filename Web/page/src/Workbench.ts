@@ -14,6 +14,9 @@ import { pieceRows, verdictOf } from "./ui/words";
 /** Surfaces with more triangles are flattened on request only. */
 const mostTriangles = 200_000;
 const largestFile = 400e6;
+/** Some ten seconds, and a minute or two. */
+const shortSearch = 20;
+const longSearch = 150;
 
 /** The surface, its curves and its flat pieces: what is open, and what the user may do with it. */
 export class Workbench {
@@ -58,6 +61,8 @@ export class Workbench {
       setUnit: (unit) => void this.setUnit(unit),
       setCloth: (material, grain) => this.setCloth(material, grain),
       setKind: (kind) => (this.draw.kind = kind as SegmentKind),
+      setUp: (axis) => this.scene.surface.setUp(axis),
+      searchLonger: () => void this.propose(longSearch),
       choose: (curve) => this.choose(curve, -1),
       describe: (curve, type, name) => this.edit(this.editor.call("describe", curve, type, name)),
       remove: (curve) => this.edit(this.editor.call("removeCurve", curve)),
@@ -137,13 +142,14 @@ export class Workbench {
     }
   }
 
-  async propose(): Promise<void> {
+  /** \param work of the search, in millions of steps on one triangle */
+  async propose(work = shortSearch): Promise<void> {
     const bar = byId<HTMLProgressElement>("progress");
     try {
       bar.hidden = byId("cancel").hidden = false;
       bar.removeAttribute("value");
       this.say("Looking for cuts");
-      const found = await this.live.suggest(this.flattenable(), { release_trials: false }, (fraction) => (bar.value = fraction));
+      const found = await this.live.suggest(this.flattenable(), { release_trials: false, max_work: work }, (fraction) => (bar.value = fraction));
       this.take(found, "full");
       this.showGhosts(found.cuts, found.boundMet);
       if (found.cuts.length === 0 && !found.report.refused) {
@@ -198,7 +204,7 @@ export class Workbench {
     this.scene.open(surface);
     this.showGhosts([], true);
     this.sidebar.showPieces(null);
-    this.sidebar.showCurves([], -1, "");
+    this.sidebar.showCurves([], -1, this.unit);
     this.unit = surface.unit || surface.likelyUnit;
     this.showSurface();
     this.unit = surface.unit || await askUnit(name, this.extent, surface.likelyUnit);
@@ -254,7 +260,7 @@ export class Workbench {
 
   private showSurface(): void {
     const triangles = (this.surface?.corners.length ?? 0) / 3;
-    this.sidebar.showSurface({ name: this.name, triangles, extent: this.extent, unit: this.unit }, this.material, this.grain);
+    this.sidebar.showSurface({ name: this.name, triangles, extent: this.extent, unit: this.unit, up: this.scene.surface.up() }, this.material, this.grain);
   }
 
   private flattenable(): Curve[] {
@@ -323,7 +329,9 @@ export class Workbench {
     }
     const worst = ["poor", "fair", "good"].map((level) => verdicts.find((verdict) => verdict.level === level)).find(Boolean);
     const others = verdicts.length > 1 ? ` ${verdicts.length} pieces; worst:` : "";
-    this.say(`${others} ${worst?.name} ${worst?.words}. ${worst?.details ?? ""} ${report.warnings.join(" ")}`.trim());
+    const said = `${others} ${worst?.name} ${worst?.words}. ${worst?.details ?? ""}`.trim();
+    const warnings = report.warnings.filter((warning) => !said.includes(warning.replace(/^piece \d+: /, "")));
+    this.say([said, ...warnings].join(". "));
   }
 
   private showGhosts(cuts: SuggestedCut[], boundMet: boolean): void {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import type { Curve, FlatteningOptions, Unit } from "surfaceflattening";
+import type { Curve, FlatteningOptions, SuggestionOptions, Unit } from "surfaceflattening";
 import { Cancelled, EngineClient } from "./EngineClient";
 import type { FlatteningAnswer, Proposal } from "./messages";
 import type { PatternEnding, PatternOptions } from "./worker";
@@ -79,7 +79,7 @@ export class LiveFlattening {
     }
   }
 
-  async suggest(curves: Curve[], options: FlatteningOptions, progress: (fraction: number) => void): Promise<Proposal> {
+  async suggest(curves: Curve[], options: SuggestionOptions, progress: (fraction: number) => void): Promise<Proposal> {
     await this.settled();
     return this.client.callWithProgress("suggest", progress, curves, { ...this.options, ...options });
   }

@@ -8,6 +8,8 @@ export interface SidebarUse {
   setUnit(unit: Unit): void;
   setCloth(material: string, grain: string): void;
   setKind(kind: string): void;
+  setUp(axis: "y" | "z"): void;
+  searchLonger(): void;
   choose(curve: number): void;
   describe(curve: number, type: CurveType, name: string): void;
   remove(curve: number): void;
@@ -21,6 +23,7 @@ export interface SurfaceFacts {
   triangles: number;
   extent: [number, number, number];
   unit: Unit;
+  up: "y" | "z";
 }
 
 /** The lists at the right: surface, proposed cuts, lines and pieces. */
@@ -30,7 +33,7 @@ export class Sidebar {
     this.showPieces(null);
   }
 
-  showSurface({ name, triangles, extent, unit }: SurfaceFacts, material: string, grain: string): void {
+  showSurface({ name, triangles, extent, unit, up }: SurfaceFacts, material: string, grain: string): void {
     const unitBox = make("select", {}, ...(Object.keys(units) as Unit[]).map((key) => option(key, units[key].words, key === unit)));
     unitBox.addEventListener("change", () => this.use.setUnit(unitBox.value as Unit));
     const cloth = make("select", {}, option("", "any", !material),
@@ -45,13 +48,15 @@ export class Sidebar {
     const kind = make("select", {}, ...Object.entries(segmentKinds).map(([key, words]) => option(key, words)));
     kind.id = "kind";
     kind.addEventListener("change", () => this.use.setKind(kind.value));
+    const upBox = make("select", {}, option("y", "y", up === "y"), option("z", "z", up === "z"));
+    upBox.addEventListener("change", () => this.use.setUp(upBox.value as "y" | "z"));
     byId("surface-panel").replaceChildren(
       make("p", {}, make("b", {}, name), ` ${triangles.toLocaleString("en")} triangles, ${sizeWords(extent, unit)}`),
-      make("label", {}, "Unit", unitBox), make("label", {}, "Material", cloth), make("label", {}, "Grain, degrees", grainBox),
+      make("label", {}, "Unit", unitBox), make("label", {}, "Up", upBox), make("label", {}, "Material", cloth), make("label", {}, "Grain, degrees", grainBox),
       make("label", {}, "New lines run", kind));
   }
 
-  showCurves(curves: readonly DrawnCurve[], chosen: number, unit: string): void {
+  showCurves(curves: readonly DrawnCurve[], chosen: number, unit: Unit): void {
     const cards = curves.map((curve, k) => {
       const name = make("input", { value: curve.name, ariaLabel: `Name of line ${k + 1}` });
       const type = make("select", { ariaLabel: `Type of ${curve.name}` },
@@ -79,10 +84,12 @@ export class Sidebar {
     }
   }
 
-  showProposals(cuts: readonly SuggestedCut[], unit: string, boundMet: boolean): void {
+  showProposals(cuts: readonly SuggestedCut[], unit: Unit, boundMet: boolean): void {
     byId("proposal-details").hidden = cuts.length === 0;
     const all = make("button", { class: "main" }, "Accept all");
     const none = make("button", {}, "Reject all");
+    const longer = make("button", { title: "Look for better cuts, for a minute or more" }, "Search longer");
+    longer.addEventListener("click", () => this.use.searchLonger());
     all.addEventListener("click", () => this.use.accept([...cuts]));
     none.addEventListener("click", () => this.use.reject());
     byId("proposal-panel").replaceChildren(
@@ -95,7 +102,7 @@ export class Sidebar {
         return make("div", { class: "card fair" }, make("div", { class: "row" },
           make("span", {}, cut.name || `${curveTypes[cut.type].name} ${k + 1}`), one), make("span", { class: "quiet" }, gain));
       }),
-      make("p", { class: "row" }, all, none));
+      make("p", { class: "row" }, all, none, ...(boundMet ? [] : [longer])));
   }
 
   showPieces(report: Report | null): void {

@@ -31,15 +31,22 @@ export function percent(fraction: number): string {
   return `${Math.abs(value) < 0.95 ? value.toFixed(1) : value.toFixed(value < 9.95 ? 1 : 0)} %`;
 }
 
-export function lengthWords(length: number, unit: string): string {
-  return `${length >= 100 ? length.toFixed(1) : Number(length.toPrecision(4))} ${unit}`.trim();
+/** The factor to a unit in which a length has few digits, and its name; inches stay. */
+function readable(length: number, unit: Unit): [number, string] {
+  const metres = length * units[unit].metres;
+  const [factor, name] = metres >= 3 ? [1, "m"] : metres >= 0.01 ? [100, "cm"] : [1000, "mm"];
+  return unit === "inch" ? [1, "in"] : [factor * units[unit].metres, name];
+}
+
+export function lengthWords(length: number, unit: Unit): string {
+  const [factor, name] = readable(length, unit);
+  return `${Number((length * factor).toPrecision(4))} ${name}`;
 }
 
 /** Extents as "39.2 x 53.0 x 13.7 cm". */
 export function sizeWords(extent: readonly number[], unit: Unit): string {
-  const metres = Math.max(...extent) * units[unit].metres;
-  const [factor, name] = metres >= 3 ? [1, "m"] : metres >= 0.03 ? [100, "cm"] : [1000, "mm"];
-  return `${extent.map((side) => (side * units[unit].metres * factor).toPrecision(3)).join(" x ")} ${name}`;
+  const [factor, name] = readable(Math.max(...extent), unit);
+  return `${extent.map((side) => (side * factor).toPrecision(3)).join(" x ")} ${name}`;
 }
 
 /** What a size is like, for who is asked for a unit. */

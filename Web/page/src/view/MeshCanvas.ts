@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {
-  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Mesh as ThreeMesh,
+  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Group, Mesh as ThreeMesh,
   MeshBasicMaterial, MeshLambertMaterial, OrthographicCamera, PerspectiveCamera, Points, PointsMaterial, Scene, Vector2, Vector3,
   WebGLRenderer,
 } from "three";
@@ -26,7 +26,9 @@ export interface Dot {
 
 /** A canvas with a mesh, lines and dots, which follows its element's size and is drawn only after changes. */
 export class MeshCanvas {
-  readonly scene = new Scene();
+  private readonly scene = new Scene();
+  /** What is shown; the world around it has y up. */
+  readonly content = new Group();
   readonly controls: OrbitControls;
   private readonly renderer: WebGLRenderer;
   private readonly surface = new ThreeMesh(new BufferGeometry());
@@ -46,7 +48,8 @@ export class MeshCanvas {
     const lamp = new DirectionalLight(0xffffff, 2.2);
     lamp.position.set(0.4, 0.7, 1);
     camera.add(lamp);
-    this.scene.add(camera, new AmbientLight(0xffffff, 1.2), this.surface);
+    this.content.add(this.surface);
+    this.scene.add(camera, new AmbientLight(0xffffff, 1.2), this.content);
     this.controls = new OrbitControls(camera, canvas);
     this.controls.addEventListener("change", () => this.render());
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement as HTMLElement);
@@ -69,7 +72,7 @@ export class MeshCanvas {
       line.geometry.dispose();
       line.material.dispose();
     }
-    this.scene.remove(...this.lines);
+    this.content.remove(...this.lines);
     this.lines = lines.filter(({ points }) => points.length >= 6).map(({ points, color, width, dashed }) => {
       const segments: number[] = [];
       for (let k = 3; k < points.length; k += 3) {
@@ -89,7 +92,7 @@ export class MeshCanvas {
       return line;
     });
     if (this.lines.length > 0) {
-      this.scene.add(...this.lines);
+      this.content.add(...this.lines);
     }
     this.render();
   }
@@ -99,14 +102,14 @@ export class MeshCanvas {
       dot.geometry.dispose();
       (dot.material as PointsMaterial).dispose();
     }
-    this.scene.remove(...this.dots);
+    this.content.remove(...this.dots);
     this.dots = dots.map(({ place, color, size }) => {
       const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(Float32Array.from(place), 3));
       const material = new PointsMaterial({ color, size: size * this.renderer.getPixelRatio(), sizeAttenuation: false, depthTest: false });
       return new Points(geometry, material);
     });
     if (this.dots.length > 0) {
-      this.scene.add(...this.dots);
+      this.content.add(...this.dots);
     }
     this.render();
   }
@@ -124,15 +127,15 @@ export class MeshCanvas {
   /** The pixel of a place, from the canvas's upper left. */
   pixelOf(place: ArrayLike<number>): { x: number; y: number } {
     this.camera.updateMatrixWorld();
-    const seen = new Vector3(place[0], place[1], place[2] ?? 0).project(this.camera);
+    const seen = this.content.localToWorld(new Vector3(place[0], place[1], place[2] ?? 0)).project(this.camera);
     return { x: ((seen.x + 1) / 2) * this.size.x, y: ((1 - seen.y) / 2) * this.size.y };
   }
 
-  /** A ray of sight through a pixel. */
+  /** A ray of sight through a pixel, in the mesh's own coordinates. */
   rayAt(x: number, y: number): { origin: number[]; direction: number[] } {
     this.camera.updateMatrixWorld();
     const at = (depth: number): Vector3 =>
-      new Vector3((2 * x) / this.size.x - 1, 1 - (2 * y) / this.size.y, depth).unproject(this.camera);
+      this.content.worldToLocal(new Vector3((2 * x) / this.size.x - 1, 1 - (2 * y) / this.size.y, depth).unproject(this.camera));
     const near = at(-1);
     return { origin: near.toArray(), direction: at(0.9).sub(near).normalize().toArray() };
   }

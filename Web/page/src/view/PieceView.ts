@@ -16,8 +16,8 @@ export class PieceView {
   private mesh: Mesh = { points: new Float64Array(), corners: new Int32Array() };
   private labels: { element: HTMLElement; at: [number, number] }[] = [];
   private isMoved = false;
-  /** Of the plane, for the scale. */
-  unit = "";
+  /** Words for a length in the plane, for the scale. */
+  lengthWords: (length: number) => string = String;
 
   constructor(canvas: HTMLCanvasElement, private readonly overlay: HTMLElement, private readonly scale: HTMLElement) {
     const camera = new OrthographicCamera(-1, 1, 1, -1, -1e6, 1e6);
@@ -113,6 +113,6 @@ export class PieceView {
     const power = 10 ** Math.floor(Math.log10(wanted));
     const length = power * (wanted / power >= 5 ? 5 : wanted / power >= 2 ? 2 : 1);
     this.scale.style.width = `${length / this.view.unitsPerPixel()}px`;
-    this.scale.textContent = this.mesh.points.length > 0 ? `${Number(length.toPrecision(3))} ${this.unit}` : "";
+    this.scale.textContent = this.mesh.points.length > 0 ? this.lengthWords(Number(length.toPrecision(3))) : "";
   }
 }

@@ -22,7 +22,7 @@ export class SurfaceView {
     this.view = new MeshCanvas(canvas, new PerspectiveCamera(30), onDrawn);
   }
 
-  /** \param isNew another surface, at which the camera looks from the front */
+  /** \param isNew another surface, at which the camera looks from the side to which most of it turns */
   setMesh(mesh: Mesh, colors: Float32Array, isNew: boolean): void {
     this.mesh = mesh;
     this.view.setMesh(mesh, colors);
@@ -32,8 +32,22 @@ export class SurfaceView {
         this.box.expandByPoint(new Vector3(mesh.points[k], mesh.points[k + 1], mesh.points[k + 2]));
       }
       this.isInverted = isTurnedInward(mesh, this.box.getCenter(new Vector3()));
-      this.lookFrom("front");
+      const facing = meanNormal(mesh);
+      // A surface that would face upward stands upright with z up.
+      this.setUp(Math.abs(facing.y) > Math.max(Math.abs(facing.x), Math.abs(facing.z)) ? "z" : "y");
+      const turned = facing.applyEuler(this.view.content.rotation);
+      this.lookFrom(turned.z < -0.5 ? "back" : "front");
     }
+  }
+
+  setUp(axis: "y" | "z"): void {
+    this.view.content.rotation.x = axis === "z" ? -Math.PI / 2 : 0;
+    this.view.content.updateMatrixWorld();
+    this.lookFrom("front");
+  }
+
+  up(): "y" | "z" {
+    return this.view.content.rotation.x === 0 ? "y" : "z";
   }
 
   setMarks(lines: Line[], dots: Dot[]): void {
@@ -43,8 +57,9 @@ export class SurfaceView {
 
   lookFrom(side: Side): void {
     const { camera, controls, size } = this.view;
-    const center = this.box.getCenter(new Vector3());
-    const extent = this.box.getSize(new Vector3());
+    const box = this.box.clone().applyMatrix4(this.view.content.matrixWorld);
+    const center = box.getCenter(new Vector3());
+    const extent = box.getSize(new Vector3());
     const flat = new Vector3(...sides[side]);
     const wide = side === "left" || side === "right" ? extent.z : extent.x;
     const high = side === "top" ? extent.z : extent.y;
@@ -95,4 +110,17 @@ function isTurnedInward({ points, corners }: Mesh, middle: Vector3): boolean {
     volume += a.dot(b.cross(d));
   }
   return volume < 0;
+}
+
+/** Of all triangles, weighted by their areas; as long as the surface is plane. */
+function meanNormal({ points, corners }: Mesh): Vector3 {
+  const sum = new Vector3();
+  let areas = 0;
+  for (let c = 0; c < corners.length; c += 3) {
+    const [a, b, d] = [0, 1, 2].map((k) => new Vector3().fromArray(points, 3 * corners[c + k]));
+    const normal = b.sub(a).cross(d.sub(a));
+    areas += normal.length();
+    sum.add(normal);
+  }
+  return sum.divideScalar(areas || 1);
 }
