@@ -117,8 +117,8 @@ void addScaling(CLI::App& app, Options& options)
     ->type_name("FACTOR");
   app
     .add_option("--height", options.height,
-      "Scale SURFACE to this height, such as 300mm, 1.7m or 12in. The height is the larger of its "
-      "sides in y and z; where no unit is stated the result is in mm")
+      "Scale SURFACE to this height, such as 300mm, 1.7m or 12in. The height is along --up, else "
+      "along y or z, the larger one; where no unit is stated the result is in mm")
     ->transform(CLI::Validator(lengthInMillimetres, ""))
     ->check(number(std::numeric_limits<double>::min(), 1e9, "(0, 1e9]"))
     ->type_name("LENGTH")
@@ -261,8 +261,9 @@ const std::vector<Command>& commands()
         app.get_option("--effort")->default_str(effortOfMaking);
         addDrawing(app, options.pattern);
       },
-      { "--for", "--template", "--height", "--max-strain", "--pieces", "--symmetric", "--effort",
-        "--max-cuts", "--material", "--allowance", "--fold", "--pairs", "--paper", "--style" } },
+      { "--for", "--template", "--height", "--max-strain", "--pieces", "--max-width", "--symmetric",
+        "--effort", "--max-cuts", "--material", "--allowance", "--fold", "--pairs", "--paper",
+        "--style" } },
     { "check", "Print size, likely unit, openings and defects of a surface; mend it", "SURFACE",
       "FILE", "Write the mended and scaled surface: .vtp",
       [](CLI::App& app, Options& options) {

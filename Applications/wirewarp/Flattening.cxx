@@ -598,13 +598,21 @@ bool isScaled(const Options& options)
 
 double scaleOf(const Options& options, const DataSet& surface, const std::string& unit)
 {
-  const Eigen::AlignedBox3d box = boxOf(listTriangles(surface));
-  const double height = box.isEmpty() ? 0.0 : std::max(box.sizes().y(), box.sizes().z());
-  if (options.height > 0.0 && !(height > 0.0))
+  if (!(options.height > 0.0))
   {
-    throw InputError(options.surface, "has no extent in y or z that could have the --height");
+    return options.scale;
   }
-  return options.height > 0.0 ? options.height / millimetresOf(unit) / height : options.scale;
+  const Eigen::AlignedBox3d box = boxOf(listTriangles(surface));
+  const Point3 sizes = box.isEmpty() ? Point3(Point3::Zero()) : Point3(box.sizes());
+  const std::string up = options.pattern.values.text("UpAxis"); // x, y, z, or a longer word
+  const Eigen::Index axis = up.size() == 1 ? up.front() - 'x' : flattening::upAxisOf(sizes);
+  if (!(sizes[axis] > 0.0))
+  {
+    throw InputError(options.surface,
+      std::string("has no extent in ") + static_cast<char>('x' + axis) +
+        ", its up axis, that could have the --height; give --scale");
+  }
+  return options.height / millimetresOf(unit) / sizes[axis];
 }
 
 void scaleBy(double factor, DataSet& data)

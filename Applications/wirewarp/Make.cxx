@@ -251,7 +251,9 @@ void checkTemplate(const Options& options)
 {
   if (options.seams == "strips" && options.values.number("MaximumWidth") <= 0.0)
   {
-    throw CLI::ValidationError("--template", "strips needs --max-width, the width of the roll");
+    throw CLI::ValidationError("--template",
+      "strips needs --max-width, the width of the roll in the unit of the surface, such as "
+      "--max-width 1.5");
   }
 }
 

@@ -132,8 +132,9 @@ class Make(command.CommandTest):
         block = [(x, y, z) for z in (0, 2) for y in (0, 3) for x in (0, 4)]
         faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
         self.write("block.obj", command.obj(block, faces))
-        run = self.make("block.obj", "--height", "300mm", "--template", "foam-shell", "-o", "a.svg")
-        self.assertIn("block.obj, 395 x 295 x 195 mm", run.stdout)
+        for up, sizes in (((), "395 x 295 x 195"), (("--up", "x"), "295 x 220 x 145")):
+            run = self.make("block.obj", "--height", "300mm", *up, "--template", "foam-shell", "-o", "a.svg")
+            self.assertIn(f"block.obj, {sizes} mm", run.stdout)
         flat = [(x, y, z * (4 - x) / 28) for x, y, z in block]
         self.write("wedge.obj", command.obj([flat[k] for k in (0, 1, 2, 3, 4, 6)],
                                             [(0, 2, 3, 1), (4, 1, 3, 5), (0, 1, 4), (2, 5, 3), (0, 4, 5, 2)]))

@@ -3,6 +3,7 @@ import json
 import os
 import resource
 import shutil
+import struct
 import subprocess
 import unittest
 
@@ -75,6 +76,26 @@ class Refusals(command.CommandTest):
         run = self.run_command("check", "nan.obj")
         self.assertEqual(run.returncode, 3)
         self.assertIn("nan.obj:5: a coordinate is not a finite number", run.stderr)
+
+    def test_other_formats_name_the_line_or_the_facet(self):
+        ply = ("ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+               "element face 1\nproperty list uchar int vertex_indices\nend_header\n{}0 0 1\n3 0 1 {}\n")
+        off = "OFF\n5 1 0\n{}0 0 1\n3 0 1 {}\n"
+        points = "0 0 0\n1 0 0\nnan 1 0\n1 1 0\n"
+        stl = "solid a\nfacet\nvertex 0 0 0\nvertex inf 0 0\nvertex 0 1 0\nendfacet\nendsolid\n"
+        binary = b"\0" * 80 + struct.pack("<I12fH", 1, *(0.0,) * 5, float("nan"), *(0.0,) * 6, 0)
+        for name, text, place in (("a.ply", ply.format(points, 2), ":12: "), ("a.off", off.format(points, 2), ":5: "),
+                                  ("a.stl", stl, ":4: "), ("b.stl", binary, "facet 0 ")):
+            with self.subTest(name):
+                with open(self.path(name), "wb") as file:
+                    file.write(text if isinstance(text, bytes) else text.encode())
+                run = self.run_command("check", name)
+                self.assertEqual(run.returncode, 3)
+                self.assertIn(place, run.stderr)
+                self.assertIn("not a finite number", run.stderr)
+        for name, text in (("u.ply", ply.format(points, 3)), ("u.off", off.format(points, 3))):
+            self.write(name, text)
+            self.assertEqual(self.run_command("check", name, "--unit", "cm").returncode, 0, name)
 
     def test_strains_are_said_in_few_figures(self):
         """A plane has none but that of rounding."""

@@ -42,8 +42,8 @@ class WhatAPlaneCannotHold(unittest.TestCase):
 
     def test_how_large_a_piece_is_and_what_its_cloth_has_to_do_is_told_in_words(self):
         points, triangles = cap(0.9, 8, 16, 1.0)
-        for unit, size, words in (("mm", 300.0, ""), ("mm", 3.0, "the smallest piece is "), ("cm", 30.0, ""),
-                                  ("m", 3.0, "the largest piece is "), ("inch", 12.0, ""), ("", 3.0, "")):
+        for unit, size, words in (("mm", 300.0, ""), ("mm", 3.0, "the largest piece is "), ("cm", 30.0, ""),
+                                  ("m", 12.0, "the largest piece is "), ("inch", 12.0, ""), ("", 3.0, "")):
             surface = sf.make_surface(size * points, triangles)
             sf.vtkFlatteningAlgorithm.SetLengthUnitOf(surface, unit)
             with warnings.catch_warnings(record=True) as told:

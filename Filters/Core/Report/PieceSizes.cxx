@@ -17,6 +17,7 @@ namespace
 {
 constexpr double leastSize = 20.0; // mm
 constexpr double largestSize = 3000.0;
+constexpr double largestStatedSize = 15000.0; // of sails, tents and hulls
 /// Less is not worth a word.
 constexpr double hardlyAny = 5e-4;
 /// Of a piece's diagonal: what is nearer to a wire is said to be at it.
@@ -205,18 +206,17 @@ std::vector<PieceSize> pieceSizes(const FlatteningResult& result)
 
 std::string sizeWarning(const std::vector<PieceSize>& sizes, const std::string& unit)
 {
-  double least = std::numeric_limits<double>::max();
   double largest = 0.0;
   for (const PieceSize& size : sizes)
   {
-    const double side = millimetresPer(unitNamed(unit)) * size.extent.maxCoeff();
-    least = std::min(least, side);
-    largest = std::max(largest, side);
+    largest = std::max(largest, millimetresPer(unitNamed(unit)) * size.extent.maxCoeff());
   }
+  // A wrong unit makes all pieces too small; a small one beside others is a small one.
   const std::string text = sizes.empty() ? ""
-    : least < leastSize                  ? format("the smallest piece is %.2g mm long", least)
-    : largest > largestSize ? format("the largest piece is %.3g m long", largest / 1000.0)
-                            : "";
+    : largest < leastSize                ? format("the largest piece is %.2g mm long", largest)
+    : largest > (unit.empty() ? largestSize : largestStatedSize)
+    ? format("the largest piece is %.3g m long", largest / 1000.0)
+    : "";
   return text.empty() ? text
     : unit.empty()    ? text + ", where the unit is not stated and taken as cm"
                       : text + " in the stated unit, " + unit;

@@ -24,7 +24,7 @@ struct ObjReader
   LineReader lines;
   Points3 points = {};
   std::vector<std::int64_t> ids = {};
-  std::map<std::int64_t, std::size_t> notFinite = {}; ///< lines of points, by their ids
+  InvalidPoints invalid = {};
   FaceLabels labels = {};
   std::map<std::string, std::size_t> numbers = { { std::string(), 0 } }; ///< of names
   std::size_t object = 0;
@@ -53,7 +53,7 @@ struct ObjReader
     }
     if (!x.allFinite())
     {
-      this->notFinite.emplace(static_cast<std::int64_t>(this->points.size()), this->lines.number());
+      this->invalid.add(this->points.size(), this->lines.number());
     }
     this->points.push_back(x);
   }
@@ -126,12 +126,7 @@ struct ObjReader
           " vertices stand above this line and ids count from 1, or from -1 backwards");
       }
       this->ids.push_back(static_cast<std::int64_t>(id > 0 ? id - 1 : count + id));
-      const auto bad = this->notFinite.find(this->ids.back());
-      if (bad != this->notFinite.end())
-      {
-        throw InputError(this->path, bad->second,
-          "a coordinate is not a finite number; mend the vertex, or remove it with its faces");
-      }
+      this->invalid.check(this->path, this->ids.back());
     }
   }
 };

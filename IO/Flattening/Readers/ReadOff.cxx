@@ -25,6 +25,7 @@ struct OffReader
   int extra = 0; ///< numbers of a vertex beside its coordinates
   std::string line;
   std::string_view rest; ///< of the line
+  InvalidPoints invalid = {};
 
   [[noreturn]] void refuse(const std::string& text) const
   {
@@ -121,6 +122,10 @@ struct OffReader
         this->refuse(inQuotes(found) + " is not a coordinate; write three decimal numbers");
       }
     }
+    if (!x.allFinite())
+    {
+      this->invalid.add(points.size(), this->lines.number());
+    }
     points.push_back(x);
     for (int k = 0; !this->byLine && k < this->extra; ++k)
     {
@@ -143,6 +148,7 @@ struct OffReader
     for (long long k = 0; k < corners; ++k)
     {
       ids.push_back(this->integer(points, "a vertex id below " + std::to_string(points)));
+      this->invalid.check(this->path, ids.back());
     }
     this->skipLine(); // its color
     polygons.add(ids);

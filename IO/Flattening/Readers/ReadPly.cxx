@@ -83,6 +83,7 @@ struct PlyHeader
   PlyEncoding encoding = PlyEncoding::Ascii;
   std::vector<PlyElement> elements;
   std::string_view data; ///< behind the header
+  std::size_t lines = 0; ///< of the header
 };
 
 //------------------------------------------------------------------------------
@@ -113,6 +114,7 @@ public:
       if (keyword == "end_header")
       {
         this->Result.data = this->Lines.rest();
+        this->Result.lines = this->Lines.number();
         return this->Result;
       }
       if (keyword == "format")
@@ -203,11 +205,22 @@ bool hostIsLittleEndian()
 class ValueReader
 {
 public:
-  ValueReader(std::string_view data, PlyEncoding encoding)
-    : Data(data)
-    , Text(encoding == PlyEncoding::Ascii)
-    , Swap((encoding == PlyEncoding::LittleEndian) != hostIsLittleEndian())
+  explicit ValueReader(const PlyHeader& header)
+    : All(header.data)
+    , Data(header.data)
+    , LinesBefore(header.lines)
+    , Text(header.encoding == PlyEncoding::Ascii)
+    , Swap((header.encoding == PlyEncoding::LittleEndian) != hostIsLittleEndian())
   {
+  }
+
+  bool isText() const { return this->Text; }
+  /// Of a text, in which the last number stands.
+  std::size_t line() const
+  {
+    const auto* const end = this->Data.data();
+    return this->LinesBefore + 1 +
+      static_cast<std::size_t>(std::count(this->All.data(), end, '\n'));
   }
 
   /// False where the data ends or holds no number.
@@ -238,7 +251,9 @@ private:
     return word;
   }
 
+  std::string_view All;
   std::string_view Data;
+  std::size_t LinesBefore;
   bool Text;
   bool Swap;
 };
@@ -317,8 +332,8 @@ std::size_t findProperty(const std::string& path, const PlyElement& element, con
   throw InputError(path, "element " + element.name + " has no property '" + name + "'");
 }
 
-void readVertices(
-  const std::string& path, const PlyElement& element, ElementReader& reader, Points3& points)
+void readVertices(const std::string& path, const PlyElement& element, const ValueReader& values,
+  ElementReader& reader, Points3& points, InvalidPoints& invalid)
 {
   const std::array<std::size_t, 3> place{ findProperty(path, element, "x", false),
     findProperty(path, element, "y", false), findProperty(path, element, "z", false) };
@@ -326,6 +341,10 @@ void readVertices(
   {
     reader.read(element, k);
     points.emplace_back(reader.scalar(place[0]), reader.scalar(place[1]), reader.scalar(place[2]));
+    if (values.isText() && !points.back().allFinite())
+    {
+      invalid.add(points.size() - 1, values.line());
+    }
   }
 }
 
@@ -399,8 +418,8 @@ void readStrips(const std::string& path, const PlyElement& element, ElementReade
   }
 }
 
-void checkIds(
-  const std::string& path, const flattening::CellList& polygons, std::int64_t pointCount)
+void checkIds(const std::string& path, const flattening::CellList& polygons,
+  std::int64_t pointCount, const InvalidPoints& invalid)
 {
   for (std::size_t cell = 0; cell < polygons.size(); ++cell)
   {
@@ -412,6 +431,7 @@ void checkIds(
           "face " + std::to_string(cell) + " names vertex " + std::to_string(*id) + " of " +
             std::to_string(pointCount) + "; ids count from 0");
       }
+      invalid.check(path, *id);
     }
   }
 }
@@ -422,16 +442,17 @@ DataSet readPly(const std::string& path)
 {
   const std::string bytes = readWholeFile(path);
   const PlyHeader header = HeaderParser(path, bytes).parse();
-  ValueReader values(header.data, header.encoding);
+  ValueReader values(header);
   ElementReader reader(path, values);
 
   Points3 points;
+  InvalidPoints invalid;
   DataSet surface;
   for (const PlyElement& element : header.elements)
   {
     if (element.name == "vertex")
     {
-      readVertices(path, element, reader, points);
+      readVertices(path, element, values, reader, points, invalid);
     }
     else if (element.name == "face")
     {
@@ -449,7 +470,7 @@ DataSet readPly(const std::string& path)
       }
     }
   }
-  checkIds(path, surface.faces, static_cast<std::int64_t>(points.size()));
+  checkIds(path, surface.faces, static_cast<std::int64_t>(points.size()), invalid);
 
   surface.points = std::make_shared<const Points3>(std::move(points));
   return surface;

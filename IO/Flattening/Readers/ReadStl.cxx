@@ -5,6 +5,7 @@
 #include "TextFile.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -93,6 +94,12 @@ void readBinary(const std::string& path, std::string_view bytes, Soup& soup)
         const std::uint32_t word =
           wordAt(bytes, first + facet * facetSize + 12 + 12 * corner + 4 * k);
         std::memcpy(&x[k], &word, sizeof(float));
+        if (!std::isfinite(x[k]))
+        {
+          throw InputError(path,
+            "facet " + std::to_string(facet) +
+              " has a coordinate that is not a finite number; mend or remove it");
+        }
       }
       soup.add(x);
     }
@@ -125,6 +132,11 @@ void readText(const std::string& path, std::string_view bytes, Soup& soup)
           path, lines.number(), inQuotes(word) + " is not a coordinate; write a decimal number");
       }
       coordinate = static_cast<float>(value);
+      if (!std::isfinite(coordinate))
+      {
+        throw InputError(
+          path, lines.number(), "a coordinate is not a finite number; mend or remove the facet");
+      }
     }
     soup.add(x);
   }

@@ -142,6 +142,16 @@ bool LineReader::next(std::string& line)
 }
 
 //------------------------------------------------------------------------------
+void InvalidPoints::check(const std::string& path, std::int64_t id) const
+{
+  const auto found = this->Lines.find(id);
+  if (found != this->Lines.end())
+  {
+    throw InputError(path, found->second,
+      "a coordinate is not a finite number; mend the vertex, or remove it with its faces");
+  }
+}
+
 std::string_view takeWord(std::string_view& text)
 {
   std::size_t begin = 0;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,6 +54,18 @@ private:
   bool Joins;
   std::size_t Number = 0;
   std::size_t Lines = 0;
+};
+
+/// The lines of a file's points that are not finite. No face may use them.
+class InvalidPoints
+{
+public:
+  void add(std::size_t id, std::size_t line) { this->Lines.emplace(id, line); }
+  /// Throws InputError where the point is one of them.
+  void check(const std::string& path, std::int64_t id) const;
+
+private:
+  std::map<std::int64_t, std::size_t> Lines;
 };
 
 /// Takes the next word, divided by blanks, off the front of a text; empty at its end.

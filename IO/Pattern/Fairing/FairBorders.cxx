@@ -189,7 +189,7 @@ Points2 followBorders(const DrawingSource& all, std::size_t piece, const Points2
 
 constexpr double maximumIncrease = 0.003; ///< of strain
 constexpr double leastShare = 0.1;
-constexpr double lessShare = 0.8;     ///< of the share that was too much
+constexpr double lessShare = 0.8;     ///< of the share that was too much, at most
 constexpr double leastMirrored = 0.5; ///< share for which a piece stays its own mirror image
 
 /// The parts of a chain between two places, as they are met from the first to the second.
@@ -241,9 +241,10 @@ FairBorders::FairBorders(const DrawingSource& all)
   FairLimits limits{ std::vector<double>(pieces, 1.0),
     std::vector<bool>(pieces, all.options.symmetrize) };
   this->WhyNotMirrored.resize(pieces);
+  FairFit fit;
   for (bool lowered = true; lowered;)
   {
-    const FairFit fit = fitFairBorders(all, this->Chains, limits);
+    fit = fitFairBorders(all, this->Chains, limits, fit);
     this->Plan = fit.plan;
     this->Spans = fit.spans;
     this->place(all);
@@ -313,7 +314,10 @@ bool FairBorders::lower(const DrawingSource& all, const FairFit& fit, FairLimits
         limits.mirrored[p] = false;
         this->WhyNotMirrored[p] = report.whyNotMirrored;
       }
-      limits.shares[p] = limits.shares[p] > leastShare ? lessShare * limits.shares[p] : 0.0;
+      // Strain grows about as the distance does.
+      const double step =
+        std::clamp(maximumIncrease / (report.strain - report.strainBefore), leastShare, lessShare);
+      limits.shares[p] = limits.shares[p] > leastShare ? step * limits.shares[p] : 0.0;
     }
     else
     {

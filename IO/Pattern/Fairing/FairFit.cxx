@@ -2,11 +2,12 @@
 #include "Fairing/FairFit.h"
 
 #include "Fairing/FairNetwork.h"
+#include "Fairing/FairTrial.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace flattening::pattern
@@ -187,343 +188,6 @@ private:
   std::map<Index, std::size_t> Nodes;
 };
 
-constexpr double leastFactor = 0.2;
-constexpr double leastWeight = 0.01;
-
-/// Weights of points for the next curve of least squares, which become those of the curve whose
-/// farthest point is nearest. C. L. Lawson, Contributions to the theory of linear least maximum
-/// approximation, thesis, University of California, 1961.
-/// \param shares of each point, its deviation over its tolerance; some are not 0
-void emphasize(const std::vector<double>& shares, std::vector<double>& weights)
-{
-  const double most = *std::max_element(shares.begin(), shares.end());
-  for (std::size_t k = 0; k < weights.size(); ++k)
-  {
-    weights[k] *= leastFactor + shares[k] / most;
-  }
-  const double mean =
-    std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(weights.size());
-  for (double& weight : weights)
-  {
-    weight = std::max(weight / mean, leastWeight);
-  }
-}
-
-constexpr int solutions = 1000;     ///< of one trial
-constexpr int emphasesOfTrial = 12; ///< of one set of breaks
-constexpr double hopeless = 1.5;    ///< tolerances, after some emphases
-constexpr double atMiddle = 1e-6;   ///< of a stretch, from its middle
-constexpr int roundsOfBalance = 8;  ///< of a number of curves
-constexpr double leastOff = 0.1;    ///< of a curve in what its length is chosen by
-constexpr double balancing = 0.4;   ///< power of how far off it is
-constexpr int smoothings = 6;
-constexpr double widerWave = 1.6;
-constexpr double sparing = 0.5; ///< of the tolerance, what may be spent on smoothness alone
-
-/// A spline for one stretch of as few cubic curves as are found, between nodes that stay where
-/// they are; with it that of its mirror image, if it is to have one.
-class FairTrial
-{
-public:
-  /// \param parts numbers of the stretch, and of that which is to be its mirror image, if that is
-  /// another
-  /// \param nodes of the network, where they are
-  FairTrial(const FairNetwork& network, const std::vector<std::size_t>& parts, const Points2& nodes,
-    double wave)
-    : Wave(wave)
-  {
-    const auto take = [&](std::size_t node) {
-      this->Network.nodes.push_back(nodes[node]);
-      return this->Network.nodes.size() - 1;
-    };
-    for (const std::size_t part : parts)
-    {
-      FairStretch one = network.stretches[part];
-      const bool ring = one.from == one.to;
-      one.from = take(one.from);
-      one.to = ring ? one.from : take(one.to);
-      for (FairHook& hook : one.hooks)
-      {
-        hook.node = take(hook.node);
-      }
-      this->Network.stretches.push_back(std::move(one));
-    }
-    this->Network.held = true;
-    this->Network.axis = network.axis;
-    for (const MirroredStretches& pair : network.images)
-    {
-      if (pair.one == parts.front())
-      {
-        this->Network.images.push_back({ 0, parts.size() - 1 });
-      }
-    }
-  }
-
-  const FairStretch& stretch(std::size_t part) const { return this->Network.stretches[part]; }
-  const FairCurves& curves() const { return this->Found; }
-
-  /// Looks for the fewest curves that keep the tolerances, and takes longer waves away if this
-  /// costs nothing that is seen. \return whether the tolerances are kept at all
-  bool simplify(std::size_t leastSpans)
-  {
-    if (!this->fits())
-    {
-      return false;
-    }
-    // As if what a number of curves does more of them did as well.
-    std::size_t low = leastSpans;
-    while (low < this->spans() && this->Left > 0)
-    {
-      const std::size_t middle = (low + this->spans() - 1) / 2;
-      low = this->divide(middle) ? low : middle + 1;
-    }
-    this->join(leastSpans);
-    for (int k = 0; k < smoothings; ++k)
-    {
-      this->Wave *= widerWave;
-      this->solve();
-      if (!this->Last.converged || this->largestShare(true) > sparing)
-      {
-        break;
-      }
-      this->Found = this->Last;
-    }
-    return true;
-  }
-
-private:
-  /// Whether the stretch is to be its own mirror image.
-  bool isOwnImage() const
-  {
-    return !this->Network.images.empty() && this->Network.stretches.size() == 1;
-  }
-
-  std::size_t spans() const { return this->Network.stretches.front().breaks.size() - 1; }
-
-  /// Sets breaks, and their images where curves are such.
-  void setBreaks(std::vector<double> breaks)
-  {
-    if (this->isOwnImage())
-    {
-      const double end = breaks.back();
-      const auto isImage = [end](double at) { return 2.0 * at > (1.0 + atMiddle) * end; };
-      breaks.erase(std::find_if(breaks.begin(), breaks.end(), isImage), breaks.end());
-      for (std::size_t k = breaks.size(); k-- > 0;)
-      {
-        if (2.0 * breaks[k] < (1.0 - atMiddle) * end)
-        {
-          breaks.push_back(end - breaks[k]);
-        }
-      }
-    }
-    for (FairStretch& one : this->Network.stretches)
-    {
-      one.breaks = &one == &this->Network.stretches.front()
-        ? breaks
-        : mirroredBreaks(breaks, one.breaks.front(), one.breaks.back());
-    }
-  }
-
-  /// Looks for a number of curves of which each is as far off as the others.
-  bool divide(std::size_t spans)
-  {
-    const std::vector<FairStretch> before = this->Network.stretches;
-    // From the breaks that there are: where more were needed more will be.
-    const std::vector<double>& old = before.front().breaks;
-    std::vector<double> breaks;
-    for (std::size_t k = 0; k < spans; ++k)
-    {
-      const double at =
-        static_cast<double>(k) * static_cast<double>(old.size() - 1) / static_cast<double>(spans);
-      const auto whole = static_cast<std::size_t>(at);
-      const double part = at - static_cast<double>(whole);
-      breaks.push_back(old[whole] + part * (old[whole + 1] - old[whole]));
-    }
-    breaks.push_back(old.back());
-    for (int round = 0; this->Left > 0 && round < roundsOfBalance; ++round)
-    {
-      this->Network.stretches = before;
-      this->setBreaks(breaks);
-      for (FairStretch& one : this->Network.stretches)
-      {
-        std::fill(one.weights.begin(), one.weights.end(), 1.0);
-      }
-      if (this->fits())
-      {
-        return true;
-      }
-      if (spans == 1 || !this->Last.converged)
-      {
-        break;
-      }
-      this->balance(breaks);
-    }
-    this->Network.stretches = before;
-    return false;
-  }
-
-  /// Shortens the curves that are farther off than others.
-  void balance(std::vector<double>& breaks) const
-  {
-    std::vector<double> ends{ 0.0 };
-    for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
-    {
-      const double most = this->mostBetween(breaks[k], breaks[k + 1]);
-      ends.push_back(ends.back() + (breaks[k + 1] - breaks[k]) * std::pow(most, -balancing));
-    }
-    for (std::size_t k = 1; k + 1 < breaks.size(); ++k)
-    {
-      breaks[k] = ends[k] / ends.back() * breaks.back();
-    }
-  }
-
-  /// The farthest of the points between two breaks and of those whose images are.
-  double mostBetween(double start, double end) const
-  {
-    const double whole = this->Network.stretches.front().length();
-    double most = leastOff;
-    for (std::size_t s = 0; s < this->Network.stretches.size(); ++s)
-    {
-      const FairStretch& stretch = this->Network.stretches[s];
-      const std::vector<double> shares = sharesOf(stretch, this->Last.deviation[s]);
-      for (std::size_t p = 1; p + 1 < stretch.arc.size(); ++p)
-      {
-        const double image = (1.0 - stretch.arc[p] / stretch.length()) * whole;
-        const bool within = s == 0 && stretch.arc[p] >= start && stretch.arc[p] <= end;
-        const bool imageWithin = (s > 0 || this->isOwnImage()) && image >= start && image <= end;
-        most = within || imageWithin ? std::max(most, shares[p]) : most;
-      }
-    }
-    return most;
-  }
-
-  /// Takes away each break without which the tolerances are kept as well, or puts one in the middle
-  /// of two.
-  void join(std::size_t leastSpans)
-  {
-    std::size_t start = 0;
-    for (bool joined = true; joined && this->Left > 0;)
-    {
-      joined = false;
-      const std::vector<FairStretch> before = this->Network.stretches;
-      const std::vector<double>& all = before.front().breaks;
-      const std::size_t within = this->isOwnImage() ? (all.size() - 1) / 2 : all.size() - 2;
-      for (std::size_t n = 0; !joined && n<2 * within&& this->spans()> leastSpans; ++n)
-      {
-        // On from where the last one was: what was needed there is needed still.
-        const std::size_t k = 1 + (start + n / 2) % within;
-        std::vector<double> fewer = all;
-        fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
-        if (n % 2 == 1 && k == within)
-        {
-          continue;
-        }
-        fewer[k] = n % 2 == 1 ? (all[k] + all[k + 1]) / 2.0 : fewer[k];
-        this->setBreaks(fewer);
-        joined = this->fits();
-        start = joined ? k - 1 : start;
-        if (!joined)
-        {
-          this->Network.stretches = before;
-        }
-      }
-    }
-  }
-
-  void solve()
-  {
-    --this->Left;
-    this->Last = solveFairNetwork(this->Network, this->Wave);
-    // Its length is neither seen nor measured right.
-    for (const std::vector<FairSpan>& curve : this->Last.spans)
-    {
-      this->Last.converged = this->Last.converged &&
-        std::none_of(
-          curve.begin(), curve.end(), [](const FairSpan& one) { return one.turnsBack(); });
-    }
-  }
-
-  static std::vector<double> sharesOf(const FairStretch& stretch, const std::vector<double>& off)
-  {
-    std::vector<double> shares;
-    for (std::size_t p = 0; p < off.size(); ++p)
-    {
-      shares.push_back(off[p] / stretch.tolerances[p]);
-    }
-    return shares;
-  }
-
-  /// The largest deviation over its tolerance. \param ends those that stay count as well
-  double largestShare(bool ends) const
-  {
-    double most = 0.0;
-    for (std::size_t s = 0; s < this->Network.stretches.size(); ++s)
-    {
-      const std::vector<double> own = sharesOf(this->Network.stretches[s], this->Last.deviation[s]);
-      const std::ptrdiff_t skipped = ends ? 0 : 1;
-      for (auto share = own.begin() + skipped; share != own.end() - skipped; ++share)
-      {
-        most = std::max(most, *share);
-      }
-    }
-    return most;
-  }
-
-  /// Whether there is a spline with the breaks as they are that keeps the tolerances; the points
-  /// move along it to where it is nearest to them.
-  bool fits()
-  {
-    for (int k = 0; this->Left > 0 && k < emphasesOfTrial; ++k)
-    {
-      this->solve();
-      if (!this->Last.converged)
-      {
-        return false;
-      }
-      const double most = this->largestShare(false);
-      if (most <= 1.0)
-      {
-        this->Found = this->Last;
-        return true;
-      }
-      if (k > 1 && most > hopeless)
-      {
-        return false;
-      }
-      for (std::size_t s = 0; s < this->Network.stretches.size(); ++s)
-      {
-        FairStretch& one = this->Network.stretches[s];
-        std::vector<double> shares = sharesOf(one, this->Last.deviation[s]);
-        shares.front() = shares.back() = 0.0;
-        if (*std::max_element(shares.begin(), shares.end()) > 0.0)
-        {
-          emphasize(shares, one.weights);
-        }
-        follow(this->Last.nearest[s], one);
-      }
-    }
-    return false;
-  }
-
-  /// Lets the points be where the curve is nearest to them, but those that others hang on.
-  static void follow(const std::vector<double>& nearest, FairStretch& one)
-  {
-    for (std::size_t p = 1; p + 1 < one.arc.size(); ++p)
-    {
-      if (!one.isHook(p) && one.arc[p - 1] < nearest[p] && nearest[p] < one.arc[p + 1])
-      {
-        one.arc[p] = nearest[p];
-      }
-    }
-  }
-
-  FairNetwork Network;
-  double Wave;
-  FairCurves Last;      ///< that was solved
-  FairCurves Found;     ///< the last that keeps the tolerances
-  int Left = solutions; ///< that may still be tried
-};
-
 constexpr int rounds = 24;
 constexpr int emphases = 5;      ///< in a row, of a plan
 constexpr double nearly = 1.3;   ///< of a tolerance: more emphasis may help
@@ -562,10 +226,16 @@ public:
     equalizeMirroredLengths(this->Fit.mirrors, this->Fit.plan);
   }
 
-  FairFit run()
+  FairFit run(const FairFit& before)
   {
+    this->Fit.start = this->Fit.plan;
     for (std::size_t p = 0; p < this->Fit.solved.size(); ++p)
     {
+      if (this->beginsAs(before, p))
+      {
+        this->takePiece(before, p);
+        continue;
+      }
       this->fitPiece(p);
       this->placeIntervals(p);
       double& most = this->Fit.deviation.emplace_back(0.0);
@@ -581,6 +251,34 @@ public:
   }
 
 private:
+  bool beginsAs(const FairFit& before, std::size_t piece) const
+  {
+    bool alike = !before.start.empty() &&
+      before.mirrors[piece].stretches.size() == this->Fit.mirrors[piece].stretches.size();
+    for (std::size_t c = 0; alike && c < this->Fit.start.size(); ++c)
+    {
+      alike = !this->isOf(c, piece) || this->Fit.start[c] == before.start[c];
+    }
+    return alike;
+  }
+
+  void takePiece(const FairFit& before, std::size_t piece)
+  {
+    for (std::size_t c = 0; c < this->Fit.plan.size(); ++c)
+    {
+      if (this->isOf(c, piece))
+      {
+        this->Fit.plan[c] = before.plan[c];
+        this->Fit.spans[c] = before.spans[c];
+      }
+    }
+    std::copy_if(before.left.begin(), before.left.end(), std::back_inserter(this->Fit.left),
+      [this, piece](const LeftStretch& left) { return this->isOf(left.chain, piece); });
+    this->Fit.solved[piece] = before.solved[piece];
+    this->Fit.unmirrored[piece] = before.unmirrored[piece];
+    this->Fit.deviation.push_back(before.deviation[piece]);
+  }
+
   void fitPiece(std::size_t p)
   {
     for (int round = 0; round < rounds && !this->Fit.unmirrored[p]; ++round)
@@ -974,9 +672,9 @@ private:
 };
 }
 
-FairFit fitFairBorders(
-  const DrawingSource& all, const BorderChains& chains, const FairLimits& limits)
+FairFit fitFairBorders(const DrawingSource& all, const BorderChains& chains,
+  const FairLimits& limits, const FairFit& before)
 {
-  return Fitting(all, chains, limits).run();
+  return Fitting(all, chains, limits).run(before);
 }
 }

@@ -20,6 +20,7 @@ struct LeftStretch
 /// Splines of exact lengths for all planned stretches.
 struct FairFit
 {
+  std::vector<PlannedChain> start; ///< the plan that the search began with
   std::vector<PlannedChain> plan;
   std::vector<std::vector<FairSpan>> spans; ///< of each chain, along it
   std::vector<LeftStretch> left;
@@ -34,6 +35,8 @@ struct FairFit
 
 /// Of few curves: divided where the tolerance is not kept, then joined wherever it is kept without
 /// a break. A stretch that cannot keep it stays edge by edge.
-FairFit fitFairBorders(
-  const DrawingSource& all, const BorderChains& chains, const FairLimits& limits);
+/// \param before what was found with other limits: pieces whose search would begin alike are taken
+/// from it
+FairFit fitFairBorders(const DrawingSource& all, const BorderChains& chains,
+  const FairLimits& limits, const FairFit& before);
 }
