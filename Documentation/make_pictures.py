@@ -25,6 +25,7 @@ WIDTH = 640  # of a picture in a page, in pixels
 COLUMNS, COLUMN_WIDTH = 3, 240  # of the gallery
 SHAPE_WIDTH = 480
 WINDOW_WIDTH = 900  # of a picture of the window
+PARAVIEW_WIDTH, PARAVIEW_HEIGHT = 720, 760
 EDITOR = os.environ.get("PATTERN_EDITOR_TEST",
                         os.path.join(os.path.dirname(COMMAND), "TestPatternEditor"))
 EDITOR_SESSIONS = ("TheTutorialsCurvesDrawnByMouseSavedAndLoadedGiveItsReport", "AStrokeIsACurveOfFewNodes",
@@ -108,6 +109,30 @@ def draw_editor(folder, images):
               f"{images}/editor_{name}.png")
 
 
+def draw_paraview(folder, images):
+    """ParaView's window, where the plugin is built, worked as its test does."""
+    root = os.path.dirname(HERE)
+    build = os.environ.get("PARAVIEW_BUILD", os.path.join(root, "build-paraview"))
+    if not os.path.isfile(os.path.join(build, "bin", "paraview")):
+        return
+    home = os.path.join(folder, "paraview")
+    os.makedirs(home, exist_ok=True)
+    os.environ.update(FLATTENING_BINARY=build, FLATTENING_OUTPUT=home, FLATTENING_SOURCE=root)
+    sys.path.insert(0, os.path.join(root, "Testing", "ParaView"))
+    from TestWindow import ParaViewWindow
+    picture = os.path.join(home, "window.png")
+    window = ParaViewWindow(home, f"--script={os.path.join(HERE, 'paraview_window.py')}")
+    try:
+        window.do("click", "pqWelcomeDialog #buttonBox QPushButton=Close")
+        window.do("size", "#pqClientMainWindow", width=1280, height=PARAVIEW_HEIGHT)
+        window.do("click", "#pipelineBrowser", x=0.5, y=0.95)
+        window.ask("picture", file=picture)
+    finally:
+        window.close()
+    image = read(picture)
+    write(scaled(image, PARAVIEW_WIDTH, above=image.GetDimensions()[1] - PARAVIEW_HEIGHT), f"{images}/paraview.png")
+
+
 def draw_suggestion(folder, images):
     """What is proposed for a piece without curves."""
     picture = os.path.join(folder, "suggestions.png")
@@ -185,6 +210,7 @@ def main():
         os.makedirs(made, exist_ok=True)
     run_tutorial(folder, images)
     draw_editor(folder, images)
+    draw_paraview(folder, images)
     draw_suggestion(folder, images)
     draw_shapes(folder, images)
     draw_sewn(folder, images)
