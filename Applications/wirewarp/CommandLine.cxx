@@ -261,9 +261,8 @@ const std::vector<Command>& commands()
         app.get_option("--effort")->default_str(effortOfMaking);
         addDrawing(app, options.pattern);
       },
-      { "--for", "--template", "--height", "--max-strain", "--pieces", "--max-width", "--symmetric",
-        "--effort", "--max-cuts", "--material", "--allowance", "--fold", "--pairs", "--paper",
-        "--style" } },
+      { "--for", "--template", "--height", "--max-strain", "--pieces", "--symmetric", "--effort",
+        "--max-cuts", "--material", "--allowance", "--fold", "--pairs", "--paper", "--style" } },
     { "check", "Print size, likely unit, openings and defects of a surface; mend it", "SURFACE",
       "FILE", "Write the mended and scaled surface: .vtp",
       [](CLI::App& app, Options& options) {

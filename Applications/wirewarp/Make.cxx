@@ -236,7 +236,7 @@ void addMaking(CLI::App& app, Options& options)
     ->default_str(names.front());
   app
     .add_option("--template", options.seams,
-      "Seams to begin with: front-back, gores, strips, foam-shell. Front-back: where the plane "
+      "Seams: front-back, gores, strips (by --max-width), foam-shell. Front-back: where the plane "
       "between both cuts the surface, and darts where they are needed; gores: of a round surface, "
       "as many as --pieces or the fewest within the bound; strips: none wider than --max-width; "
       "foam-shell: seams alone, drawn for the middle of eva-foam 5 mm thick inside the surface "

@@ -39,7 +39,8 @@ class Usage(command.CommandTest):
         self.write("a.obj", command.obj(points, triangles))
         reports = []
         for scheme, unit, paper in (("global", "inch", "letter"), ("Global", "Inches", "LETTER")):
-            run = self.run_command("pattern", "a.obj", "--scheme", scheme, "--unit", unit, "--paper", paper, "-o", unit)
+            run = self.run_command("pattern", "a.obj", "--scheme", scheme, "--unit", unit, "--paper", paper, "-o", unit,
+                                   env={**os.environ, "SOURCE_DATE_EPOCH": "1000000000"})
             self.assertEqual(run.returncode, 0, run.stderr)
             with open(self.path(f"{unit}/pattern.pdf"), "rb") as file:
                 reports.append((self.report(unit)["sizes"], file.read()))
