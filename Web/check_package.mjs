@@ -3,12 +3,14 @@
 // node check_package.mjs PACKAGE PIECES.json, the pieces of TestWithoutVtk.py --write as JSON.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 
 const precision = 1e-9; // of the size of the pieces
 const [, , folder, file] = process.argv;
 const { load } = await import(pathToFileURL(`${folder}/index.js`).href);
-const engine = await load();
+const clipper = createRequire(new URL("page/package.json", import.meta.url))("clipper-lib");
+const engine = await load({ clipper });
 const types = ["accessory", "key", "dart", "seam"];
 const difference = (a, b) => a.reduce((most, value, k) => Math.max(most, Math.abs(value - b[k])), a.length === b.length ? 0 : Infinity);
 let worst = 0;
@@ -54,6 +56,20 @@ for (const [ending, start] of Object.entries(endings)) {
   assert.equal(status.name, "Ok", `${ending}: ${status.message}`);
   assert.ok(new TextDecoder().decode(bytes).trimStart().startsWith(start), `${ending}: ${new TextDecoder().decode(bytes.slice(0, 40))}`);
 }
+// Around a rectangle a seam allowance adds its width on each side.
+const plane = engine.makeSurface([0, 0, 0, 10, 0, 0, 10, 6, 0, 0, 6, 0], corners, "cm").flatten();
+const cutLine = (allowance) => {
+  const { status, bytes } = plane.pattern("svg", { allowance });
+  assert.equal(status.name, "Ok", status.message);
+  const numbers = /class="cut-line"[^]*? d="([^"]*)"/.exec(new TextDecoder().decode(bytes))[1].match(/-?[\d.]+/g).map(Number);
+  return [0, 1].map((axis) => {
+    const values = numbers.filter((_, k) => k % 2 === axis);
+    return Math.max(...values) - Math.min(...values);
+  });
+};
+assert.ok(difference(cutLine(0), [100, 60]) < 1e-3, `${cutLine(0)}`);
+assert.ok(difference(cutLine(10), [120, 80]) < 1e-3, `${cutLine(10)}`);
+assert.match((await load()).makeSurface([0, 0, 0, 10, 0, 0, 10, 6, 0], [0, 1, 2], "cm").flatten().pattern("svg", { allowance: 10 }).status.message, /clipper-lib/);
 const calls = {};
 const canvas = new Proxy({}, { get: (_, name) => (...given) => (calls[name] ??= []).push(given) });
 assert.equal(drawn.pattern("pdf", { allowance: 0, paper: "A4" }, canvas).status.name, "Ok");

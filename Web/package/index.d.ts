@@ -175,5 +175,8 @@ export interface Engine {
   memory(): number;
 }
 
-/** Errors of all calls: what is wrong, as an Error with a message for people. */
-export function load(settings?: { wasmBinary?: ArrayBuffer | Uint8Array; locateFile?: (name: string) => string; instantiateWasm?: (imports: WebAssembly.Imports, use: (instance: WebAssembly.Instance) => void) => object }): Promise<Engine>;
+/**
+ * Errors of all calls: what is wrong, as an Error with a message for people. Seam allowances and lays on cloth need
+ * clipper: the default export of the npm package clipper-lib.
+ */
+export function load(settings?: { clipper?: object; wasmBinary?: ArrayBuffer | Uint8Array; locateFile?: (name: string) => string; instantiateWasm?: (imports: WebAssembly.Imports, use: (instance: WebAssembly.Instance) => void) => object }): Promise<Engine>;

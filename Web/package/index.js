@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+import { clipperOf } from "./clipper.js";
 import create from "./surfaceflattening.mjs";
 
 const wasm = new URL("surfaceflattening.wasm", import.meta.url);
@@ -13,7 +14,8 @@ async function settingsOf(given) {
 }
 
 export async function load(given = {}) {
-  const module = await create(await settingsOf(given));
+  const { clipper, ...others } = given;
+  const module = await create({ ...(await settingsOf(others)), ...(clipper && { clipper: clipperOf(clipper) }) });
   // Functions of C++ take all their arguments.
   for (const [owner, name, count] of [["Surface", "flatten", 3], ["Surface", "suggest", 3], ["Flattening", "pattern", 3]]) {
     const { prototype } = module[owner];

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { createHash } from "node:crypto";
-import { readFileSync } from "node:fs";
+import { readFileSync, readdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 import { exampleText, examples } from "./examples.mjs";
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
 
-/** Files that are elsewhere in the repository: the pieces of Data, and the icon. */
+/** Files that are elsewhere: the pieces of Data, the icon, licenses. */
 function copies() {
   return {
     name: "copies",
@@ -16,9 +16,26 @@ function copies() {
         this.emitFile({ type: "asset", fileName: `examples/${example.file}`, source: exampleText(at("../../Data"), example) });
       }
       this.emitFile({ type: "asset", fileName: "manifest.webmanifest", source: readFileSync(at("manifest.webmanifest")) });
+      this.emitFile({ type: "asset", fileName: "licenses.txt", source: licenses() });
       this.emitFile({ type: "asset", fileName: "icon.svg", source: readFileSync(at("../../Applications/PatternEditor/patterneditor.svg")) });
     },
   };
+}
+
+const bundled = ["three", "pdf-lib", "@pdf-lib/standard-fonts", "@pdf-lib/upng", "pako", "tslib", "clipper-lib"];
+
+/** The license of the project and those of what the page bundles and what it links. */
+function licenses() {
+  const texts = [`SurfaceFlattening\n\n${readFileSync(at("../../LICENSE"))}`,
+    "Eigen (https://eigen.tuxfamily.org) is under the Mozilla Public License 2.0, nlohmann-json under the MIT license."];
+  for (const name of bundled) {
+    const folder = at(`node_modules/${name}`);
+    const file = readdirSync(folder).find((entry) => /^license/i.test(entry));
+    const { license, homepage = "" } = JSON.parse(readFileSync(`${folder}/package.json`, "utf8"));
+    const text = file ? readFileSync(`${folder}/${file}`, "utf8") : "";
+    texts.push(`${name} ${homepage}: ${license}\n\n${text}`);
+  }
+  return texts.join(`\n${"-".repeat(80)}\n`);
 }
 
 /** What lets the page be installed and used without a network. */

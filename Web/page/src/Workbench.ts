@@ -185,8 +185,8 @@ export class Workbench {
     return this.name.replace(/\.[^.]*$/, "");
   }
 
-  private async writePattern({ format, name, paper }: PatternChoice): Promise<string> {
-    const options = { name, paper, allowance: 0, date: new Date().toISOString().slice(0, 10) };
+  private async writePattern({ format, name, paper, allowance }: PatternChoice): Promise<string> {
+    const options = { name, paper, allowance, date: new Date().toISOString().slice(0, 10) };
     const { bytes, warnings } = await this.live.pattern(format, options);
     const types = { pdf: "application/pdf", svg: "image/svg+xml", dxf: "image/vnd.dxf", plt: "application/vnd.hp-hpgl", json: "application/json" };
     download(`${name || this.title()}.${format}`, bytes as BlobPart, types[format]);

@@ -57,9 +57,18 @@ await test("PDF", () => withBrowser(async (browser, address) => {
   await openExample(page, "shirt_front_lines.obj");
   await page.click("#pattern");
   await page.selectOption("#pattern-format", "svg");
+  await page.fill("#pattern-allowance", "0");
+  const { text: narrow } = await saved(page, () => page.click("#pattern-save"));
+  await page.click("#pattern");
+  await page.selectOption("#pattern-format", "svg");
   const { text: svg } = await saved(page, () => page.click("#pattern-save"));
   assert.match(svg, /width="[\d.]+mm"/);
   const outlines = cornersIn(svg, 1).map(extent);
+  const largest = (sizes) => sizes.reduce((a, b) => (b[0] * b[1] > a[0] * a[1] ? b : a));
+  const wanted = largest(outlines);
+  // The allowance of 10 mm is outside of the sew line.
+  const added = largest(cornersIn(narrow, 1).map(extent)).map((side, axis) => wanted[axis] - side);
+  assert.ok(added.every((side) => side > 19 && side < 25), `${added}`);
   for (const [paper, width, height] of [["A4", 210, 297], ["letter", 215.9, 279.4], ["A0", 841, 1189], ["sheet", 0, 0]]) {
     await page.click("#pattern");
     await page.selectOption("#pattern-paper", paper);
@@ -77,7 +86,6 @@ await test("PDF", () => withBrowser(async (browser, address) => {
     console.log(`${paper}: ${pages} pages, the rectangle measures ${square.map((side) => side.toFixed(3)).join(" x ")} mm`);
     if (paper === "sheet") {
       // The outline is as large as in SVG; poppler may shrink what it makes SVG by a thousandth.
-      const wanted = outlines.reduce((a, b) => (b[0] * b[1] > a[0] * a[1] ? b : a));
       const sizes = pathsOf(path, 1).map(extent).filter(([x]) => x > 300);
       assert.ok(sizes.some((size) => size.every((side, axis) => Math.abs(side / wanted[axis] - 1) < 2e-3)), `${sizes.join("; ")}: none is ${wanted}`);
       copyFileSync(path, `${pictures}/pattern.pdf`);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The engine on a thread of its own. Each worker has one surface; a new surface gets a new worker, so that the
 // memory of the old one is free.
+import clipper from "clipper-lib";
 import { load } from "surfaceflattening";
 import type {
   Curve, CurveType, DataSet, Editor, Engine, Flattening, FlatteningOptions, PatternFile, SegmentKind, Status, SuggestionOptions, Surface, Unit,
@@ -261,6 +262,7 @@ function reply(message: WorkerReply): void {
 addEventListener("message", async ({ data }: MessageEvent<WorkerRequest>) => {
   if ("module" in data) {
     session = load({
+      clipper,
       instantiateWasm: (imports, use) => {
         WebAssembly.instantiate(data.module, imports).then(use);
         return {};

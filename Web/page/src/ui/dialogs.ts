@@ -26,6 +26,8 @@ export interface PatternChoice {
   format: "pdf" | "svg" | "dxf" | "plt" | "json";
   paper: string;
   name: string;
+  /** Millimeters. */
+  allowance: number;
 }
 
 const formats: Record<PatternChoice["format"], string> = {
@@ -39,11 +41,12 @@ export function askPattern(title: string, save: (choice: PatternChoice) => Promi
   const name = make("input", { value: title });
   const format = make("select", { id: "pattern-format" }, ...Object.entries(formats).map(([key, words]) => option(key, words)));
   const paper = make("select", { id: "pattern-paper" }, ...Object.entries(papers).map(([key, words]) => option(key, words)));
+  const allowance = make("input", { id: "pattern-allowance", type: "number", min: "0", max: "100", step: "any", value: "10" });
   const paperRow = make("label", {}, "Paper", paper);
   format.addEventListener("change", () => (paperRow.hidden = format.value !== "pdf"));
   byId("pattern-fields").replaceChildren(
     make("label", {}, "Name", name), make("label", {}, "Format", format), paperRow,
-    make("p", { class: "quiet" }, "Lines are at true scale, without seam allowance. Print at 100 %."));
+    make("label", {}, "Seam allowance, mm", allowance), make("p", { class: "quiet" }, "Lines are at true scale: print at 100 %."));
   const message = byId("pattern-message");
   message.textContent = "";
   const form = dialog.querySelector("form") as HTMLFormElement;
@@ -53,7 +56,7 @@ export function askPattern(title: string, save: (choice: PatternChoice) => Promi
     }
     event.preventDefault();
     message.textContent = "";
-    save({ format: format.value as PatternChoice["format"], paper: paper.value, name: name.value })
+    save({ format: format.value as PatternChoice["format"], paper: paper.value, name: name.value, allowance: allowance.valueAsNumber || 0 })
       .then((words) => (message.textContent = words) || dialog.close(), (error: Error) => (message.textContent = error.message));
   };
   dialog.showModal();
