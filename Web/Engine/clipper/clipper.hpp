@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the patterns use of Clipper 6, by its port to JavaScript (clipper-lib), since Debian has no Clipper for
-// WebAssembly. load() of the package takes the library; package/clipper.js calls it.
+// What the patterns use of Clipper 6, by its port to JavaScript (clipper-lib), since Debian has no
+// Clipper for WebAssembly. load() of the package takes the library; package/clipper.js calls it.
 #pragma once
 
 #include <emscripten/val.h>
@@ -185,8 +185,8 @@ public:
   void AddPath(const Path& path, JoinType, EndType) { this->Given = path; }
   void Execute(Paths& result, double distance)
   {
-    result = port::pathsOf(port::library().call<emscripten::val>("offset",
-      port::numbersOf(this->Given), this->MitreLimit, this->ArcTolerance, distance));
+    result = port::pathsOf(port::library().call<emscripten::val>(
+      "offset", port::numbersOf(this->Given), this->MitreLimit, this->ArcTolerance, distance));
   }
 
 private:
