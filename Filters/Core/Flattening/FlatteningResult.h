@@ -54,7 +54,8 @@ struct Wire
   Indices vertices;        ///< of the cut surface
   double restLength = 0.0; ///< on the surface
   double flatLength = 0.0;
-  double maximumEdgeError = 0.0; ///< largest relative error of one of its edges
+  double maximumEdgeError = 0.0;  ///< largest EdgeLengthError::measured of one of its edges
+  double resolvedEdgeError = 0.0; ///< largest EdgeLengthError::resolved
 };
 
 struct PieceReport

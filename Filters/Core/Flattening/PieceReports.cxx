@@ -232,7 +232,7 @@ Status wrongLengths(const CutSurface& cut, const std::vector<FeatureCurve>& curv
     const bool elastic = isElastic(wire.curve, curves, options.boundaryTolerance);
     const bool held = holdsLength(wire.curve, curves, free);
     if (wire.piece == piece && held && !wire.connector && !elastic &&
-      !(error <= options.lengthTolerance))
+      !(wire.resolvedEdgeError <= options.lengthTolerance))
     {
       errors[wire.curve] = std::max(errors[wire.curve], error);
       if (!worstWire || !(error <= worst))
@@ -520,7 +520,7 @@ void judgePiece(const CutSurface& cut, const std::vector<FeatureCurve>& curves,
   }
   const QualitySummary& quality = report.quality;
   const bool keepsLengths = options.scheme != Scheme::LeastSquaresConformal;
-  if (keepsLengths && !(quality.maximumEdgeLengthError <= options.lengthTolerance) &&
+  if (keepsLengths && !(quality.resolvedEdgeLengthError <= options.lengthTolerance) &&
     severity(StatusCode::LengthError) > severity(report.status.code))
   {
     report.status = together(wrongLengths(cut, curves, options, piece, result), report.status);

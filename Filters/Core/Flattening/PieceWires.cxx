@@ -264,8 +264,10 @@ double largestLengthError(const AngleProblem& problem, const std::vector<double>
     const WireEdge& edge = network.edges[e];
     if (lengths[e] > 0.0 && (all || problem.held[e]))
     {
-      const double length = (positions[edge.to] - positions[edge.from]).norm();
-      worst = std::max(worst, std::abs(length - lengths[e]) / lengths[e]);
+      const Point2& from = positions[edge.from];
+      const Point2& to = positions[edge.to];
+      const double error = std::abs((to - from).norm() - lengths[e]) - roundingOfLength(from, to);
+      worst = std::max(worst, error / lengths[e]);
     }
   }
   return worst;

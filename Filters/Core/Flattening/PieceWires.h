@@ -25,8 +25,8 @@ void placeWires(const PieceContext& context, PieceSolution& solution);
 std::optional<PieceSolution> releaseFoldingKeys(
   const PieceContext& context, const PieceSolution& folded);
 
-/// Largest relative error of a wire edge against the lengths that were solved for. \param all
-/// whether those count that are not held
+/// Largest relative error, beyond rounding, of a wire edge against the lengths solved for. \param
+/// all whether those count that are not held
 double largestLengthError(const AngleProblem& problem, const std::vector<double>& lengths,
   const Points2& positions, bool all);
 }

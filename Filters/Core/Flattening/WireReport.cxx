@@ -209,16 +209,18 @@ std::vector<Wire> traceConnectors(const WireNetwork& network, const Piece& piece
 
 void measureWire(const CutSurface& cut, const Points2& positions, Wire& wire)
 {
-  wire.restLength = wire.flatLength = wire.maximumEdgeError = 0.0;
+  wire.restLength = wire.flatLength = wire.maximumEdgeError = wire.resolvedEdgeError = 0.0;
   for (std::size_t k = 0; k + 1 < wire.vertices.size(); ++k)
   {
     const Index a = wire.vertices[k];
     const Index b = wire.vertices[k + 1];
     const double rest = (cut.mesh.point(b) - cut.mesh.point(a)).norm();
     const double flat = (positions[b] - positions[a]).norm();
+    const EdgeLengthError error = edgeLengthError(cut.mesh, positions, a, b);
     wire.restLength += rest;
     wire.flatLength += flat;
-    wire.maximumEdgeError = std::max(wire.maximumEdgeError, std::abs(flat - rest) / rest);
+    wire.maximumEdgeError = std::max(wire.maximumEdgeError, error.measured);
+    wire.resolvedEdgeError = std::max(wire.resolvedEdgeError, error.resolved);
   }
 }
 

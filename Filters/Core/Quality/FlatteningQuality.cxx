@@ -128,6 +128,25 @@ void summarizeTriangles(const std::vector<TriangleFrame>& frames,
 }
 }
 
+double roundingOfLength(const Point2& a, const Point2& b)
+{
+  // Half a unit in the last place at both ends.
+  return std::numeric_limits<double>::epsilon() * std::max(a.norm(), b.norm());
+}
+
+EdgeLengthError edgeLengthError(
+  const TriangleMesh& mesh, const Points2& positions, Index a, Index b)
+{
+  const double length = (mesh.point(b) - mesh.point(a)).norm();
+  if (!(length > 0.0))
+  {
+    return {};
+  }
+  const double flat = (positions[b] - positions[a]).norm();
+  const double error = std::abs(flat - length) / length;
+  return { error, std::max(error - roundingOfLength(positions[a], positions[b]) / length, 0.0) };
+}
+
 SurfaceMeasures measureSurface(const TriangleMesh& mesh, const Execution& execution)
 {
   SurfaceMeasures measures;
@@ -156,28 +175,27 @@ FlatteningQuality measureFlattening(const TriangleMesh& mesh, const SurfaceMeasu
   // Sums in the order of the triangles do not depend on the threads.
   summarizeTriangles(surface.frames, quality.triangles, quality.summary);
   const auto lengthError = [&](Index h) {
-    const double length = mesh.length(h);
-    const double flat = (positions[mesh.to(h)] - positions[mesh.from(h)]).norm();
-    return length > 0.0 ? std::abs(flat - length) / length : 0.0;
+    return edgeLengthError(mesh, positions, mesh.from(h), mesh.to(h));
   };
+  QualitySummary& summary = quality.summary;
   for (Index h : edges)
   {
-    const double error = lengthError(h);
-    quality.summary.edgeLengthError += error;
-    quality.summary.maximumEdgeLengthError =
-      std::max(quality.summary.maximumEdgeLengthError, error);
+    const EdgeLengthError error = lengthError(h);
+    summary.edgeLengthError += error.measured;
+    summary.maximumEdgeLengthError = std::max(summary.maximumEdgeLengthError, error.measured);
+    summary.resolvedEdgeLengthError = std::max(summary.resolvedEdgeLengthError, error.resolved);
   }
-  quality.summary.edgeLengthError /= static_cast<double>(std::max<std::size_t>(edges.size(), 1));
+  summary.edgeLengthError /= static_cast<double>(std::max<std::size_t>(edges.size(), 1));
   Index count = 0;
   for (Index h = 0; h < mesh.halfedgeCount(); ++h)
   {
     if (mesh.twin(h) < h) // none is, too
     {
-      quality.summary.edgeLengthErrorAll += lengthError(h);
+      summary.edgeLengthErrorAll += lengthError(h).measured;
       ++count;
     }
   }
-  quality.summary.edgeLengthErrorAll /= std::max<Index>(count, 1);
+  summary.edgeLengthErrorAll /= std::max<Index>(count, 1);
   return quality;
 }
 

@@ -11,10 +11,11 @@ namespace flattening
 /// Measures of a flattening as a whole (Eqs. 26, 27).
 struct QualitySummary
 {
-  double edgeLengthError = 0.0;        ///< E_len, Eq. 26, over the given edges
-  double maximumEdgeLengthError = 0.0; ///< largest |l - l0| / l0
-  double edgeLengthErrorAll = 0.0;     ///< mean of the same over all edges of the mesh
-  double angleError = 0.0;             ///< E_ang, Eq. 27
+  double edgeLengthError = 0.0;         ///< E_len, Eq. 26, over the given edges
+  double maximumEdgeLengthError = 0.0;  ///< largest |l - l0| / l0
+  double resolvedEdgeLengthError = 0.0; ///< the same by EdgeLengthError::resolved
+  double edgeLengthErrorAll = 0.0;      ///< mean of the same over all edges of the mesh
+  double angleError = 0.0;              ///< E_ang, Eq. 27
   double globalHomogeneity = 0.0; ///< E_h = min a / max a, not positive where a triangle is flipped
   double globalAspectRatio = 0.0; ///< E_r = min s / max S
   double areaError = 0.0;         ///< E_area = sum |A2D - A3D| / sum A3D
@@ -28,6 +29,21 @@ struct FlatteningQuality
   std::vector<TriangleQuality> triangles;
   QualitySummary summary;
 };
+
+/// The relative error |l - l0| / l0 of an edge's length.
+struct EdgeLengthError
+{
+  double measured = 0.0;
+  double resolved = 0.0; ///< less what roundingOfLength() explains
+};
+
+/// How well coordinates in double precision can give the distance of two points: badly where it is
+/// short beside their distance from the origin.
+double roundingOfLength(const Point2& a, const Point2& b);
+
+/// \param a, b the ends of the edge. An edge without length has no error.
+EdgeLengthError edgeLengthError(
+  const TriangleMesh& mesh, const Points2& positions, Index a, Index b);
 
 /// What a flattening is measured by: the surface's own angles and areas.
 struct SurfaceMeasures
