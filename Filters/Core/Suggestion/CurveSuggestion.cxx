@@ -11,6 +11,7 @@
 #include "Suggestion/OpeningCuts.h"
 #include "Suggestion/SeamDrawing.h"
 #include "Suggestion/SeamSettling.h"
+#include "Suggestion/SideSeams.h"
 #include "Suggestion/StripSeams.h"
 
 #include <algorithm>
@@ -32,13 +33,13 @@ constexpr double shareOfCharts = 0.8;
 constexpr double shareOfUncut = 0.2;
 /// Share of the remaining work for gores where other cuts may follow.
 constexpr double shareOfGores = 0.2;
+/// The same for cuts between a front and a back, by each of two goals.
+constexpr double shareOfSides = 0.25;
 /// Where the surface had to be opened, which takes many cuts.
 constexpr double shareOpened = 0.9;
-/// Largest share of all work kept for measuring what each cut gains, by this many steps each; more
-/// cuts than these are not measured one by one.
+/// Largest share of all work kept for measuring what each cut gains, by this many steps each.
 constexpr double shareOfMeasuring = 0.3;
 constexpr double stepsOfMeasuring = 40.0;
-constexpr Index mostMeasured = 12;
 /// Of cuts that are added one after the other where the number is not limited. Where charts take no
 /// more, darts may cost less.
 constexpr Index mostAdded = 8;
@@ -57,10 +58,6 @@ constexpr double chartBound = 0.05;
 /// so often.
 constexpr double looserBound = 1.5;
 constexpr int mostLooser = 6;
-/// Mirrors that map surfaces onto themselves worse than this, in sqrt(area / pi), are refused.
-constexpr double forcedError = 0.25;
-/// Planes that mirror a surface better than this are taken before mirrors by lengths on it.
-constexpr double nearlyExact = 3e-3;
 /// Pieces are parted into strips this often at most.
 constexpr int mostStrippings = 3;
 /// Of the width allowed, that of strips: they are flattened anew and may come out a little wider.
@@ -105,7 +102,8 @@ public:
         "a number of pieces is asked for, and key curves, across which no seam may run, are there",
         {}, { { Remedy::Give, "no number of pieces, or no key curve" } } });
     }
-    const Status mirror = this->findMirror();
+    const Status mirror = findMirror(this->Mesh, this->Curves, this->Options.search, this->Weights,
+      this->Run, this->Result.mirror);
     if (!mirror.ok())
     {
       return refusal(mirror);
@@ -118,7 +116,7 @@ public:
       return refusal({ StatusCode::Cancelled, "cancelled before any cut was chosen" });
     }
     this->MostMeasuring = std::min(shareOfMeasuring * this->Budget.left(),
-      stepsOfMeasuring * this->Mesh.triangleCount() * mostMeasured);
+      stepsOfMeasuring * this->Mesh.triangleCount() * mostMeasuredCuts);
     const CutSet best = this->narrowSet(surface, uncut);
     const Index most = this->Options.search.maximumCuts;
     if (!best.outcome.valid && most > 0 && !this->Run.cancelled())
@@ -146,7 +144,16 @@ public:
       this->Result.mirror.reset();
     }
     this->nameCuts();
-    this->measureCuts(uncut.outcome, best.outcome);
+    measureCuts(this->Whole, uncut.outcome, best.outcome, this->Area, this->Result.curves,
+      this->Budget, this->Run);
+    const auto stateOf = [this](const TrialOutcome& outcome, double& strain, double& energy) {
+      strain = outcome.known(outcome.strainP95);
+      energy = outcome.known(outcome.energy / this->Area);
+    };
+    stateOf(uncut.outcome, this->Result.strainBefore, this->Result.rigidEnergyBefore);
+    stateOf(best.outcome, this->Result.strainAfter, this->Result.rigidEnergyAfter);
+    this->Result.boundMet = this->isFlat(best) && !this->tooWide();
+    this->Result.worstPlace = best.outcome.worstPlace;
     this->Result.trials = this->Budget.trials();
     this->Result.work = 1e-6 * this->Budget.work();
     return std::move(this->Result);
@@ -190,51 +197,6 @@ private:
                                                   : std::pair(1, outcome.strainP95);
     };
     return merit(a) < merit(b);
-  }
-
-  Status findMirror()
-  {
-    SymmetryChoice choice;
-    Status status = readSymmetry(this->Options.search.symmetric, this->Mesh, this->Curves, choice);
-    if (!status.ok() || choice.kind == SymmetryChoice::Off)
-    {
-      return status;
-    }
-    if (choice.kind != SymmetryChoice::Found)
-    {
-      const std::optional<SymmetryPlane> plane = choice.kind == SymmetryChoice::Stated
-        ? measuredPlane(this->Mesh, choice.plane)
-        : findSymmetryPlane(this->Mesh, forcedError);
-      if (!plane || plane->spread > forcedError)
-      {
-        return { StatusCode::InvalidOption,
-          "no such plane mirrors 95 % of the surface to within " +
-            shortNumber(100.0 * forcedError) + " % of its size",
-          {}, { { Remedy::Give, "another plane, or symmetric off" } } };
-      }
-      this->Result.mirror = SurfaceMirror(*plane);
-      return {};
-    }
-    const std::optional<SymmetryPlane> plane = findSymmetryPlane(this->Mesh);
-    auto intrinsic =
-      plane && plane->error < nearlyExact ? nullptr : IntrinsicMirror::find(this->Mesh, this->Run);
-    if (intrinsic)
-    {
-      this->Result.mirror = SurfaceMirror(std::move(intrinsic));
-    }
-    else if (plane)
-    {
-      this->Result.mirror = SurfaceMirror(*plane);
-    }
-    // One that holds only nearly is no reason to keep a single cut to its axis.
-    const bool alone = this->Options.search.maximumCuts == 1 && this->Result.mirror &&
-      this->Result.mirror->intrinsic() && this->Result.mirror->error > SurfaceMirror::exact;
-    if (this->Result.mirror &&
-      (alone || !mirrorsWeights(this->Mesh, this->Weights, *this->Result.mirror)))
-    {
-      this->Result.mirror.reset();
-    }
-    return {};
   }
 
   bool tooWide() const
@@ -381,6 +343,14 @@ private:
         (wanted.bound > 0.0 && wanted.cuts != SuggestedCuts::Darts));
     const bool chartsFirst = strained || creased;
     std::vector<CutSet> found;
+    const bool tailored =
+      charts && strained && pieces == 0 && wanted.bound > 0.0 && this->Curves.empty();
+    CutSet sides = tailored ? this->sideSet(surface) : CutSet();
+    if (this->isFlat(sides) && sides.end == SearchEnd::BoundMet)
+    {
+      this->Result.end = sides.end;
+      return sides;
+    }
     if (charts && chartsFirst)
     {
       found.push_back(this->chartSet(surface, uncut));
@@ -390,6 +360,10 @@ private:
     if (found.empty() || (pieces == 0 && (few || !this->isFlat(found.front()))))
     {
       this->addSets(found, this->neededCuts(surface));
+    }
+    if (!sides.cuts.empty())
+    {
+      found.push_back(std::move(sides));
     }
     const auto better = [this](const CutSet& a, const CutSet& b) { return this->better(a, b); };
     if (charts && !chartsFirst && found.front().end != SearchEnd::GivenUp &&
@@ -410,12 +384,68 @@ private:
     this->Result.end = this->Run.cancelled() ? SearchEnd::Interrupted
       : givenUp                              ? SearchEnd::GivenUp
       : limited && !this->isFlat(*best)      ? SearchEnd::WorkUsedUp
+      : this->isFlat(*best)                  ? SearchEnd::BoundMet
                                              : best->end;
     this->Result.cutsNeeded = givenUp ? found.front().cutsNeeded : best->cutsNeeded;
     const TrialOutcome& with = best->outcome;
     const bool worse = wanted.bound > 0.0 ? with.strainP95 > uncut.outcome.strainP95
                                           : with.energy > uncut.outcome.energy;
     return uncut.outcome.valid && (worse || !with.valid) ? uncut : *best;
+  }
+
+  /// Seams between a front and a back of each part, as a tailor lays them, with single cuts in what
+  /// they part, or, where these are many, charts; it ends with SearchEnd::BoundMet only without
+  /// charts. Where the seams that open the surface are enough, these. No cuts where no part has two
+  /// openings.
+  CutSet sideSet(const ImprintedSurface& surface)
+  {
+    const CutSurface cut = cutSurface(surface.mesh, surface.curves);
+    const std::vector<Piece> pieces = extractPieces(cut);
+    const VertexMarks marks = markVertices(surface, this->Options.search);
+    CutSet set;
+    bool sides = false;
+    for (const Piece& piece : pieces)
+    {
+      std::vector<SuggestedCurve> seams =
+        sideSeams(piece.mesh, pieces.size() == 1 ? this->Result.mirror : std::nullopt);
+      sides = sides || !seams.empty();
+      seams = seams.empty() ? this->opened(piece, cut, marks) : std::move(seams);
+      set.cuts.insert(set.cuts.end(), seams.begin(), seams.end());
+    }
+    if (!sides)
+    {
+      return {};
+    }
+    CutSet opened;
+    opened.cuts = this->neededCuts(surface);
+    opened.outcome = this->Whole.run(linesOf(opened.cuts), this->Budget, this->Run);
+    if (this->isFlat(opened) && this->allowed(opened))
+    {
+      opened.end = SearchEnd::BoundMet;
+      return opened;
+    }
+    set.outcome = this->Whole.run(linesOf(set.cuts), this->Budget, this->Run);
+    if (!set.outcome.valid || set.outcome.flipped + set.outcome.overlaps > 0 || !this->allowed(set))
+    {
+      return {};
+    }
+    const CutSet seams = set;
+    for (SearchGoal goal : { SearchGoal::Energy, SearchGoal::Strain })
+    {
+      if (!this->isFlat(set))
+      {
+        CutSet found = this->improved(seams, goal, shareOfSides);
+        set = this->better(found, set) ? std::move(found) : set;
+      }
+    }
+    if (this->isFlat(set))
+    {
+      set.end = SearchEnd::BoundMet;
+      return set;
+    }
+    set = this->parted(std::move(set));
+    set.end = SearchEnd::NothingHelps;
+    return set;
   }
 
   /// Charts in all pieces that do not keep the bound, with what it takes to keep it where the
@@ -507,21 +537,27 @@ private:
   }
 
   /// With more cuts, one after the other, until the bound is met.
-  CutSet improved(CutSet set)
+  /// \param share of the remaining work
+  CutSet improved(CutSet set, SearchGoal goal = SearchGoal::Strain, double share = shareOfSearch)
   {
     if (this->isFlat(set))
     {
       return set;
     }
-    TrialBudget budget(shareOfSearch * this->Budget.left(), this->Budget);
+    TrialBudget budget(share * this->Budget.left(), this->Budget);
     SearchOptions options = this->Options.search;
     const auto count = static_cast<Index>(set.cuts.size());
     options.maximumCuts =
       options.maximumCuts > 0 ? options.maximumCuts : count + std::max(mostAdded, count / 2);
-    set = searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
-                       options, this->Result.mirror, this->Weights, SearchGoal::Strain },
+    if (goal != SearchGoal::Energy) // which is that of the set's outcome
+    {
+      set.outcome = CutTrials(this->Mesh, this->Curves, this->Options.imprint,
+        this->Options.flattening, goal, this->Weights)
+                      .run(linesOf(set.cuts), budget, this->Run);
+    }
+    return searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
+                        options, this->Result.mirror, this->Weights, goal },
       std::move(set), budget, this->Run);
-    return set;
   }
 
   /// No cuts, and why.
@@ -702,56 +738,6 @@ private:
                        .run(linesOf(first), budget, this->Run);
     }
     return *set;
-  }
-
-  /// What each cut gives after those before it, now that some are shorter or gone; not known where
-  /// the work does not allow it.
-  void measureCuts(const TrialOutcome& without, const TrialOutcome& with)
-  {
-    std::vector<SuggestedCurve>& cuts = this->Result.curves;
-    // After each cut or pair but the last, which is known.
-    std::vector<std::size_t> ends;
-    std::vector<std::vector<Polyline>> lines;
-    for (std::size_t k = 0; k < cuts.size(); ++k)
-    {
-      if (k + 1 == cuts.size() || cuts[k + 1].mirrorOf == none)
-      {
-        ends.push_back(k + 1);
-        lines.push_back(
-          linesOf({ cuts.begin(), cuts.begin() + static_cast<std::ptrdiff_t>(k + 1) }));
-      }
-    }
-    if (!lines.empty())
-    {
-      lines.back().clear();
-    }
-    if (static_cast<Index>(lines.size()) > mostMeasured)
-    {
-      lines.assign(lines.size(), {});
-    }
-    std::vector<TrialOutcome> after = this->Whole.runAll(lines, this->Budget, this->Run);
-    TrialOutcome before = without;
-    this->Result.strainBefore = before.known(before.strainP95);
-    this->Result.rigidEnergyBefore = before.known(before.energy / this->Area);
-    std::size_t begin = 0;
-    for (std::size_t e = 0; e < ends.size(); ++e)
-    {
-      const TrialOutcome& now = e + 1 == ends.size() ? with : after[e];
-      for (std::size_t j = begin; j < ends[e]; ++j)
-      {
-        cuts[j].areaErrorBefore = before.known(before.areaError);
-        cuts[j].areaErrorAfter = now.known(now.areaError);
-        cuts[j].strainBefore = before.known(before.strainP95);
-        cuts[j].strainAfter = now.known(now.strainP95);
-        cuts[j].gain = (before.known(before.energy) - now.known(now.energy)) / this->Area;
-      }
-      begin = ends[e];
-      before = now;
-    }
-    this->Result.strainAfter = with.known(with.strainP95);
-    this->Result.rigidEnergyAfter = with.known(with.energy / this->Area);
-    this->Result.boundMet = with.valid && this->withinBound(with.strainP95) && !this->tooWide();
-    this->Result.worstPlace = with.worstPlace;
   }
 
   /// Numbers darts and seams in their order, beside the names that there are.

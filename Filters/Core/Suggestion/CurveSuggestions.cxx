@@ -10,6 +10,11 @@ namespace flattening
 {
 namespace
 {
+/// Mirrors that map surfaces onto themselves worse than this, in sqrt(area / pi), are rejected.
+constexpr double forcedError = 0.25;
+/// Planes that mirror a surface better than this are taken before mirrors by lengths on it.
+constexpr double nearlyExact = 3e-3;
+
 /// More in a message are not read.
 constexpr std::size_t mostNames = 8;
 
@@ -53,6 +58,52 @@ Status checkGrain(const FlatteningOptions& flattening, const std::vector<Polylin
   status.remedies.emplace_back(Remedy::GiveGrainAngle);
   return status;
 }
+}
+
+Status findMirror(const TriangleMesh& mesh, const std::vector<Polyline>& curves,
+  const SearchOptions& search, const RegionWeights& weights, const Execution& execution,
+  std::optional<SurfaceMirror>& mirror)
+{
+  SymmetryChoice choice;
+  Status status = readSymmetry(search.symmetric, mesh, curves, choice);
+  if (!status.ok() || choice.kind == SymmetryChoice::Off)
+  {
+    return status;
+  }
+  if (choice.kind != SymmetryChoice::Found)
+  {
+    const std::optional<SymmetryPlane> plane = choice.kind == SymmetryChoice::Stated
+      ? measuredPlane(mesh, choice.plane)
+      : findSymmetryPlane(mesh, forcedError);
+    if (!plane || plane->spread > forcedError)
+    {
+      return { StatusCode::InvalidOption,
+        "no such plane mirrors 95 % of the surface to within " + shortNumber(100.0 * forcedError) +
+          " % of its size",
+        {}, { { Remedy::Give, "another plane, or symmetric off" } } };
+    }
+    mirror = SurfaceMirror(*plane);
+    return {};
+  }
+  const std::optional<SymmetryPlane> plane = findSymmetryPlane(mesh);
+  auto intrinsic =
+    plane && plane->error < nearlyExact ? nullptr : IntrinsicMirror::find(mesh, execution);
+  if (intrinsic)
+  {
+    mirror = SurfaceMirror(std::move(intrinsic));
+  }
+  else if (plane)
+  {
+    mirror = SurfaceMirror(*plane);
+  }
+  // One that holds only nearly is no reason to keep a single cut to its axis.
+  const bool alone = search.maximumCuts == 1 && mirror && mirror->intrinsic() &&
+    mirror->error > SurfaceMirror::exact;
+  if (mirror && (alone || !mirrorsWeights(mesh, weights, *mirror)))
+  {
+    mirror.reset();
+  }
+  return {};
 }
 
 void addImages(std::vector<SuggestedCurve>& cuts, Index first, const SurfaceMirror& mirror)

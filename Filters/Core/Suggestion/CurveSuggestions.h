@@ -130,6 +130,13 @@ struct CurveSuggestions
   Status status;
 };
 
+/// The mirror that cuts are to keep to, by SearchOptions::symmetric; none where there is none.
+/// Errors: InvalidOption (a text, or a plane that mirrors the surface too badly).
+/// \param weights relative ones, which it has to mirror as well
+Status findMirror(const TriangleMesh& mesh, const std::vector<Polyline>& curves,
+  const SearchOptions& search, const RegionWeights& weights, const Execution& execution,
+  std::optional<SurfaceMirror>& mirror);
+
 /// Adds the images of the cuts from one on.
 void addImages(std::vector<SuggestedCurve>& cuts, Index first, const SurfaceMirror& mirror);
 

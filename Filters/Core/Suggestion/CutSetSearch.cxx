@@ -450,4 +450,45 @@ CutSet withFolds(CutSet set, const CutTrials& trials, std::size_t curves, double
   }
   return open;
 }
+
+void measureCuts(const CutTrials& trials, const TrialOutcome& without, const TrialOutcome& with,
+  double area, std::vector<SuggestedCurve>& cuts, TrialBudget& budget, const Execution& execution)
+{
+  // After each cut or pair but the last, which is known.
+  std::vector<std::size_t> ends;
+  std::vector<std::vector<Polyline>> lines;
+  for (std::size_t k = 0; k < cuts.size(); ++k)
+  {
+    if (k + 1 == cuts.size() || cuts[k + 1].mirrorOf == none)
+    {
+      ends.push_back(k + 1);
+      lines.push_back(linesOf({ cuts.begin(), cuts.begin() + static_cast<std::ptrdiff_t>(k + 1) }));
+    }
+  }
+  if (!lines.empty())
+  {
+    lines.back().clear();
+  }
+  if (static_cast<Index>(lines.size()) > mostMeasuredCuts)
+  {
+    lines.assign(lines.size(), {});
+  }
+  const std::vector<TrialOutcome> after = trials.runAll(lines, budget, execution);
+  TrialOutcome before = without;
+  std::size_t begin = 0;
+  for (std::size_t e = 0; e < ends.size(); ++e)
+  {
+    const TrialOutcome& now = e + 1 == ends.size() ? with : after[e];
+    for (std::size_t j = begin; j < ends[e]; ++j)
+    {
+      cuts[j].areaErrorBefore = before.known(before.areaError);
+      cuts[j].areaErrorAfter = now.known(now.areaError);
+      cuts[j].strainBefore = before.known(before.strainP95);
+      cuts[j].strainAfter = now.known(now.strainP95);
+      cuts[j].gain = (before.known(before.energy) - now.known(now.energy)) / area;
+    }
+    begin = ends[e];
+    before = now;
+  }
+}
 }

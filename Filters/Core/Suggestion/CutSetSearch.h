@@ -34,6 +34,14 @@ CutSet searchCuts(
 CutSet withFolds(CutSet set, const CutTrials& trials, std::size_t curves, double bound,
   TrialBudget& budget, const Execution& execution);
 
+/// More cuts than these are not measured one by one.
+inline constexpr Index mostMeasuredCuts = 12;
+
+/// Measures what each cut gives after those before it; what the work does not allow is not known.
+/// \param without, with all cuts \param area of the surface
+void measureCuts(const CutTrials& trials, const TrialOutcome& without, const TrialOutcome& with,
+  double area, std::vector<SuggestedCurve>& cuts, TrialBudget& budget, const Execution& execution);
+
 /// One way to search, beside the options.
 struct SearchWay
 {

@@ -10,8 +10,8 @@
 
 namespace flattening
 {
-EdgePaths::EdgePaths(
-  const TriangleMesh& mesh, const Indices& starts, const std::vector<char>& barred, Through through)
+EdgePaths::EdgePaths(const TriangleMesh& mesh, const Indices& starts,
+  const std::vector<char>& barred, Through through, const std::vector<double>& lengths)
   : Distance(mesh.vertexCount(), std::numeric_limits<double>::infinity())
   , Before(mesh.vertexCount(), none)
 {
@@ -44,7 +44,7 @@ EdgePaths::EdgePaths(
         {
           continue;
         }
-        const double further = distance + mesh.length(edge);
+        const double further = distance + (lengths.empty() ? mesh.length(edge) : lengths[edge]);
         if (further < this->Distance[w])
         {
           this->Distance[w] = further;

@@ -16,9 +16,10 @@ public:
     Boundary ///< as well
   };
 
-  /// \param barred per vertex; empty: none is.
+  /// \param barred per vertex; empty: none is \param lengths per half-edge; empty: those in space
   explicit EdgePaths(const TriangleMesh& mesh, const Indices& starts,
-    const std::vector<char>& barred = {}, Through through = Through::Inside);
+    const std::vector<char>& barred = {}, Through through = Through::Inside,
+    const std::vector<double>& lengths = {});
 
   bool reaches(Index vertex) const { return this->Before[vertex] != none; }
   /// The vertex before on the way; the vertex itself at a start.
