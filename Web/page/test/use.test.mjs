@@ -87,6 +87,7 @@ await test("dark, and on a phone", () => withBrowser(async (browser, address) =>
   const phone = await openPage(browser, address, { viewport: { width: 390, height: 800 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
   await openExample(phone, "tshirt_lines.obj");
   await checkAccess(phone);
+  assert.equal(await phone.evaluate(() => window.workbench.scene.surface.up()), "y"); // a tube stands as its file has it
   await picture(phone, "phone");
   assert.ok(await phone.evaluate(() => document.documentElement.scrollWidth) <= 390, "wider than the phone");
   const tablet = await openPage(browser, address, { viewport: { width: 820, height: 1100 } });

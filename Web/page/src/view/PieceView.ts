@@ -10,6 +10,9 @@ export interface Label {
   y: number;
 }
 
+/** Pixels below the pieces that the legend and the scale take. */
+const legendHeight = 90;
+
 /** The flat pieces, with their names and a scale. */
 export class PieceView {
   readonly view: MeshCanvas;
@@ -68,11 +71,11 @@ export class PieceView {
     }
     const { camera, controls, size } = this.view;
     const ortho = camera as OrthographicCamera;
-    // Below are the legend and the scale.
-    const half = Math.max(0.64 * (high[1] - low[1]), (0.55 * (high[0] - low[0]) * size.y) / size.x, 1e-9);
+    const usable = Math.max(size.y - legendHeight - 24, size.y / 2);
+    const half = Math.max(((high[1] - low[1]) * size.y) / usable / 2, (0.55 * (high[0] - low[0]) * size.y) / size.x, 1e-9);
     const aspect = size.x / size.y;
     Object.assign(ortho, { left: -half * aspect, right: half * aspect, top: half, bottom: -half, zoom: 1 });
-    const [x, y] = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2 - 0.09 * half];
+    const [x, y] = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2 - (half * legendHeight) / size.y];
     camera.position.set(x, y, 1);
     controls.target.set(x, y, 0);
     camera.updateProjectionMatrix();

@@ -33,8 +33,8 @@ export class SurfaceView {
       }
       this.isInverted = isTurnedInward(mesh, this.box.getCenter(new Vector3()));
       const facing = meanNormal(mesh);
-      // A surface that would face upward stands upright with z up.
-      this.setUp(Math.abs(facing.y) > Math.max(Math.abs(facing.x), Math.abs(facing.z)) ? "z" : "y");
+      // A surface that would face upward stands upright with z up; a tube faces nowhere.
+      this.setUp(Math.abs(facing.y) > Math.max(0.4, Math.abs(facing.x), Math.abs(facing.z)) ? "z" : "y");
       const turned = facing.applyEuler(this.view.content.rotation);
       this.lookFrom(turned.z < -0.5 ? "back" : "front");
     }
