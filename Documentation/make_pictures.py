@@ -18,6 +18,7 @@ from vtkmodules.vtkFiltersCore import vtkImageAppend
 from vtkmodules.vtkImagingCore import vtkExtractVOI, vtkImageResize
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
+import method_drawing
 import shapes
 from measures import COMMAND, DATA, HERE, PIECES
 
@@ -211,6 +212,8 @@ def main():
     run_tutorial(folder, images)
     draw_editor(folder, images)
     draw_paraview(folder, images)
+    with open(os.path.join(images, "method.svg"), "w", encoding="utf-8") as file:
+        file.write(method_drawing.drawing())
     draw_suggestion(folder, images)
     draw_shapes(folder, images)
     draw_sewn(folder, images)

@@ -3,55 +3,51 @@
  * @class vtkFeatureCurveSuggestion
  * @brief propose darts and seams, or lines to draw, for a surface, and flatten it with them
  *
- * Looks for straight cuts that let the surface lie flat with little strain: thousands are ranked by
- * what Yamabe's equation foretells of them, the best of each round are flattened with the scheme
- * and all options that are set here, moved about while that helps, and the best one is kept, until
- * the largest `StrainP95` of a piece is within Bound, MaximumCuts or MaximumCutLength are used up,
- * or no cut is worth its price. What turns out not to be needed is taken back. A surface that is
- * closed, a tube or has handles is first cut open. Curves that the surface has already stay as they
- * are; key curves are not cut. Where the surface is its own mirror image so are the cuts. The same
- * for any number of threads.
+ * Looks for straight cuts that let the surface lie flat with little strain. Thousands are ranked by
+ * a forecast (Yamabe's equation); the best of each round are flattened with all options set here
+ * and moved while that helps, and the best one is kept. The search ends where the largest
+ * `StrainP95` of a piece is within Bound, where MaximumCuts or MaximumCutLength are used up, or
+ * where no cut is worth its price; cuts that are not needed are taken back. A surface that is
+ * closed, a tube or has handles is first cut open. Curves of the input stay; keys are not cut.
+ * Cuts of a symmetric surface are mirrored. Results do not depend on the number of threads.
  *
- * With LINES no cut is proposed, but what a designer draws first, piece by piece: the centre line
- * of a piece that is its own mirror image, or a grain line along the others, as straight key
- * curves; girths where the surface is widest or narrowest across its long axis, and style lines
- * over what lies flat worst, as accessory curves where they raise the energy by no more than 5 %.
- * Each is flattened with those before it, so that its price is known.
+ * With LINES it proposes what a designer draws first, and no cut: the centre line of a symmetric
+ * piece, or a grain line along the others, as straight key curves; girths where the surface is
+ * widest or narrowest, and style lines over what lies flat worst, as accessory curves where they
+ * raise the energy by no more than 5 %.
  *
- * WeightArray says where distortion matters: cuts are then chosen by energies and strains for which
- * each cell counts as if its area were so many times as large, and so are `PredictedGain`, `Gain`
- * and strains of this filter, but not those of the flat pieces.
+ * With a WeightArray each cell counts, in the choice of cuts, gains and strains of this filter, as
+ * if its area were multiplied by its weight.
  *
  * Inputs and options: see vtkFeatureCurveAlgorithm and vtkWireWarpingFilter. **Outputs 0 to 4** are
  * those of vtkWireWarpingFilter, for the surface with all curves.
  *
  * **Output 5, the curves**: those of the input in their order, then the proposed ones in the order
- * of choice, ready to be given to vtkWireWarpingFilter. Cell arrays: `CurveType` (int), `CurveName`
- * (string; "dart 1", "seam 2", ...), `KeyShape` (int), `LengthTolerance` (double), `Rank` (int;
- * from 1, -1: a curve of the input), `Length` (double, unit of length), `PredictedGain` and `Gain`
- * (double; by how much the cut lowers the mean of u^2 by forecast and the mean rigid energy in
- * truth, after those of lower rank; a line's is what it costs, and negative), `Opening` (double,
- * unit of length; of a dart's mouth, or of the widest
- * place of one that ends inside at both ends, by forecast), `AreaErrorBefore` and `AreaErrorAfter`
- * (double; mean change of area), `StrainBefore` and `StrainAfter` (double; the largest
- * `StrainP95`; these four and `Gain` are NaN where the surface cannot be flattened with no more
- * cuts, as a closed one, or MaximumWork is used up), `MirrorOf` (int; the rank of the cut that it
- * is the mirror image of, or
- * -1). Point array, where a curve has one: `PlanarShape`. Field data, where
- * cuts are mirror images of each other: `MirrorPlane` (double; normal and offset) or `MirrorAxis`
- * (double; the points of the boundary between which the axis runs across which the surface is its
- * own mirror image by its lengths and angles alone, where no plane mirrors it).
+ * of choice, ready to be given to vtkWireWarpingFilter:
+ *
+ * | cell array | type | meaning |
+ * |---|---|---|
+ * | `CurveType`, `CurveName`, `KeyShape`, `LengthTolerance` | int, string, int, double | as of every curve; names are "dart 1", "seam 2", ... |
+ * | `Rank` | int | from 1; -1: a curve of the input |
+ * | `Length` | double | unit of length |
+ * | `PredictedGain`, `Gain` | double | by how much the cut lowers the mean of u^2 by forecast, and the mean rigid energy in truth, after those of lower rank; a line's is negative, what it costs |
+ * | `Opening` | double | by forecast, of a dart's mouth, or of the widest place of a cut that ends inside |
+ * | `AreaErrorBefore`, `AreaErrorAfter` | double | mean change of area |
+ * | `StrainBefore`, `StrainAfter` | double | the largest `StrainP95` |
+ * | `MirrorOf` | int | the rank of the cut that it is the mirror image of, or -1 |
+ *
+ * Gain, errors and strains are NaN where the surface cannot be flattened without further cuts, or
+ * MaximumWork is used up. Point array, where a curve has one: `PlanarShape`. Field data of mirrored
+ * cuts: `MirrorPlane` (double; normal and offset), or, where no plane mirrors the surface but its
+ * lengths and angles do, `MirrorAxis` (double; the points of the boundary at its ends).
  *
  * **Output 6, the search**: a vtkTable of one row with the columns `BoundMet` (int),
  * `StrainBefore`, `StrainAfter` (double; without and with all cuts), `Width` (double; of the widest
- * piece where MaximumWidth is given, else 0), `Trials` (id; how many flattenings were made) and
- * `Work` (double; what they took, see MaximumWork).
+ * piece where MaximumWidth is given, else 0), `Trials` (id; flattenings made) and `Work` (double).
  *
- * A bound that cannot be met is no refusal: `BoundMet` says so, with a warning that names what is
- * left, where, and what ended the search: the most cuts or their length, MaximumWork, an abort, or
- * that cuts do so little that the bound would take several times MaximumCuts, or hundreds (noise is
- * no nearer to flat after any number of darts). INVALID_OPTION: a preference for a curve that there
- * is not; a WeightArray that there is not, or with numbers that are no weights.
+ * A bound that is not met is a warning, which names the strain that is left, its place, and what
+ * ended the search. INVALID_OPTION: a preference for a missing curve; a WeightArray that is missing
+ * or has a number that is not a weight.
  *
  * @code
  * vtkNew<vtkFeatureCurveSuggestion> suggestion;

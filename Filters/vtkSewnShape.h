@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSewnShape
- * @brief sew flat pieces together again and compare what comes of it with the design
+ * @brief sew flat pieces together again and compare the result with the design
  *
  * The proof of a flattening: cloth that is flat at rest in the shape of the pieces is put where the
  * design has it and let go. It stretches and bends as little as it can, and comes to rest at some
@@ -41,26 +41,11 @@
  * Field data of output 0: `SeamPairs` (as in port 0) and `SeamStrains` (double, 2 components: how
  * much longer each of the two edges is at rest than in its piece, as a fraction).
  *
- * **Output 2, the shapes**: a vtkTable with one row per shape (Test PANEL: a piece; PRODUCT: all
- * that is sewn together). Columns: `Shape` (id), `Status` (string), `Pieces` (id), `Size` (root of
- * the area of the design), `DistanceMean`, `DistanceRms`, `DistanceP95` (of the points of output 0,
- * by area in the pieces; P95 is not exceeded on 95 % of it), `DistanceMax` (Hausdorff distance of
- * the two surfaces, by their points) (unit of length), `RelativeDistanceMean`,
- * `RelativeDistanceRms`, `RelativeDistanceP95`, `RelativeDistanceMax` (over Size),
- * `NormalDeviationMean` (radians), `StrainMean`, `StrainP95`, `StrainMax` (of max abs(ln sigma), by
- * area), `CompressedArea` (share of the area), with a Material `StrainWarpRms`, `StrainWeftRms`,
- * `ShearRms` (degrees; root mean squares by area in the pieces), `BodyDepth` (how deep a point that
- * is not held lies in the body, 0: none does; unit of length), `SecondDistanceMean` (of the shape
- * that a second start finds; unit of length; SecondStart), `SeveralShapes` (int; 1: the two differ
- * by more than a tenth), `MembraneEnergy`, `BendingEnergy` (over half of Young's modulus; unit of
- * length squared) (double), `Triangles`, `Iterations` (id), `Converged` (int), `StatusMessage`
- * (string).
+ * **Output 2, the shapes**: see GetShapes().
  *
- * Refused are pieces without area (DEGENERATE_TRIANGLE), inputs that do not belong together
- * (INVALID_OPTION), and with PRODUCT a piece that is sewn to nothing (INVALID_OPTION): with a free
- * boundary it comes to rest as the plane, which says nothing of it. So is pressure in a product
- * that is open, weight of one without a body, and a material that is unknown or without meaning.
- * Warning: NOT_CONVERGED.
+ * Errors: pieces without area (DEGENERATE_TRIANGLE); inputs that do not belong together, with
+ * PRODUCT a piece that is sewn to nothing, pressure in an open product, weight of one without a
+ * body, an unknown material (INVALID_OPTION). Warning: NOT_CONVERGED.
  *
  * @code
  * vtkNew<vtkWireWarpingFilter> flattening;
@@ -121,7 +106,24 @@ public:
   vtkPolyData* GetDesignOutput();
 
   /**
-   * Output 2, the shapes.
+   * Output 2, one row for each shape (Test PANEL: a piece; PRODUCT: all that is sewn together), in
+   * the unit of length:
+   *
+   * | column | type | meaning |
+   * |---|---|---|
+   * | `Shape`, `Status`, `Pieces` | id, string, id | the shape, how its run ended, how many pieces it has |
+   * | `Size` | double | root of the area of the design |
+   * | `DistanceMean`, `DistanceRms`, `DistanceP95` | double | of the points of output 0, by area in the pieces; P95 is not exceeded on 95 % of it |
+   * | `DistanceMax` | double | Hausdorff distance of the two surfaces, by their points |
+   * | `RelativeDistanceMean`, `...Rms`, `...P95`, `...Max` | double | the same over Size |
+   * | `NormalDeviationMean` | double | radians |
+   * | `StrainMean`, `StrainP95`, `StrainMax` | double | of max abs(ln sigma), by area |
+   * | `CompressedArea` | double | share of the area |
+   * | `StrainWarpRms`, `StrainWeftRms`, `ShearRms` | double | with a Material: root mean squares by area in the pieces; the shear in degrees |
+   * | `BodyDepth` | double | how deep a point that is not held lies in the body; 0: none does |
+   * | `SecondDistanceMean`, `SeveralShapes` | double, int | of the shape that a second start finds (SecondStart), and 1 where the two differ by more than a tenth |
+   * | `MembraneEnergy`, `BendingEnergy` | double | over half of Young's modulus; unit of length squared |
+   * | `Triangles`, `Iterations`, `Converged`, `StatusMessage` | id, id, int, string | of the run |
    */
   vtkTable* GetShapes();
 

@@ -17,45 +17,8 @@
  * its name, size, quantity, number and the names of its curves. Pieces are moved beside each other,
  * turned (UpAxis) and not scaled: **every wire has in the file the length that it has on the
  * surface**, to 1e-9 mm in SVG, 1e-8 mm in DXF, 0.001 mm in PDF and 0.0125 mm in HPGL for each
- * coordinate. Lines made here (cut line) keep to a 10,000th of a millimetre.
- *
- * - **SVG**: user unit millimetre; a group a piece, in it a group a role, both layers in Inkscape, the
- *   role's name as class (`cut-line`,
- *   `cut-out`, `sew-line`, `dart-leg`, `dart-fold`, `fold`, `key-curve`, `internal`, `notch`,
- * `dart-mark`, `drill-hole`, `grain`); paths of wires have `data-curve` and `data-length`, notches
- *   `data-arc-length` (mm on the surface).
- * - **PDF**: 1:1 on pages of the chosen Paper with a margin of 10 mm, overlapping, with crosses to join
- * them at, row and column on each page, a map, and a test rectangle of 100 mm x 50 mm; as few pages
- * as the two ways to hold the paper allow. Roles, texts, and what is of the pages are layers,
- * unless the library was made without qpdf.
- * - **DXF**: R12 ASCII after ASTM D6673 / AAMA: one BLOCK and INSERT a piece, which bears its name;
- * layers 1 boundary and system texts, 2 turn points, 3 curve points, 4 notches, 6 the fold of half
- * pieces, 7 grainline, 8 internal lines, 11 cutouts, 13 drill holes, 14 sew lines and dart legs, 15
- * annotation. Notches are points with an angle and short lines, drill holes points and circles.
- * Millimetres with "Units: METRIC", or, for a surface in inches, inches with "Units: ENGLISH".
- * Texts are 7-bit (\\U+XXXX).
- * - **HPGL**: for plotters and cutters; a 40th of a millimetre, pen 1 draws, pen 2 cuts the cut lines last.
- *   Texts are 7-bit, other characters question marks.
- * - **GarmentCode**: JSON of panels and stitches (M. Korosteleva, O. Sorkine-Hornung, ACM Transactions on
- *   Graphics 42(6), 2023): sew lines in centimetres without allowance, straight and cubic edges
- * labelled by their curves, stitches between edges of one length, and each panel placed in space
- * where its piece fits the surface best. A piece with a hole is refused.
- * - **Walk**: a table of comma-separated values, a row for each interval of a seam or dart between two
- *   notches: `curve`, `type` (seam, dart), `piece_a`, `piece_b`, `interval` (from 1), `from_mm`,
- * `to_mm` (along the curve, on the surface), `length_a_mm`, `length_b_mm` (of the two sides,
- * measured on what is drawn), `difference_mm`, `ease_percent` (of side a over side b),
- * `angle_sum_start_deg`, `angle_sum_end_deg` (of the cloth of both sides there: 180 where it runs
- * on smoothly over the seam; 360 within an edge; at a dart's tip that of one point), `join` (its
- * mark; empty for folded darts), `bend_deg` (the angle between the surfaces of both sides along the
- * whole join, in the mean; above 0 where it is convex); with a Thickness `bevel_deg`, half of it,
- * and `bevel_mm`, how far the bevel goes back.
- *
- * - **Nest**, **GradeList**, **RuleTable**: of the sizes on port 3, an SVG with the sew lines of all
- *   sizes on each other, a layer a size; comma-separated values with a row for each point that has
- * a rule (`piece` from 1, `point`, `name`, and `dx`, `dy` of each size in mm across the grain and
- * along it); and the rule table of ASTM D6673 (.rul), whose rules 1, 2, ... go along the axes of
- * the DXF, where the texts "# 1", "# 2", ... stand at their points on the sew lines (layer 2). Cut
- * lines of other sizes are to be drawn anew, by their allowance.
+ * coordinate. Lines made here (cut line) keep to a 10,000th of a millimetre. FileFormats says what
+ * each file has.
  *
  * The cut line is the union of the piece with the strips of its seam allowance (Clipper), with
  * mitred corners of limited length, and a roof over a folded dart's mouth. Where the flattening has
@@ -83,8 +46,6 @@
  * @endcode
  *
  * @warning With points of single precision lengths are those of the rounded points.
- * Options of one format mean nothing to the others: pages are those of a PDF, colors for laser
- * cutters those of an SVG.
  *
  * @sa vtkPatternGrading, vtkWireWarpingFilter
  */
@@ -132,7 +93,46 @@ public:
   ///@}
 
   /**
-   * What to write.
+   * What to write. Options of one format mean nothing to the others.
+   *
+   * - **SVG**: user unit millimetre; a group a piece, in it a group a role, both layers in
+   *   Inkscape, the role's name as class (`cut-line`, `cut-out`, `sew-line`, `dart-leg`,
+   *   `dart-fold`, `fold`, `key-curve`, `internal`, `notch`, `dart-mark`, `drill-hole`, `grain`);
+   *   paths of wires have `data-curve` and `data-length`, notches `data-arc-length` (mm on the
+   *   surface).
+   * - **PDF**: 1:1 on pages of the chosen Paper with a margin of 10 mm, overlapping, with crosses
+   *   to join them at, row and column on each page, a map, and a test rectangle of 100 mm x 50
+   *   mm; as few pages as the two ways to hold the paper allow. Roles, texts, and what is of the
+   *   pages are layers, unless the library was made without qpdf.
+   * - **DXF**: R12 ASCII after ASTM D6673 / AAMA: one BLOCK and INSERT a piece, which bears its
+   *   name; layers 1 boundary and system texts, 2 turn points, 3 curve points, 4 notches, 6 the
+   *   fold of half pieces, 7 grainline, 8 internal lines, 11 cutouts, 13 drill holes, 14 sew
+   *   lines and dart legs, 15 annotation. Notches are points with an angle and short lines, drill
+   *   holes points and circles. Millimetres with "Units: METRIC", or, for a surface in inches,
+   *   inches with "Units: ENGLISH". Texts are 7-bit (\\U+XXXX).
+   * - **HPGL**: for plotters and cutters; a 40th of a millimetre, pen 1 draws, pen 2 cuts the cut
+   *   lines last. Texts are 7-bit, other characters question marks.
+   * - **GarmentCode**: JSON of panels and stitches (M. Korosteleva, O. Sorkine-Hornung, ACM
+   *   Transactions on Graphics 42(6), 2023): sew lines in centimetres without allowance, straight
+   *   and cubic edges labelled by their curves, stitches between edges of one length, and each
+   *   panel placed in space where its piece fits the surface best. A piece with a hole is
+   *   an error.
+   * - **Walk**: a table of comma-separated values, a row for each interval of a seam or dart
+   *   between two notches: `curve`, `type` (seam, dart), `piece_a`, `piece_b`, `interval` (from
+   *   1), `from_mm`, `to_mm` (along the curve, on the surface), `length_a_mm`, `length_b_mm` (of
+   *   the two sides, measured on what is drawn), `difference_mm`, `ease_percent` (of side a over
+   *   side b), `angle_sum_start_deg`, `angle_sum_end_deg` (of the cloth of both sides there: 180
+   *   where it runs on smoothly over the seam; 360 within an edge; at a dart's tip that of one
+   *   point), `join` (its mark; empty for folded darts), `bend_deg` (the angle between the
+   *   surfaces of both sides along the whole join, in the mean; above 0 where it is convex); with
+   *   a Thickness `bevel_deg`, half of it, and `bevel_mm`, how far the bevel goes back.
+   * - **Nest**, **GradeList**, **RuleTable**: of the sizes on port 3, an SVG with the sew lines
+   *   of all sizes on each other, a layer a size; comma-separated values with a row for each
+   *   point that has a rule (`piece` from 1, `point`, `name`, and `dx`, `dy` of each size in mm
+   *   across the grain and along it); and the rule table of ASTM D6673 (.rul), whose rules 1, 2,
+   *   ... go along the axes of the DXF, where the texts "# 1", "# 2", ... stand at their points
+   *   on the sew lines (layer 2). Cut lines of other sizes are to be drawn anew, by their
+   *   allowance.
    */
   enum FileFormats
   {
