@@ -85,7 +85,7 @@ class Filters(unittest.TestCase):
                         for part in ("flat", "wires", "cut"):
                             self.assertEqual(sf.vtkFlatteningAlgorithm.GetLengthUnitOf(result.to_polydata(part)), unit)
                     # Of a sphere's quarter with the radius 1.
-                    small = ["the smallest piece"] * (3 if unit in ("mm", "cm") else 0)
+                    small = ["the largest piece"] * (3 if unit in ("mm", "cm") else 0)
                     self.assertEqual([str(warning.message).split(" is ")[0] for warning in caught], small)
             for word in ("", "furlong"):
                 with warnings.catch_warnings(record=True) as caught:
