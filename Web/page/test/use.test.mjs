@@ -1,40 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Times, sizes, the dark and the small screen, and use without a network.
+// Size, the dark and the small screen, and use without a network.
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import test from "node:test";
 import { gzipSync } from "node:zlib";
-import { answered, checkAccess, grid, openExample, openPage, openText, pageFolder, picture, saved, withBrowser } from "./browser.mjs";
-
-/** Limits hold for two processors that nothing else uses; beside other work they are multiplied by this. */
-const slack = Number(process.env.SLACK ?? 4);
-
-/** In the page: draws a line and moves its end. Gives the mean time in milliseconds from a move to its pieces, once all is drawn. */
-async function timeEdits() {
-  const { workbench } = window;
-  const { surface } = workbench.scene;
-  const at = (right) => surface.hit(surface.view.size.x * right, surface.view.size.y / 2).position;
-  const until = async (isDone) => {
-    while (!isDone()) {
-      await new Promise((resolve) => setTimeout(resolve, 1));
-    }
-  };
-  const curve = { type: "accessory", name: "timed", closed: false, nodes: [...at(0.3), ...at(0.6)], kinds: ["geodesic"] };
-  workbench.apply(await workbench.editor.call("addCurves", [curve]), false);
-  await until(() => workbench.isSettled());
-  const count = 5;
-  let total = 0;
-  for (let k = 1; k <= count; ++k) {
-    await new Promise((resolve) => setTimeout(resolve, 300)); // without a graphics card drawing takes long
-    const { drafts } = workbench;
-    const start = performance.now();
-    workbench.apply(await workbench.editor.call("moveNode", 0, 1, at(0.6 + 0.01 * k), 0), true);
-    await until(() => workbench.drafts > drafts);
-    total += performance.now() - start;
-  }
-  return total / count;
-}
+import { checkAccess, openExample, openPage, pageFolder, picture, saved, withBrowser } from "./browser.mjs";
 
 await test("size", () => {
   const sizes = readdirSync(pageFolder, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile())
@@ -43,25 +14,6 @@ await test("size", () => {
   console.log(`${(total / 1e6).toFixed(2)} MB compressed`);
   assert.ok(total < 4e6);
 });
-
-await test("times", () => withBrowser(async (browser, address) => {
-  const page = await openPage(browser, address);
-  await page.reload();
-  await page.waitForSelector("body[data-ready]");
-  const ready = Number(await page.getAttribute("body", "data-ready"));
-  console.log(`ready after ${ready} ms`);
-  assert.ok(ready <= 2000 * slack);
-  for (const [side, editLimit, flatLimit] of [[32, 100, 1000], [100, 1000, 5000], [224, Infinity, 5000]]) {
-    await openText(page, `grid${side}.obj`, grid(side));
-    await page.waitForFunction((name) => document.querySelector("#surface-panel").textContent.includes(name), `grid${side}.obj`);
-    await answered(page);
-    const flat = await page.evaluate(() => window.workbench.milliseconds);
-    const edit = await page.evaluate(timeEdits);
-    console.log(`${2 * side * side} triangles: flattened in ${flat.toFixed(0)} ms, an edit answered in ${edit.toFixed(0)} ms`);
-    assert.ok(flat <= flatLimit * slack && edit <= editLimit * slack);
-  }
-  assert.deepEqual(page.errors, []);
-}));
 
 await test("without a network", () => withBrowser(async (browser, address) => {
   const page = await openPage(browser, address);
