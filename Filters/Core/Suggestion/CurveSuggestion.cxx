@@ -425,7 +425,7 @@ private:
       return opened;
     }
     set.outcome = this->Whole.run(linesOf(set.cuts), this->Budget, this->Run);
-    if (!set.outcome.valid || set.outcome.flipped + set.outcome.overlaps > 0 || !this->allowed(set))
+    if (!set.outcome.valid || set.outcome.flipped > 0 || !this->allowed(set))
     {
       return {};
     }
@@ -438,14 +438,14 @@ private:
         set = this->better(found, set) ? std::move(found) : set;
       }
     }
-    if (this->isFlat(set))
+    if (this->isFlat(set) && set.outcome.overlaps == 0)
     {
       set.end = SearchEnd::BoundMet;
       return set;
     }
     set = this->parted(std::move(set));
     set.end = SearchEnd::NothingHelps;
-    return set;
+    return set.outcome.overlaps == 0 ? set : CutSet();
   }
 
   /// Charts in all pieces that do not keep the bound, with what it takes to keep it where the

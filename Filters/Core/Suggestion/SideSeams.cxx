@@ -16,10 +16,12 @@ namespace
 /// An edge that faces front or back counts for this many times more than one on the outline: of a
 /// tube of equal width, a way along its side is then shorter than one across its front.
 constexpr double facingPrice = 2.0;
-/// Of a full turn, what a hole in a flat piece turns by at least, the other way than an outer edge;
-/// the ends of a tube do not. One that is shorter than this share of the longest loop is no
-/// opening; a neckline is one.
-constexpr double leastTurn = 0.5;
+/// Of a full turn, what the edge of a hole in a flat piece turns by at least, the other way than an
+/// outer one; ends of tubes do not. A neckline may.
+constexpr double holeTurn = 0.95;
+/// One that turns by this and is shorter than this share of the longest loop is no opening; cuffs
+/// of tight sleeves are as short, and do not.
+constexpr double shortTurn = 0.5;
 constexpr double leastOpening = 0.2;
 /// In sqrt(area / pi): an opening whose center is this near to the mirror plane is its own image.
 constexpr double nearPlane = 0.1;
@@ -108,12 +110,12 @@ private:
       }
       opening.center /= length;
       longest = std::max(longest, length); // the first
-      const bool ends = turnOf(this->Mesh, loop) > -leastTurn * 2.0 * pi;
-      if (!ends && length < leastOpening * longest)
+      const double turn = turnOf(this->Mesh, loop) / (2.0 * pi);
+      if (turn <= -shortTurn && length < leastOpening * longest)
       {
         continue;
       }
-      tubeEnds += ends ? 1 : 0;
+      tubeEnds += turn > -holeTurn ? 1 : 0;
       // From below upwards on the one side, and down on the other.
       const Point3 out = opening.center - this->Moments.center;
       opening.angle = std::atan2(this->Side.dot(out), -this->Up.dot(out));
