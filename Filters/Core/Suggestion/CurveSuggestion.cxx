@@ -216,6 +216,11 @@ private:
     return set.outcome.valid && this->withinBound(set.outcome.strainP95);
   }
 
+  bool isSoundAndFlat(const CutSet& set) const
+  {
+    return this->isFlat(set) && set.outcome.flipped + set.outcome.overlaps == 0;
+  }
+
   /// The best set whose pieces are no wider than allowed: strips of the uncut surface, as of a
   /// sail, where cuts in these meet the bound; otherwise the best set in strips.
   CutSet narrowSet(const ImprintedSurface& surface, const CutSet& uncut)
@@ -346,11 +351,12 @@ private:
     const bool tailored =
       charts && strained && pieces == 0 && wanted.bound > 0.0 && this->Curves.empty();
     CutSet sides = tailored ? this->sideSet(surface) : CutSet();
-    if (this->isFlat(sides) && sides.end == SearchEnd::BoundMet)
+    if (this->isSoundAndFlat(sides))
     {
-      this->Result.end = sides.end;
+      this->Result.end = SearchEnd::BoundMet;
       return sides;
     }
+    sides = this->parted(std::move(sides));
     if (charts && chartsFirst)
     {
       found.push_back(this->chartSet(surface, uncut));
@@ -361,7 +367,7 @@ private:
     {
       this->addSets(found, this->neededCuts(surface));
     }
-    if (!sides.cuts.empty())
+    if (!sides.cuts.empty() && sides.outcome.overlaps == 0)
     {
       found.push_back(std::move(sides));
     }
@@ -384,7 +390,6 @@ private:
     this->Result.end = this->Run.cancelled() ? SearchEnd::Interrupted
       : givenUp                              ? SearchEnd::GivenUp
       : limited && !this->isFlat(*best)      ? SearchEnd::WorkUsedUp
-      : this->isFlat(*best)                  ? SearchEnd::BoundMet
                                              : best->end;
     this->Result.cutsNeeded = givenUp ? found.front().cutsNeeded : best->cutsNeeded;
     const TrialOutcome& with = best->outcome;
@@ -394,9 +399,8 @@ private:
   }
 
   /// Seams between a front and a back of each part, as a tailor lays them, with single cuts in what
-  /// they part, or, where these are many, charts; it ends with SearchEnd::BoundMet only without
-  /// charts. Where the seams that open the surface are enough, these. No cuts where no part has two
-  /// openings.
+  /// they part. Where the seams that open the surface are enough, these. No cuts where no part has
+  /// two openings.
   CutSet sideSet(const ImprintedSurface& surface)
   {
     const CutSurface cut = cutSurface(surface.mesh, surface.curves);
@@ -419,9 +423,8 @@ private:
     CutSet opened;
     opened.cuts = this->neededCuts(surface);
     opened.outcome = this->Whole.run(linesOf(opened.cuts), this->Budget, this->Run);
-    if (this->isFlat(opened) && this->allowed(opened))
+    if (this->isSoundAndFlat(opened) && this->allowed(opened))
     {
-      opened.end = SearchEnd::BoundMet;
       return opened;
     }
     set.outcome = this->Whole.run(linesOf(set.cuts), this->Budget, this->Run);
@@ -438,14 +441,7 @@ private:
         set = this->better(found, set) ? std::move(found) : set;
       }
     }
-    if (this->isFlat(set) && set.outcome.overlaps == 0)
-    {
-      set.end = SearchEnd::BoundMet;
-      return set;
-    }
-    set = this->parted(std::move(set));
-    set.end = SearchEnd::NothingHelps;
-    return set.outcome.overlaps == 0 ? set : CutSet();
+    return set;
   }
 
   /// Charts in all pieces that do not keep the bound, with what it takes to keep it where the

@@ -16,11 +16,6 @@ namespace flattening
 {
 namespace
 {
-/// Loops longer than this share of the longest are joined to it; shorter ones are holes.
-constexpr double leastJoined = 0.2;
-/// Of a full turn, what the edge of a hole turns by at least, the other way than an outer one.
-constexpr double leastHoleTurn = 0.95;
-
 Index firstVertex(const TriangleMesh& mesh)
 {
   return mesh.triangle(0)[0];
@@ -214,7 +209,7 @@ std::vector<char> findHoles(const TriangleMesh& mesh, const std::vector<Indices>
   std::vector<char> holes(loops.size(), 0);
   for (std::size_t l = 1; l < loops.size(); ++l)
   {
-    const bool hole = lengthOf(loops[l]) <= leastJoined * lengthOf(loops[0]) ||
+    const bool hole = lengthOf(loops[l]) <= shortLoop * lengthOf(loops[0]) ||
       turnOf(mesh, loops[l]) <= -leastHoleTurn * 2.0 * pi;
     holes[l] = hole ? 1 : 0;
   }

@@ -2,6 +2,7 @@
 #include "Suggestion/SideSeams.h"
 
 #include "Suggestion/CutTrials.h"
+#include "Suggestion/OpeningCuts.h"
 #include "Suggestion/SeamDrawing.h"
 #include "Surface/EdgePaths.h"
 #include "Surface/VertexFan.h"
@@ -16,13 +17,9 @@ namespace
 /// An edge that faces front or back counts for this many times more than one on the outline: of a
 /// tube of equal width, a way along its side is then shorter than one across its front.
 constexpr double facingPrice = 2.0;
-/// Of a full turn, what the edge of a hole in a flat piece turns by at least, the other way than an
-/// outer one; ends of tubes do not. A neckline may.
-constexpr double holeTurn = 0.95;
-/// One that turns by this and is shorter than this share of the longest loop is no opening; cuffs
-/// of tight sleeves are as short, and do not.
+/// Of a full turn, the other way than an outer edge: a short loop that turns by as much is no
+/// opening, as cuffs of tight sleeves are, which turn less.
 constexpr double shortTurn = 0.5;
-constexpr double leastOpening = 0.2;
 /// In sqrt(area / pi): an opening whose center is this near to the mirror plane is its own image.
 constexpr double nearPlane = 0.1;
 
@@ -74,8 +71,7 @@ private:
   Point3 areaNormal(Index triangle) const
   {
     const auto& [a, b, c] = this->Mesh.triangle(triangle);
-    return (this->Mesh.point(b) - this->Mesh.point(a))
-      .cross(this->Mesh.point(c) - this->Mesh.point(a));
+    return areaVector(this->Mesh.point(a), this->Mesh.point(b), this->Mesh.point(c));
   }
 
   void findFrame()
@@ -111,11 +107,11 @@ private:
       opening.center /= length;
       longest = std::max(longest, length); // the first
       const double turn = turnOf(this->Mesh, loop) / (2.0 * pi);
-      if (turn <= -shortTurn && length < leastOpening * longest)
+      if (turn <= -shortTurn && length < shortLoop * longest)
       {
         continue;
       }
-      tubeEnds += turn > -holeTurn ? 1 : 0;
+      tubeEnds += turn > -leastHoleTurn ? 1 : 0;
       // From below upwards on the one side, and down on the other.
       const Point3 out = opening.center - this->Moments.center;
       opening.angle = std::atan2(this->Side.dot(out), -this->Up.dot(out));
@@ -139,8 +135,9 @@ private:
   {
     const Opening& a = this->Openings[0];
     const Opening& b = this->Openings[1];
-    return this->join(a, b, this->barredBut(1.0)) &&
-      (this->Mirror ? this->addImages() : this->join(a, b, this->barredBut(-1.0)));
+    return this->Mirror
+      ? this->joinTwice(a, b)
+      : this->join(a, b, this->barredBut(1.0)) && this->join(a, b, this->barredBut(-1.0));
   }
 
   /// All but the vertices on one side, and what seams bar.
@@ -154,23 +151,23 @@ private:
     return barred;
   }
 
-  /// Of all seams so far, on the surface also where the mirror is not exact.
-  bool addImages()
+  /// On one side of the plane, and the image, which is drawn on the surface where the mirror is not
+  /// exact.
+  bool joinTwice(const Opening& from, const Opening& to)
   {
-    const std::size_t first = this->Seams.size();
-    flattening::addImages(this->Seams, 0, *this->Mirror);
-    if (this->Mirror->error <= SurfaceMirror::exact)
+    if (!this->join(from, to, this->barredBut(1.0)))
     {
-      return true;
+      return false;
     }
-    for (std::size_t k = first; k < this->Seams.size(); ++k)
+    addImages(this->Seams, static_cast<Index>(this->Seams.size()) - 1, *this->Mirror);
+    if (this->Mirror->error > SurfaceMirror::exact)
     {
-      Points3& points = this->Seams[k].curve.points;
-      std::vector<SurfacePoint> chain = this->Drawing.place(points);
-      chain.front() = this->boundaryPoint(points.front());
-      chain.back() = this->boundaryPoint(points.back());
-      points = this->Drawing.draw(chain, 0);
-      this->Seams[k].length = lengthOf(points);
+      SuggestedCurve& image = this->Seams.back();
+      std::vector<SurfacePoint> chain = this->Drawing.place(image.curve.points);
+      chain.front() = this->boundaryPoint(image.curve.points.front());
+      chain.back() = this->boundaryPoint(image.curve.points.back());
+      image.curve.points = this->Drawing.draw(chain, 0);
+      image.length = lengthOf(image.curve.points);
     }
     return true;
   }
@@ -245,12 +242,11 @@ private:
     }
     for (std::size_t k = 0; k + 1 < side.size(); ++k)
     {
-      if (!this->join(*side[k], *side[k + 1], this->barredBut(1.0)))
+      if (!this->joinTwice(*side[k], *side[k + 1]))
       {
         return false;
       }
     }
-    this->addImages();
     return (lowest || this->joinImage(*side.front())) && (highest || this->joinImage(*side.back()));
   }
 

@@ -206,9 +206,9 @@ class ValueReader
 {
 public:
   explicit ValueReader(const PlyHeader& header)
-    : All(header.data)
-    , Data(header.data)
-    , LinesBefore(header.lines)
+    : Data(header.data)
+    , Counted(header.data.data())
+    , Line(header.lines + 1)
     , Text(header.encoding == PlyEncoding::Ascii)
     , Swap((header.encoding == PlyEncoding::LittleEndian) != hostIsLittleEndian())
   {
@@ -216,11 +216,12 @@ public:
 
   bool isText() const { return this->Text; }
   /// Of a text, in which the last number stands.
-  std::size_t line() const
+  std::size_t line()
   {
-    const auto* const end = this->Data.data();
-    return this->LinesBefore + 1 +
-      static_cast<std::size_t>(std::count(this->All.data(), end, '\n'));
+    const char* const end = this->Data.data();
+    this->Line += static_cast<std::size_t>(std::count(this->Counted, end, '\n'));
+    this->Counted = end;
+    return this->Line;
   }
 
   /// False where the data ends or holds no number.
@@ -251,9 +252,9 @@ private:
     return word;
   }
 
-  std::string_view All;
   std::string_view Data;
-  std::size_t LinesBefore;
+  const char* Counted; ///< up to where lines are counted
+  std::size_t Line;
   bool Text;
   bool Swap;
 };
@@ -332,7 +333,7 @@ std::size_t findProperty(const std::string& path, const PlyElement& element, con
   throw InputError(path, "element " + element.name + " has no property '" + name + "'");
 }
 
-void readVertices(const std::string& path, const PlyElement& element, const ValueReader& values,
+void readVertices(const std::string& path, const PlyElement& element, ValueReader& values,
   ElementReader& reader, Points3& points, InvalidPoints& invalid)
 {
   const std::array<std::size_t, 3> place{ findProperty(path, element, "x", false),

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace flattening::pattern
@@ -195,6 +196,23 @@ constexpr int tolerated = 3;     ///< how often
 constexpr double progress = 0.9; ///< what more breaks must make of what is too far
 
 /// Fits piece by piece: a plan of all stretches, and the curves that are found for it.
+/// Of two plans of one chain before a search: all else follows from these.
+bool samePlan(const PlannedChain& a, const PlannedChain& b)
+{
+  const auto sameInterval = [](const PlannedInterval& one, const PlannedInterval& other) {
+    return std::tie(one.start, one.end, one.length, one.tolerance) ==
+      std::tie(other.start, other.end, other.length, other.tolerance);
+  };
+  const auto sameStretch = [](const PlannedStretch& one, const PlannedStretch& other) {
+    return std::tie(one.firstPoint, one.lastPoint, one.form, one.breaks) ==
+      std::tie(other.firstPoint, other.lastPoint, other.form, other.breaks);
+  };
+  return std::equal(a.intervals.begin(), a.intervals.end(), b.intervals.begin(), b.intervals.end(),
+           sameInterval) &&
+    std::equal(
+      a.stretches.begin(), a.stretches.end(), b.stretches.begin(), b.stretches.end(), sameStretch);
+}
+
 class Fitting
 {
 public:
@@ -257,7 +275,7 @@ private:
       before.mirrors[piece].stretches.size() == this->Fit.mirrors[piece].stretches.size();
     for (std::size_t c = 0; alike && c < this->Fit.start.size(); ++c)
     {
-      alike = !this->isOf(c, piece) || this->Fit.start[c] == before.start[c];
+      alike = !this->isOf(c, piece) || samePlan(this->Fit.start[c], before.start[c]);
     }
     return alike;
   }

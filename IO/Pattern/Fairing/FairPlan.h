@@ -5,7 +5,6 @@
 #include "Outlines/FairSpan.h"
 
 #include <limits>
-#include <tuple>
 
 namespace flattening::pattern
 {
@@ -21,12 +20,6 @@ struct PlannedInterval
   bool reversed = false;                            ///< the partner's chain runs the other way
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-
-  bool operator==(const PlannedInterval& other) const
-  {
-    return std::tie(this->start, this->end, this->length, this->tolerance) ==
-      std::tie(other.start, other.end, other.length, other.tolerance);
-  }
 };
 
 enum class StretchForm
@@ -57,22 +50,12 @@ struct PlannedStretch
   std::size_t edges() const { return this->lastPoint - this->firstPoint; }
   std::size_t spans() const { return this->breaks.size() - 1; }
   std::size_t leastSpans() const { return this->smoothEnds ? 4 : 1; }
-  bool operator==(const PlannedStretch& other) const
-  {
-    return std::tie(this->firstPoint, this->lastPoint, this->form, this->breaks) ==
-      std::tie(other.firstPoint, other.lastPoint, other.form, other.breaks);
-  }
 };
 
 struct PlannedChain
 {
   std::vector<PlannedInterval> intervals;
   std::vector<PlannedStretch> stretches;
-
-  bool operator==(const PlannedChain& other) const
-  {
-    return this->intervals == other.intervals && this->stretches == other.stretches;
-  }
 };
 
 /// A stretch of a plan.
