@@ -220,7 +220,7 @@ void EditorWindow::makeViewMenu()
   for (std::size_t k = 0; k < colorings.size(); ++k)
   {
     const figures::Coloring coloring = colorings[k];
-    QAction* const action = menu->addAction(QString("Colours: %1").arg(figures::nameOf(coloring)));
+    QAction* const action = menu->addAction(QString("Colors: %1").arg(figures::nameOf(coloring)));
     action->setShortcut(QKeySequence(QString::number(k + 1)));
     action->setCheckable(true);
     action->setChecked(coloring == this->Coloring);

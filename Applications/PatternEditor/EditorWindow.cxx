@@ -20,6 +20,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QScreen>
 #include <QSplitter>
 #include <QStatusBar>
 #include <QVBoxLayout>
@@ -164,7 +165,7 @@ EditorWindow::EditorWindow()
   {
     QObject::connect(menu, &QMenu::aboutToShow, [this] { this->letGo(); });
   }
-  this->resize(1500, 900);
+  this->resize(QSize(1500, 900).boundedTo(this->screen()->availableSize()));
   this->setWindowTitle("PatternEditor");
   this->showSize();
   this->followChoice(); // there is no surface yet, and little that can be done

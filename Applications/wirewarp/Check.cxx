@@ -161,14 +161,15 @@ void saySymmetry(const DataSet& data, const TriangleList& list)
   const double along = plane->normal.cwiseAbs().maxCoeff(&axis);
   const double sign = plane->normal[axis] < 0.0 ? -1.0 : 1.0;
   const flattening::Point3 normal = sign * plane->normal;
-  constexpr double nearlyAlong = 0.9998; // about one degree
+  const double off = std::round(1e4 * plane->spread) / 100.0; // of 95 % of the surface
+  constexpr double nearlyAlong = 0.9998;                      // about one degree
   std::cout << "symmetry: about the plane "
             << (along > nearlyAlong ? std::string(1, "xyz"[axis]) + '=' +
                      inShort(offset == 0.0 ? 0.0 : sign * offset)
                                     : "across " + inShort(normal.x()) + ", " + inShort(normal.y()) +
                      ", " + inShort(normal.z()))
-            << ", 95 % of it within " << inShort(std::round(1e4 * plane->spread) / 100.0)
-            << " % of its size; cuts come in pairs (--symmetric)\n";
+            << (off < 0.01 ? std::string(", exactly") : ", to " + inShort(off) + " % of its size")
+            << "; cuts come in pairs, except with --symmetric off\n";
 }
 
 /// What is of this size, and what `wirewarp make` calls it.
@@ -213,11 +214,11 @@ void saySurface(const TriangleList& list, const Shape& shape, const std::string&
   if (shape.closedParts > 0 || shape.handles > 0)
   {
     std::cout << (shape.closedParts > 0 ? "closed" : "it has handles")
-              << ": cut it open first, see wirewarp cut --kind seams\n";
+              << ": it lies flat with seams alone, which make and cut propose\n";
   }
   else if (loops.size() > shape.parts)
   {
-    std::cout << "more boundaries than parts: holes stay open, a tube is to be cut\n";
+    std::cout << "more openings than parts: holes stay open, a tube needs a seam\n";
   }
 }
 }
@@ -236,8 +237,7 @@ int runCheck(const Options& options)
   {
     stated = "mm"; // in which the surface is once it is scaled
   }
-  const LikelyUnit likely = likelyUnit(contents.surface);
-  const std::string unit = stated.empty() ? likely.unit : stated;
+  const std::string unit = stated.empty() ? likelyUnit(contents.surface).unit : stated;
   MendedSurface mend = mendedSurface(options, contents, unit);
   TriangleList list = listTriangles(mend.surface);
   if (list.triangles.empty())
@@ -263,6 +263,9 @@ int runCheck(const Options& options)
   const Point3 sides = boxOf(list).sizes();
   const Shape shape = shapeOf(list, boundaryLoops(list));
   const bool flattens = canLieFlat(shape);
+  const Point3 millimetres = sides * millimetresOf(unit);
+  const auto likely = likelyKind(
+    { millimetres.x(), millimetres.y(), millimetres.z() }, shape.closedParts == shape.parts);
   if (!options.quiet)
   {
     std::cout << plainText(options.surface) << ": " << list.triangles.size() << " triangles, "
@@ -271,11 +274,7 @@ int runCheck(const Options& options)
     sayUnit(options, stated, likelyUnit(mend.surface));
     saySurface(list, shape, unit);
     saySymmetry(mend.surface, list);
-    const Point3 millimetres = sides * millimetresOf(unit);
-    const auto [what, kind] = likelyKind(
-      { millimetres.x(), millimetres.y(), millimetres.z() }, shape.closedParts == shape.parts);
-    std::cout << "likely: " << what << ", by its size; wirewarp make " << plainText(options.surface)
-              << " --for " << kind << '\n';
+    std::cout << "likely: " << likely.first << ", by its size\n";
   }
   for (const std::string& note : mend.notes)
   {
@@ -293,9 +292,11 @@ int runCheck(const Options& options)
     files.publish();
     std::cout << (options.quiet ? "" : "written: " + plainText(options.surfaceFile) + '\n');
   }
-  else if (flattens && !options.quiet)
+  if (shape.crowded.empty() && !options.quiet)
   {
-    std::cout << "next: wirewarp flatten " << plainText(options.surface) << ", or wirewarp cut\n";
+    std::cout << "next: wirewarp make "
+              << plainText(options.surfaceFile.empty() ? options.surface : options.surfaceFile)
+              << (stated.empty() ? " --unit " + unit : "") << " --for " << likely.second << '\n';
   }
   return flattens ? Done : Flawed;
 }

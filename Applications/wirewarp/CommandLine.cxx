@@ -17,10 +17,9 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
-#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -36,23 +35,16 @@ namespace
 {
 constexpr const char* expertGroup = "Options for experts";
 
-/// Converts a length that may have a unit to millimetres; without a length to 0.
-std::string lengthInMillimetres(std::string& text)
+/// Of --weld, which may be without a length.
+CLI::Validator weldLength()
 {
-  const std::size_t end = text.find_first_not_of("+-.0123456789eE");
-  const std::string_view unit =
-    end == std::string::npos ? std::string_view("mm") : std::string_view(text).substr(end);
-  double value = 0.0;
-  const bool given = text != "true";
-  if (given &&
-    (!parseNumber(text.substr(0, end), value) || !(value >= 0.0) || unitNamed(unit).empty()))
-  {
-    return inQuotes(text) + " is not a length in mm; write a number from 0, as 0.05 or 0.05mm";
-  }
-  std::ostringstream millimetres;
-  millimetres << std::setprecision(17) << value * millimetresOf(unitNamed(unit));
-  text = millimetres.str();
-  return "";
+  const CLI::Validator lengths = length([](double value) { return value >= 0.0; }, "[0, inf)");
+  return CLI::Validator(
+    [lengths](std::string& text) {
+      text = text == "true" ? "0" : text;
+      return lengths(text);
+    },
+    "");
 }
 
 /// The arguments, with a length behind --weld as its value: a file behind it is none.
@@ -63,7 +55,7 @@ std::vector<std::string> argumentsOf(int argc, char** argv)
   {
     std::string next(argv[k]);
     const bool joins = !arguments.empty() && arguments.back() == "--weld" && next != "true" &&
-      lengthInMillimetres(next).empty();
+      weldLength()(next).empty();
     if (joins)
     {
       arguments.back() += '=' + next;
@@ -96,12 +88,12 @@ void addMending(CLI::App& app, Options& options)
       "Join points of the boundary that lie on each other, as texture seams leave them, within a "
       "millionth of the size; with a length (--weld 0.05, --weld 0.05mm) those up to that "
       "distance apart")
-    ->transform(CLI::Validator(lengthInMillimetres, ""))
+    ->transform(weldLength())
     ->group(group);
   app
     .add_option("--fill-holes", options.fillHoles,
       "Close openings of up to MM across, where triangles are missing")
-    ->check(number(std::numeric_limits<double>::min(), 1e9, "(0, 1e9]"))
+    ->transform(length([](double value) { return value > 0.0 && value <= 1e9; }, "(0, 1e9]"))
     ->type_name("MM")
     ->group(group);
   app
@@ -119,9 +111,8 @@ void addScaling(CLI::App& app, Options& options)
     .add_option("--height", options.height,
       "Scale SURFACE to this height, such as 300mm, 1.7m or 12in. The height is along --up, else "
       "along y or z, the larger one; where no unit is stated the result is in mm")
-    ->transform(CLI::Validator(lengthInMillimetres, ""))
-    ->check(number(std::numeric_limits<double>::min(), 1e9, "(0, 1e9]"))
-    ->type_name("LENGTH")
+    ->transform(length([](double value) { return value > 0.0 && value <= 1e9; }, "(0, 1e9]"))
+    ->type_name("MM")
     ->excludes("--scale");
 }
 
@@ -188,7 +179,7 @@ void addFlattening(CLI::App& app, Options& options)
       "SURFACE "
       "is its outer face 1 - K of its thickness, K being the K factor (0.33 to 0.5); below 0 where "
       "SURFACE is the inner one")
-    ->check(number(-1e6, 1e6, "[-1e6, 1e6]"))
+    ->transform(length([](double value) { return std::abs(value) <= 1e6; }, "[-1e6, 1e6]"))
     ->type_name("MM");
   addMending(app, options);
   addMethods(app, options);

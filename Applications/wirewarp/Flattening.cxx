@@ -75,7 +75,7 @@ void checkBound(const Options& options, Flattening& result)
   message << std::setprecision(4);
   if (kept)
   {
-    message << "a piece is " << width << " wide, more than the " << mostWidth
+    message << "a piece is " << width << ' ' << result.unit << " wide, more than the " << mostWidth
             << " allowed (--max-width, --max-cuts)";
   }
   else if (std::isnan(strain))
@@ -85,9 +85,10 @@ void checkBound(const Options& options, Flattening& result)
   }
   else
   {
-    message << "the proposed cuts leave a strain of " << strain
-            << ", more than half above the bound of " << bound
-            << " (--max-strain, --max-cuts, --effort)";
+    const bool darts = options.values.text("SuggestedCuts") == "darts";
+    message << "a strain of " << 100.0 * strain << " % is left, more than half above the bound of "
+            << 100.0 * bound << " %; take a longer --effort, " << (darts ? "--kind all, " : "")
+            << "more --max-cuts, or a larger --max-strain";
   }
   result.exitCode = Flawed;
   result.status = "BoundMissed";
@@ -667,7 +668,8 @@ Flattening flattenOne(const Options& options, const std::string& base)
     }
     const RunInput input = readInput(options, base, result);
     result.secondsRead = secondsSince(start);
-    SurfaceRun run(options, input, result);
+    const Options inUnit = withLengthsIn(result.unit, options);
+    SurfaceRun run(inUnit, input, result);
     checkPattern(options, input.surface, curvesOf(input), run.settings(), result);
     if (result.refused())
     {
@@ -683,7 +685,7 @@ Flattening flattenOne(const Options& options, const std::string& base)
     {
       result.message += ", or another --template: front-back, strips, foam-shell";
     }
-    checkBound(options, result);
+    checkBound(inUnit, result);
     const int curves = run.run().status.refused() ? run.run().source.blamed - 1 : -1;
     const bool ofFile = curves >= 0 && curves < static_cast<int>(input.files.size());
     const std::string& file =

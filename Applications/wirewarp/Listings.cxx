@@ -57,7 +57,8 @@ Units
   cm, by --unit, or by what SURFACE or CURVES state (the field data LengthUnit of .vtp and .vtk, a
   comment of OBJ such as "# units: mm"). Without one of these mm, cm or m is taken, in which SURFACE
   is nearest to what people wear and sit on, and a note says so. Files that are written keep a unit
-  that is stated. Lengths of patterns are in mm.
+  that is stated. A length of an option may have its unit: 12mm, 1.2cm, 0.5in, 1.5m. Without one it
+  is in mm where the help has MM, in the unit of SURFACE where it has LENGTH.
 
 Exit codes
   0 done; 2 bad usage; 3 input rejected, no result, or files or the table cannot be written;

@@ -135,7 +135,7 @@ std::string surfaceLine(const Options& options, const Flattening& result)
     (result.unitStated ? "" : " (a likely unit; state it with --unit)") + '\n';
 }
 
-std::string cutsLine(const Flattening& result)
+std::string cutsLine(const Options& options, const Flattening& result)
 {
   const Table cuts = suggestedCuts(result);
   std::map<std::string, std::size_t> count;
@@ -152,7 +152,9 @@ std::string cutsLine(const Flattening& result)
   }
   const bool mirrored =
     !mirrorNumbers(result, "MirrorPlane").empty() || !mirrorNumbers(result, "MirrorAxis").empty();
-  return text.empty() ? "cuts: none are needed\n"
+  const bool enough = rowsOf(result.search) == 0 ||
+    numberIn(result.search, 0, "StrainAfter") <= options.values.number("Bound");
+  return text.empty() ? (enough ? "cuts: none are needed\n" : "cuts: none that help are found\n")
                       : "cuts: " + text + rounded(length) + ' ' + result.unit + " long in all" +
       (mirrored ? ", mirrored\n" : "\n");
 }
@@ -238,7 +240,8 @@ void addMaking(CLI::App& app, Options& options)
     .add_option("--template", options.seams,
       "Seams: front-back, gores, strips (by --max-width), foam-shell. Front-back: where the plane "
       "between both cuts the surface, and darts where they are needed; gores: of a round surface, "
-      "as many as --pieces or the fewest within the bound; strips: none wider than --max-width; "
+      "as many as --pieces or the fewest within the bound; strips: none wider than --max-width "
+      "with its allowances; "
       "foam-shell: seams alone, drawn for the middle of eva-foam 5 mm thick inside the surface "
       "(--neutral-layer)")
     ->transform(CLI::IsMember({ "front-back", "gores", "strips", "foam-shell" }, CLI::ignore_case)
@@ -251,9 +254,8 @@ void checkTemplate(const Options& options)
 {
   if (options.seams == "strips" && options.values.number("MaximumWidth") <= 0.0)
   {
-    throw CLI::ValidationError("--template",
-      "strips needs --max-width, the width of the roll in the unit of the surface, such as "
-      "--max-width 1.5");
+    throw CLI::ValidationError(
+      "--template", "strips needs --max-width, the width of the roll, such as --max-width 1.5m");
   }
 }
 
@@ -290,7 +292,7 @@ std::string summaryOfMaking(const Options& options, const FilesOfFlattening& wri
   {
     return filesLine(options, written);
   }
-  return surfaceLine(options, result) + cutsLine(result) + piecesLine(result) +
+  return surfaceLine(options, result) + cutsLine(options, result) + piecesLine(result) +
     fitLine(options, result) + filesLine(options, written);
 }
 }

@@ -7,6 +7,7 @@
 #include "Picture.h"
 #include "Sizes.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,9 @@ struct Options
 
   /// The options of the table, with the defaults of the algorithms.
   flattening::OptionValues values{ flattening::OptionOwner::Suggestion };
+
+  /// Of properties in the unit of the surface; empty: that one.
+  std::map<std::string, std::string> unitsOfLengths;
 
   std::string weld;       ///< millimetres, "0": points that lie on each other; empty: not given
   double fillHoles = 0.0; ///< mm; 0: none

@@ -12,6 +12,7 @@
 #include "Outlines/DrawingSource.h"
 #include "OutputFiles.h"
 #include "PlainText.h"
+#include "Progress.h"
 #include "Report/FlatteningRun.h"
 #include "Suggestion/CurveSuggestions.h"
 #include "TableOptions.h"
@@ -25,9 +26,9 @@
 #include <filesystem>
 #include <functional>
 #include <iostream>
-#include <limits>
 #include <map>
 #include <new>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -212,7 +213,8 @@ std::vector<std::string> addPatterns(const Options& options, Flattening& result,
   std::map<std::string, NoteKind> notes;       // with their kinds
   std::map<std::string, std::string> failures; // files by what is wrong with them
   pattern::FileOptions drawn = optionsOf(request, options.surface, result.unit);
-  pattern::FairCache fair;
+  auto progress = std::make_optional<Progress>(options.quiet);
+  pattern::FairCache fair(progress->execution(options.threads));
   const double fabricWidth = drawn.fabric.width;
   drawn.fair = &fair;
   drawn.grading = result.grading.get();
@@ -259,6 +261,7 @@ std::vector<std::string> addPatterns(const Options& options, Flattening& result,
       result.layEfficiency = drawing.fabric->efficiency;
     }
   }
+  progress.reset();
   for (const auto& [problem, failed] : failures)
   {
     result.unwritten.push_back(failed);
@@ -370,7 +373,7 @@ void addNesting(CLI::App& app, PatternRequest& request)
       "--roll-width",
       [&values = request.values](double width) { values.set("FabricWidth", width); },
       "Width of the cloth, with the grain along it")
-    ->check(number(std::numeric_limits<double>::min(), 1e5, "(0, 1e5]"))
+    ->transform(length([](double width) { return width > 0.0 && width <= 1e5; }, "(0, 1e5]"))
     ->type_name("MM")
     ->required();
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TableOptions.h"
 
+#include "InputError.h"
 #include "Options.h"
 #include "PlainText.h"
 #include "TextFile.h"
+#include "Units.h"
 
 #include <CLI/CLI.hpp>
 
@@ -15,6 +17,8 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <variant>
 
 namespace wirewarp
@@ -22,6 +26,47 @@ namespace wirewarp
 namespace
 {
 using flattening::OptionType;
+
+std::string exactly(double value)
+{
+  std::ostringstream text;
+  text << std::setprecision(17) << value;
+  return text.str();
+}
+
+/// Reads a length that may have a unit, and is in mm without.
+bool inMillimetres(std::string_view text, double& millimetres)
+{
+  Length length;
+  const bool read = parseLength(text, length);
+  millimetres = length.value * (length.unit.empty() ? 1.0 : millimetresOf(length.unit));
+  return read;
+}
+
+/// Splits at the last sign, since names may hold one. \return whether there are a name and a value
+bool splitNameAndValue(const std::string& text, std::string& name, std::string_view& value)
+{
+  const std::size_t sign = text.rfind('=');
+  if (sign == std::string::npos || sign == 0)
+  {
+    return false;
+  }
+  name = text.substr(0, sign);
+  value = std::string_view(text).substr(sign + 1);
+  return true;
+}
+
+bool splitNameAndNumber(const std::string& text, std::string& name, double& number)
+{
+  std::string_view value;
+  return splitNameAndValue(text, name, value) && parseNumber(value, number);
+}
+
+bool splitNameAndLength(const std::string& text, std::string& name, double& millimetres)
+{
+  std::string_view value;
+  return splitNameAndValue(text, name, value) && inMillimetres(value, millimetres);
+}
 
 /// What sets an option to a value that was given.
 auto keeperOf(flattening::OptionValues& values, const flattening::Option& option)
@@ -99,8 +144,8 @@ private:
           {
             std::string curve;
             double value = 0.0;
-            const bool named = splitNameAndNumber(entry, curve, value);
-            if ((!named && !parseNumber(entry, value)) || !isValid(option, value))
+            const bool named = splitNameAndLength(entry, curve, value);
+            if ((!named && !inMillimetres(entry, value)) || !isValid(option, value))
             {
               throw CLI::ValidationError(name,
                 inQuotes(entry) + " is neither a length in mm in " + rangeOf(option) +
@@ -147,6 +192,11 @@ private:
     if (option.form == "STRAIN")
     {
       added->transform(percentage(option.minimum, option.maximum, rangeOf(option)));
+    }
+    else if (option.form == "MM")
+    {
+      added->transform(
+        length([&option](double value) { return isValid(option, value); }, rangeOf(option)));
     }
     else
     {
@@ -256,8 +306,11 @@ std::pair<std::string, double> namedNumber(
   std::pair<std::string, double> named;
   const bool fraction = option.form == "NAME=FRACTION";
   const std::string range = rangeOf(option);
-  if (!splitNameAndNumber(entry, named.first, named.second) || !std::isfinite(named.second) ||
-    named.second < 0.0 || (fraction && named.second >= 1.0) || !isValid(option, named.second))
+  const bool split = option.form == "NAME=MM"
+    ? splitNameAndLength(entry, named.first, named.second)
+    : splitNameAndNumber(entry, named.first, named.second);
+  if (!split || !std::isfinite(named.second) || named.second < 0.0 ||
+    (fraction && named.second >= 1.0) || !isValid(option, named.second))
   {
     throw CLI::ValidationError(spelled(option, flattening::OptionSpelling::Command),
       inQuotes(entry) + " is not " + option.form +
@@ -298,6 +351,21 @@ EaseRequest easeRequest(const std::string& entry)
   return ease;
 }
 
+CLI::Validator length(std::function<bool(double)> isValid, const std::string& range)
+{
+  return CLI::Validator(
+    [isValid = std::move(isValid), range](std::string& text) {
+      double value = 0.0;
+      if (!inMillimetres(text, value) || !isValid(value))
+      {
+        return inQuotes(text) + " is not a length in " + range + " mm, such as 12, 12mm or 0.5in";
+      }
+      text = exactly(value);
+      return std::string();
+    },
+    "");
+}
+
 CLI::Validator number(double least, double most, const std::string& range)
 {
   return CLI::Validator(
@@ -324,9 +392,7 @@ CLI::Validator percentage(double least, double most, const std::string& range)
       {
         return inQuotes(text) + " is not a number in " + range + " or as much in %";
       }
-      std::ostringstream fraction;
-      fraction << std::setprecision(17) << value;
-      text = fraction.str();
+      text = exactly(value);
       return std::string();
     },
     "");
@@ -341,17 +407,6 @@ CLI::Validator wholeNumber(long long least, long long most, const std::string& r
       return valid ? std::string() : inQuotes(text) + " is not a whole number " + range;
     },
     range);
-}
-
-bool splitNameAndNumber(const std::string& text, std::string& name, double& value)
-{
-  const std::size_t sign = text.rfind('=');
-  if (sign == std::string::npos || sign == 0)
-  {
-    return false;
-  }
-  name = text.substr(0, sign);
-  return parseNumber(text.substr(sign + 1), value);
 }
 
 void addMethods(CLI::App& app, Options& options)
@@ -428,6 +483,30 @@ flattening::OptionStructures structuresOf(const Options& options)
   return structures;
 }
 
+Options withLengthsIn(const std::string& unit, Options options)
+{
+  for (const auto& [property, own] : options.unitsOfLengths)
+  {
+    const double factor = own.empty() ? 1.0 : millimetresOf(own) / millimetresOf(unit);
+    options.values.set(property, factor * options.values.number(property));
+  }
+  options.unitsOfLengths.clear();
+  if (options.seams == "strips") // what is cut from a roll has its allowances on it
+  {
+    constexpr double usual = 10.0; // mm, where none is given
+    const double given = options.pattern.values.number("Allowance");
+    const double allowance = (given < 0.0 ? usual : given) / millimetresOf(unit);
+    const double width = options.values.number("MaximumWidth") - 2.0 * allowance;
+    if (!(width > 0.0))
+    {
+      throw InputError("--max-width is not more than both allowances of a strip; fix: a smaller "
+                       "--allowance, or check --unit");
+    }
+    options.values.set("MaximumWidth", width);
+  }
+  return options;
+}
+
 std::map<std::string, double> tolerancesOf(const Options& options)
 {
   const flattening::Option& option =
@@ -449,6 +528,33 @@ std::array<std::int64_t, 2> pinsOf(const Options& options)
 
 namespace
 {
+/// Adds a length of the table that is in the unit of the surface, where it has none of its own.
+void addSurfaceLength(CLI::App& app, const char* property, Options& options)
+{
+  const flattening::Option& option = *options.values.find(property);
+  app
+    .add_option_function<std::string>(
+      spelled(option, flattening::OptionSpelling::Command),
+      [&options, property](const std::string& text) {
+        Length length;
+        parseLength(text, length); // the check has read it
+        options.values.set(property, length.value);
+        options.values.markGiven(property);
+        options.unitsOfLengths[property] = length.unit;
+      },
+      option.help)
+    ->check(CLI::Validator(
+      [&option](std::string& text) {
+        Length length;
+        return parseLength(text, length) && isValid(option, length.value)
+          ? std::string()
+          : inQuotes(text) + " is not a length from 0, such as 1.5, 1.5m or 150cm";
+      },
+      ""))
+    ->type_name("LENGTH")
+    ->default_str(options.values.text(property));
+}
+
 /// Of the default of MaximumWork, which takes some 45 s of one processor.
 const std::map<std::string, double> shareOfEffort{ { "quick", 0.25 }, { "normal", 1.0 },
   { "long", 4.0 } };
@@ -457,7 +563,9 @@ const std::map<std::string, double> shareOfEffort{ { "quick", 0.25 }, { "normal"
 void addCutting(CLI::App& app, Options& options)
 {
   const double work = options.values.number("MaximumWork");
-  addOptions(app, { "Suggestions" }, options.values);
+  addOptions(app, { "Suggestions", { "MaximumWidth", "MaximumCutLength" } }, options.values);
+  addSurfaceLength(app, "MaximumWidth", options);
+  addSurfaceLength(app, "MaximumCutLength", options);
   app
     .add_option_function<std::string>(
       "--effort",

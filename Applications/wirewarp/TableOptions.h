@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -51,17 +52,22 @@ CLI::Validator number(double least, double most, const std::string& range);
 /// The same for a number that may be given in percent: 0.05 or 5%.
 CLI::Validator percentage(double least, double most, const std::string& range);
 
-/// The same for a whole number. \param range as "from 1".
-CLI::Validator wholeNumber(long long least, long long most, const std::string& range);
+/// Converts a length that may have a unit to millimetres; without one it is in mm.
+/// \param isValid of millimetres \param range what is valid in words
+CLI::Validator length(std::function<bool(double)> isValid, const std::string& range);
 
-/// Splits NAME=NUMBER at the last sign, since names may hold one. \return whether it is so
-bool splitNameAndNumber(const std::string& text, std::string& name, double& value);
+/// The same as number() for a whole one. \param range as "from 1".
+CLI::Validator wholeNumber(long long least, long long most, const std::string& range);
 
 /// Adds the options of how surfaces are flattened.
 void addMethods(CLI::App& app, Options& options);
 
 /// Core's options, without the cloth.
 flattening::OptionStructures structuresOf(const Options& options);
+
+/// The options with lengths of the surface in its unit, and the width of strips within their
+/// allowances.
+Options withLengthsIn(const std::string& unit, Options options);
 
 /// Of values of another class of options those that both have.
 void takeOptions(const flattening::OptionValues& values, flattening::OptionOwner owner,

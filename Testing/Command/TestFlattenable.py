@@ -80,7 +80,7 @@ class Flattenable(command.CommandTest):
         keep = [word for j in range(1, 6) for word in ("--keep", f"row{j}")]
         run = self.run_command("reshape", "hill.obj", "all.txt", "--max-strain", "0.01", *keep, "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertIn("above the bound of 0.01", run.stderr)
+        self.assertIn("above the bound of 1 %", run.stderr)
         self.assertFalse(self.report("out")["flattenable"]["bound_met"])
 
     def test_the_moved_surface_is_sewn_again(self):

@@ -63,7 +63,7 @@ class Make(command.CommandTest):
                 # One short cut is not enough for any of them.
                 run = self.make("cap.obj", "--unit", "cm", "-o", "out", "-o", "cap.dxf", *words, "--max-cuts", "1",
                                 "--max-length", "1", code=4)
-                self.assertIn("above the bound of %s" % bound, run.stderr)
+                self.assertIn(f"above the bound of {100 * bound:g} %", run.stderr)
                 self.assertEqual(self.report("out")["material"], material)
                 self.assertIn(layers, self.layers("cap.dxf"))
 
@@ -168,7 +168,7 @@ class Make(command.CommandTest):
         """A sheet of 6 x 2.4 m that hangs a little, whose upright axis says nothing of its cloth."""
         self.write("tent.obj", command.obj(*command.grid(
             24, 12, lambda i, j: (0.25 * i, 0.2 * j, 0.1 * math.sin(math.pi * i / 24)))))
-        run = self.make("tent.obj", "--unit", "m", "--for", "tent", "--template", "strips", "--max-width", "1.5",
+        run = self.make("tent.obj", "--unit", "m", "--for", "tent", "--template", "strips", "--max-width", "150cm",
                         "-o", "out", "-o", "tent.pdf", "-o", "tent.svg")
         self.assertIn("pieces: 2, the longest", run.stdout)
         with open(self.path("tent.svg"), encoding="utf-8") as file:
@@ -178,6 +178,21 @@ class Make(command.CommandTest):
             self.assertAlmostEqual(x0, x1, delta=1e-6)
             self.assertGreater(abs(y1 - y0), 3000)  # along 6 m
         self.assertIn("tent.pdf", run.stdout)  # hundreds of A4 would be an error
+
+    def test_strips_are_within_the_roll_with_their_allowances(self):
+        """1.2 m of strips and twice 15 mm are more than 1.22 m, and 1.22 m is what is said in any unit."""
+        self.write("tent.obj", command.obj(*command.grid(24, 12, lambda i, j: (0.25 * i, 0.2 * j, 0.0))))
+        widths = (("1.25m", "1.5cm"), ("1.25", "15"), ("1250mm", "0.015m"), ("1.22m", "15mm"), ("122cm", "0"))
+        pieces = []
+        for width, allowance in widths:
+            self.make("tent.obj", "--unit", "m", "--for", "tent", "--template", "strips", "--max-width", width,
+                      "--allowance", allowance, "-o", "out", "-o", "a.svg")
+            pieces.append(len(self.report("out")["pieces"]))
+        self.assertEqual(pieces, [2, 2, 2, 3, 2])
+        run = self.make("tent.obj", "--template", "strips", "--max-width", "15", "--allowance", "1furlong", code=2)
+        self.assertIn("'1furlong' is neither a length", run.stderr)
+        run = self.make("tent.obj", "--unit", "m", "--template", "strips", "--max-width", "2cm", code=3)
+        self.assertIn("both allowances", run.stderr)
 
     def test_an_unknown_kind_is_refused(self):
         run = self.make("cap.obj", "--for", "boat", code=2)

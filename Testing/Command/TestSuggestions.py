@@ -154,7 +154,7 @@ class Suggestions(command.CommandTest):
     def test_what_ended_a_search_is_named(self):
         run = self.run_command(
             "cut", "dome.obj", "--kind", "darts", "--max-strain", "0.001", "--max-work", "0.2", "--output", "out")
-        self.assertIn("above the bound of 0.001, the largest at (", run.stderr)
+        self.assertIn("above the bound of 0.1 %, the largest at (", run.stderr)
         self.assertIn("the limit of work ended the search after ", run.stderr)
 
     def test_lines_cut_nothing_and_tell_what_they_cost(self):
@@ -201,9 +201,9 @@ class Suggestions(command.CommandTest):
             report = self.report("out")
             self.assertEqual((report["status"], report["exit_code"]), ("BoundMissed", 4))
             strain = max(piece["strain_p95"] for piece in report["pieces"])
-            self.assertIn(f"a strain of {strain:.4g}", run.stderr)
+            self.assertIn(f"a strain of {100 * strain:.4g} %", run.stderr)
             self.assertEqual([cut["type"] for cut in report["suggestions"]], ["dart"])
-            self.assertTrue(any("above the bound of 0.001" in text for text in report["warnings"]))
+            self.assertTrue(any("above the bound of 0.1 %" in text for text in report["warnings"]))
             # One that is missed by less, and the default, are warned of.
             for bound in (("--max-strain", str(0.8 * strain)), ()):
                 run = self.run_command("cut", "dome.obj", *options, *bound)

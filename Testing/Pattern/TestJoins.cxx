@@ -114,6 +114,17 @@ TEST(Joins, ACurveThatMeetsTwoPiecesIsTwoJoinsWithMarksOnBothSides)
   }
 }
 
+TEST(Joins, AShortOneHasMarksAtBothEndsAsWell)
+{
+  PatternSource source = stripAndSquares();
+  for (Point2& position : source.positions)
+  {
+    position *= 0.15; // joins of 15 mm
+  }
+  const Pattern pattern = patternOf(source, inMillimetres());
+  EXPECT_EQ(marksOf(pattern.pieces[0]), (std::map<std::string, int>{ { "A", 3 }, { "B", 3 } }));
+}
+
 TEST(Joins, EachHasANotchOfItsOwnThatTellsItsEndsApart)
 {
   PatternOptions options = inMillimetres();

@@ -156,7 +156,7 @@ class Suggestions(unittest.TestCase):
 
     def test_a_bound_that_is_not_met_is_a_warning(self):
         points, triangles = dome()
-        with self.assertWarnsRegex(sf.FlatteningWarning, "above the bound of 0.001"):
+        with self.assertWarnsRegex(sf.FlatteningWarning, r"above the bound of 0.1 %"):
             suggestion = sf.suggest(points, triangles, bound=0.001, max_cuts=1)
         self.assertFalse(suggestion.bound_met)
 

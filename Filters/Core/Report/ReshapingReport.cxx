@@ -85,8 +85,8 @@ std::string describeShortfall(const FlattenableSurface& result, const Flattenabl
 {
   const bool freed = !options.keepBoundary && options.kept.empty();
   const std::string bias = options.outsideBias > 0.0 ? "lower the outside bias, " : "";
-  return "the strain on 95 % of a piece is " + shortNumber(result.strainAfter) +
-    ", above the bound of " + shortNumber(options.bound) + ", after moving the surface by " +
+  return "the strain is " + shortNumber(100.0 * result.strainAfter) + " %, above the bound of " +
+    shortNumber(100.0 * options.bound) + " %, after moving the surface by " +
     shortNumber(result.shift.size > 0.0 ? 100.0 * result.shift.mean / result.shift.size : 0.0) +
     " % of its size in the mean; " + result.hindrance + "; " + bias +
     (freed ? "add darts" : "add darts, or keep fewer curves and not the boundary");

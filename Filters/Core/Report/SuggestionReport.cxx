@@ -167,9 +167,9 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound,
   }
   const Point3& p = suggestions.worstPlace;
   const std::string left = "the proposed cuts leave a strain of " +
-    shortNumber(suggestions.strainAfter) + " on 95 % of a piece, above the bound of " +
-    shortNumber(bound) + ", the largest at (" + shortNumber(p.x()) + ", " + shortNumber(p.y()) +
-    ", " + shortNumber(p.z()) + "); ";
+    shortNumber(100.0 * suggestions.strainAfter) + " %, above the bound of " +
+    shortNumber(100.0 * bound) + " %, the largest at (" + shortNumber(p.x()) + ", " +
+    shortNumber(p.y()) + ", " + shortNumber(p.z()) + "); ";
   switch (suggestions.end)
   {
     case SearchEnd::WorkUsedUp:

@@ -2,6 +2,7 @@
 #include "Units.h"
 
 #include "Base/LengthUnit.h"
+#include "TextFile.h"
 #include "TriangleList.h"
 
 #include <algorithm>
@@ -92,6 +93,15 @@ std::string unitInComment(std::string_view comment)
 double millimetresOf(const std::string& unit)
 {
   return unit == "mm" ? 1.0 : unit == "m" ? 1000.0 : unit == "inch" ? 25.4 : 10.0;
+}
+
+//------------------------------------------------------------------------------
+bool parseLength(std::string_view text, Length& length)
+{
+  const std::size_t end = std::min(text.find_first_not_of("+-.0123456789eE"), text.size());
+  length.unit = unitNamed(text.substr(end));
+  return parseNumber(text.substr(0, end), length.value) &&
+    (end == text.size() || !length.unit.empty());
 }
 
 //------------------------------------------------------------------------------

@@ -19,6 +19,16 @@ std::string unitInComment(std::string_view comment);
 /// Of one of the units that are named above.
 double millimetresOf(const std::string& unit);
 
+/// A length as users write it, such as 12, 12mm or 0.5in.
+struct Length
+{
+  double value = 0.0;
+  std::string unit; ///< empty: none is written
+};
+
+/// \return whether the text is a number, with a unit or without
+bool parseLength(std::string_view text, Length& length);
+
 /// What the field array `LengthUnit` of a data set states; empty: nothing.
 std::string unitOf(const DataSet& data);
 /// States the unit; an empty one is taken away.

@@ -66,7 +66,7 @@ namespace
 {
 constexpr double largestName = 3.0; // mm
 constexpr double largestMark = 5.0;
-constexpr double shortestMarked = 30.0; // of a join with marks at its ends, mm
+constexpr double shortestMarked = 4.5;  // of a join with marks at its ends, in widths of its mark
 constexpr double farthestMarks = 400.0; // of a join with one mark between its ends, mm
 constexpr double mostPairs = 50.0;      // of marks between its ends, enough for 20 m
 constexpr double leastReadable = 1.5;
@@ -211,7 +211,7 @@ public:
       this->placeAt(
         text, join.line, (k + 0.5) / count * length, 0.25 * length / count, true, anything);
     }
-    if (length < shortestMarked)
+    if (length < shortestMarked * textWidth(text.text, text.height))
     {
       return;
     }

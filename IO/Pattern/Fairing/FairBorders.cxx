@@ -46,7 +46,7 @@ std::shared_ptr<const FairBorders> FairCache::of(const DrawingSource& all)
 {
   if (!this->Borders || !haveSameBorders(*this->Last, all))
   {
-    this->Borders = std::make_shared<const FairBorders>(all);
+    this->Borders = std::make_shared<const FairBorders>(all, this->Run);
     this->Last.emplace(all);
   }
   return this->Borders;
@@ -234,7 +234,7 @@ double lengthChange(const PlannedChain& chain, const PlannedStretch& stretch)
 }
 }
 
-FairBorders::FairBorders(const DrawingSource& all)
+FairBorders::FairBorders(const DrawingSource& all, const Execution& execution)
   : Chains(all)
 {
   const std::size_t pieces = all.loops.size();
@@ -242,9 +242,10 @@ FairBorders::FairBorders(const DrawingSource& all)
     std::vector<bool>(pieces, all.options.symmetrize) };
   this->WhyNotMirrored.resize(pieces);
   FairFit fit;
-  for (bool lowered = true; lowered;)
+  double done = 0.0; // each round is taken for half of what is left
+  for (bool lowered = true; lowered; done = 0.5 * (1.0 + done))
   {
-    fit = fitFairBorders(all, this->Chains, limits, fit);
+    fit = fitFairBorders(all, this->Chains, limits, fit, execution.part(done, 0.5 * (1.0 + done)));
     this->Plan = fit.plan;
     this->Spans = fit.spans;
     this->place(all);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/Execution.h"
 #include "Fairing/FairFit.h"
 #include "Fairing/OutlineMirror.h"
 #include "Outlines/DrawingSource.h"
@@ -8,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace flattening::pattern
 {
@@ -15,11 +17,17 @@ namespace flattening::pattern
 class FairCache
 {
 public:
+  /// \param execution hears of the search
+  explicit FairCache(Execution execution = {})
+    : Run(std::move(execution))
+  {
+  }
   /// Those of a source, found anew only where it, or what of its options they depend on, is another
   /// one than last time.
   std::shared_ptr<const FairBorders> of(const DrawingSource& all);
 
 private:
+  Execution Run;
   std::optional<DrawingSource> Last; ///< that they are of
   std::shared_ptr<const FairBorders> Borders;
 };
@@ -58,7 +66,7 @@ class FairBorders
 {
 public:
   /// \param all its options say how far points of the flat pieces may be from what is drawn
-  explicit FairBorders(const DrawingSource& all);
+  explicit FairBorders(const DrawingSource& all, const Execution& execution = {});
 
   const BorderChains& chains() const { return this->Chains; }
   const std::vector<PlannedChain>& plan() const { return this->Plan; }

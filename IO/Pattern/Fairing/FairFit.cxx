@@ -244,11 +244,13 @@ public:
     equalizeMirroredLengths(this->Fit.mirrors, this->Fit.plan);
   }
 
-  FairFit run(const FairFit& before)
+  FairFit run(const FairFit& before, const Execution& execution)
   {
     this->Fit.start = this->Fit.plan;
-    for (std::size_t p = 0; p < this->Fit.solved.size(); ++p)
+    const std::size_t pieces = this->Fit.solved.size();
+    for (std::size_t p = 0; p < pieces; ++p)
     {
+      execution.report(static_cast<double>(p) / static_cast<double>(pieces), "Smoothing outlines");
       if (this->beginsAs(before, p))
       {
         this->takePiece(before, p);
@@ -691,8 +693,8 @@ private:
 }
 
 FairFit fitFairBorders(const DrawingSource& all, const BorderChains& chains,
-  const FairLimits& limits, const FairFit& before)
+  const FairLimits& limits, const FairFit& before, const Execution& execution)
 {
-  return Fitting(all, chains, limits).run(before);
+  return Fitting(all, chains, limits).run(before, execution);
 }
 }

@@ -38,5 +38,5 @@ struct FairFit
 /// \param before what was found with other limits: pieces whose search would begin alike are taken
 /// from it
 FairFit fitFairBorders(const DrawingSource& all, const BorderChains& chains,
-  const FairLimits& limits, const FairFit& before);
+  const FairLimits& limits, const FairFit& before, const Execution& execution);
 }

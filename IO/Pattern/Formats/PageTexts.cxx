@@ -38,11 +38,22 @@ public:
     const double height = piece.extent.y();
     for (const Tile& tile : plan.pages)
     {
+      // Without the strips that it shares with others, on which they are glued to each other.
+      const auto strip = [&](int down, int across) {
+        bool shared = false;
+        for (int k = -1; k <= 1; ++k)
+        {
+          const Tile other{ tile.row + (down == 0 ? k : down),
+            tile.column + (across == 0 ? k : across) };
+          shared = shared || hasPage(plan, other);
+        }
+        return clearance + (shared ? plan.overlap : 0.0);
+      };
       const Point2 low = Point2(tile.column * plan.step.x(), tile.row * plan.step.y()) - corner;
+      const Point2 high = low + plan.printable - Point2(strip(0, 1), strip(1, 0));
       Box page; // y points up in a piece
-      page.add({ low.x() + clearance, height - low.y() - clearance });
-      page.add({ low.x() + plan.printable.x() - clearance,
-        height - low.y() - plan.printable.y() + clearance });
+      page.add({ low.x() + strip(0, -1), height - low.y() - strip(-1, 0) });
+      page.add({ high.x(), height - high.y() });
       this->Pages.push_back(page);
     }
     for (const PatternLine& line : piece.lines)
@@ -100,16 +111,24 @@ private:
     for (const Box& page : this->nearestPages((box.low + box.high) / 2.0))
     {
       const Point2 room = page.extent() - box.extent();
-      for (int k = 0; room.minCoeff() >= 0.0 && k <= placesAlong * (placesAlong + 2); ++k)
-      {
-        const Point2 share(k % (placesAlong + 1), std::floor(k / (placesAlong + 1.0)));
-        const Point2 by = page.low + room.cwiseProduct(share) / placesAlong - box.low;
+      const auto tryAt = [&](const Point2& low) {
+        const Point2 by = low - box.low;
         const std::pair<int, double> now(this->met(box, by, texts), by.norm());
         if (now < least)
         {
           least = now;
           best = by;
         }
+      };
+      if (room.minCoeff() < 0.0)
+      {
+        continue;
+      }
+      tryAt(box.low.cwiseMax(page.low).cwiseMin(page.low + room));
+      for (int k = 0; k <= placesAlong * (placesAlong + 2); ++k)
+      {
+        const Point2 share(k % (placesAlong + 1), std::floor(k / (placesAlong + 1.0)));
+        tryAt(page.low + room.cwiseProduct(share) / placesAlong);
       }
     }
     for (const std::size_t k : texts)

@@ -136,7 +136,7 @@ void addDetails(Table& table)
     .label("Marks of Joins")
     .off("No letters along the two sides of what is sewn together.")
     .help("Mark both sides of each stretch that is sewn to another with the same letters, in the "
-          "middle and near both ends, and list them in a PDF.");
+          "middle and, where there is room, near both ends, and list them in a PDF.");
   table.add("NotchCorners", [](All& all) { return &all.pattern.notchCorners; })
     .label("Notches at Corners")
     .help("Notch the cut line at corners, where the sew lines, drawn on, meet it.");
