@@ -111,7 +111,7 @@ Shape shapeOf(const TriangleList& list, const std::vector<BoundaryLoop>& loops)
 std::string inShort(double value)
 {
   char text[40];
-  std::snprintf(text, sizeof text, "%.4g", value);
+  std::snprintf(text, sizeof text, "%.4g", value + 0.0); // not -0
   return text;
 }
 

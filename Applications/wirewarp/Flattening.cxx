@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening.h"
 
-#include "CurveWords.h"
 #include "Design/KeyPrices.h"
 #include "Flattening/FlatteningResult.h"
 #include "Input/ClothInput.h"
@@ -9,6 +8,7 @@
 #include "InputError.h"
 #include "NeutralLayer.h"
 #include "Options/OptionStructures.h"
+#include "Paths/PlaneSection.h"
 #include "Patterns.h"
 #include "Progress.h"
 #include "ReadCurves.h"
@@ -25,6 +25,8 @@
 #include "Resewing.h"
 #include "Sizes.h"
 #include "Suggestion/RegionWeights.h"
+#include "Suggestion/SymmetryPlane.h"
+#include "Surface/SurfacePreparation.h"
 #include "SurfaceMending.h"
 #include "TableOptions.h"
 #include "TextFile.h"
@@ -178,26 +180,42 @@ DataSet readSeams(const std::string& path, const SurfaceContents& contents, cons
 }
 
 /// Where the plane between front and back cuts a surface, across the shorter of its sides that are
-/// level: up is of y and z the axis along which it is larger, as patterns have it.
+/// level, or along the normal of its symmetry: up is of y and z the axis along which it is larger,
+/// as patterns have it.
 DataSet sideSeams(const DataSet& surface)
 {
+  const flattening::SurfaceTriangles read = flattening::readTriangles(surface);
+  const flattening::PreparedSurface prepared =
+    flattening::prepareSurface(read.points, read.triangles);
+  if (!prepared.status.ok())
+  {
+    throw InputError(messageOf(prepared.status.message, remediesOf(prepared.status)));
+  }
   const Eigen::AlignedBox3d box = boxOf(listTriangles(surface));
   const Point3 sides = box.sizes();
-  const int level = sides.y() > sides.z() ? 2 : 1;
-  const int ahead = sides.x() >= sides[level] ? level : 0;
-  std::ostringstream plane;
-  plane << "plane "
-        << "xyz"[ahead] << '=' << std::setprecision(17) << box.center()[ahead];
-  std::string fault;
+  const Eigen::Index up = flattening::upAxisOf(sides);
+  const Eigen::Index level = 3 - up;
+  Point3 ahead = Point3::Unit(sides.x() >= sides[level] ? level : 0);
+  const auto symmetry = flattening::findSymmetryPlane(prepared.mesh);
+  const Point3 across =
+    symmetry ? Point3(Point3::Unit(up).cross(symmetry->normal)) : Point3(Point3::Zero());
+  constexpr double leastAhead = 0.9; // else it is the symmetry of front and back, or of both ends
+  ahead = std::abs(across.dot(ahead)) > leastAhead ? across.normalized() : ahead;
   Points3 places;
   CurveList curves;
-  for (const CurveWords::Line& line : CurveWords(surface).lines(plane.str(), false, fault))
+  for (const flattening::PlaneSection& section :
+    flattening::planeSections(prepared.mesh, box.center(), ahead))
   {
-    curves.add(line.points, places, { *curveKindOf("seam"), "side" });
+    Points3 points;
+    for (const flattening::SurfacePoint& point : section.path.points)
+    {
+      points.push_back(point.position);
+    }
+    curves.add(points, places, { *curveKindOf("seam"), "side" });
   }
-  if (!fault.empty())
+  if (places.empty())
   {
-    throw InputError("--template front-back: " + fault);
+    throw InputError("--template front-back: the plane between front and back misses the surface");
   }
   return curves.over(std::make_shared<const Points3>(std::move(places)));
 }

@@ -155,7 +155,7 @@ class Commands(command.CommandTest):
         self.write("box.obj", command.obj(*command.TETRAHEDRON))
         run = self.run_command("check", "box.obj")
         self.assertEqual(run.returncode, 4)
-        self.assertIn("wirewarp cut --kind seams", run.stdout)
+        self.assertIn("closed: it lies flat with seams alone", run.stdout)
         self.run_well("check", "a.obj", "--unit", "cm", "-o", "mended.vtp")
         self.assertEqual(self.flatten("mended.vtp")["unit_stated"], True)
 
