@@ -118,7 +118,7 @@ TEST(FairBorders, SidesThatAreNearlyStraightBecomeStraightAndKeepTheirLengths)
       corners.emplace_back((20.0 * k - 100.0) * along + (off - 100.0) * inward);
     }
   }
-  const Smoothed smoothed(polygon(corners), 0.2);
+  const Smoothed smoothed(polygon(corners), 0.1);
   const FairPieceReport& report = smoothed.borders->reports()[0];
   EXPECT_EQ(report.straightened, 4U);
   EXPECT_EQ(report.segments, 4U);
@@ -381,6 +381,44 @@ TEST(FairBorders, BordersThatHaveCollapsedAreDrawnAsTheyAre)
             }
           }
         }
+      }
+    }
+  }
+}
+
+/// Other processors and compilers round otherwise.
+TEST(FairBorders, RoundingErrorsDoNotChangeTheCurves)
+{
+  const int sides = 4;
+  const int edges = 60; // of a side
+  Points2 corners;
+  for (int k = 0; k < sides * edges; ++k)
+  {
+    // Sides that bulge and wave, each edge of another length.
+    const double share = (k % edges + 0.3 * std::sin(3.0 * k)) / edges;
+    const double angle = 2.0 * pi / sides * (k / edges + (k % edges == 0 ? 0.0 : share));
+    const double radius =
+      250.0 + 60.0 * std::sin(pi * share) + 4.0 * std::sin(7.0 * angle) + 0.3 * std::sin(5.0 * k);
+    corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  const Smoothed smoothed(polygon(corners), 0.1);
+  const auto curve = smoothed.borders->curveOf(smoothed.source.wires[0]);
+  EXPECT_LT(curve.size(), corners.size() / 2);
+  for (const double factor : { 1.0 + 1e-13, 1.0 - 3e-13, 1.0 + 2e-13 })
+  {
+    Points2 others;
+    for (const Point2& corner : corners)
+    {
+      others.emplace_back(factor * corner);
+    }
+    const Smoothed other(polygon(others), 0.1);
+    const auto same = other.borders->curveOf(other.source.wires[0]);
+    ASSERT_EQ(same.size(), curve.size());
+    for (std::size_t k = 0; k < curve.size(); ++k)
+    {
+      for (std::size_t c = 0; c < 4; ++c)
+      {
+        EXPECT_LT((same[k].control[c] - curve[k].control[c]).norm(), 1e-9 * 310.0) << k;
       }
     }
   }

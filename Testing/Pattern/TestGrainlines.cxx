@@ -2,6 +2,7 @@
 #include "Outlines/Grainlines.h"
 
 #include "DrawnPieces.h"
+#include "Outlines/PlaneGeometry.h"
 
 #include <gtest/gtest.h>
 
@@ -99,4 +100,18 @@ TEST(Grainlines, PiecesAreLongerAlongThemAndAcrossAsCompensationSays)
   EXPECT_NEAR(lengthOf(bias), 1.1 * std::hypot(60.0, 100.0), 1e-9);
   options.warpCompensation = 30.0;
   expectRefusal(source, options, { "compensation", "20 %" });
+}
+
+TEST(Grainlines, EndAtABorderThatTheyMeetInACorner)
+{
+  for (int k = 1; k < 1000; ++k)
+  {
+    const Point2 from(0.1 * k, std::sin(k));
+    const Point2 corner(10.0 * std::cos(k), 7.0 + k);
+    const Segments border{ { from + Point2(-200.0, 90.0), corner },
+      { corner, from + Point2(300.0, 70.0) } };
+    const std::vector<double> met = crossings(from, corner - from, border);
+    ASSERT_EQ(met.size(), 1U) << k;
+    EXPECT_NEAR(met[0], 1.0, 1e-12);
+  }
 }

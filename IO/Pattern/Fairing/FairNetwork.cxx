@@ -261,7 +261,7 @@ public:
         const double weight = part.weights[place];
         missing -= weight * speed;
         first += weight * unit * slope.factor.transpose();
-        if (tension > 0.0)
+        if (tension != 0.0)
         {
           Eigen::Matrix<double, 8, 1> across;
           Eigen::Map<Eigen::Matrix<double, 2, 4>>(across.data()) =
@@ -323,7 +323,12 @@ constexpr double exactLength = 1e-13; ///< of an interval, relative
 constexpr double goodLength = 1e-10;
 constexpr double sliding = 0.01; ///< weight of what is missing along a curve, to that across it
 constexpr double cornerWeight = 10.0;
-constexpr double softness = 1e-12; ///< of constraints, which may depend on each other
+constexpr double goodStep = 1e-6; ///< of a step to the minimum, relative
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Of constraints, which may depend on each other. Pivots are not chosen by size: with smaller ones
+/// on the diagonal a step loses its digits.
+constexpr double softness = 1e-8;
+constexpr int refinements = 2; ///< of a step, since its factors have rounding errors
 
 class FairSolver
 {
@@ -537,7 +542,7 @@ private:
   }
 
   /// The step to the minimum of the objective under the constraints, as they are linearized. Where
-  /// these depend on each other it meets them in the mean.
+  /// these depend on each other it meets them in the mean. Not finite where there is no minimum.
   /// \param pull of the objective; zero: the shortest step to the constraints
   Vector stepOf(const Rows& rows, const Entries& bends, const Vector& pull, const Vector& missing)
   {
@@ -563,19 +568,26 @@ private:
       this->System.analyzePattern(system);
     }
     this->System.factorize(system);
-    if (this->System.info() != Eigen::Success)
+    // Of a minimum: as many negative pivots as there are constraints.
+    if (this->System.info() != Eigen::Success ||
+      (this->System.vectorD().array() < 0.0).count() != rows.rows())
     {
       return Vector::Constant(unknowns, std::numeric_limits<double>::quiet_NaN());
     }
     Vector right(size);
-    right << pull, missing;
-    const Vector solution = this->System.solve(right);
-    this->Tensions = solution.tail(static_cast<Eigen::Index>(this->Lengths.size()));
+    right << pull, missing - this->Softness * this->Tensions;
+    Vector solution = this->System.solve(right);
+    for (int k = 0; k < refinements; ++k)
+    {
+      solution += this->System.solve(right - system.selfadjointView<Eigen::Lower>() * solution);
+    }
+    this->Tensions = solution.tail(rows.rows());
     return solution.head(unknowns);
   }
 
   /// Rows of the constraints, the second derivatives of the lengths, and what is missing to them.
-  void constraints(Rows& rows, Entries& bends, Vector& missing) const
+  /// \param leastTension that the second derivatives are taken with
+  void constraints(double leastTension, Rows& rows, Entries& bends, Vector& missing) const
   {
     const auto linear = static_cast<Eigen::Index>(this->Values.size());
     Entries entries = this->Linear;
@@ -583,9 +595,8 @@ private:
     for (std::size_t r = 0; r < this->Lengths.size(); ++r)
     {
       const auto k = static_cast<Eigen::Index>(r);
-      // Lengths that push would make the objective less than convex.
-      missing[linear + k] =
-        this->Lengths[r].add(linear + k, std::max(0.0, this->Tensions[k]), this->X, entries, bends);
+      missing[linear + k] = this->Lengths[r].add(
+        linear + k, std::max(leastTension, this->Tensions[linear + k]), this->X, entries, bends);
     }
     rows.resize(missing.size(), 2 * this->Unknowns);
     rows.setFromTriplets(entries.begin(), entries.end());
@@ -635,16 +646,17 @@ private:
     {
       this->Longest = std::max(this->Longest, length.wanted());
     }
-    this->Tensions = Vector::Zero(static_cast<Eigen::Index>(this->Lengths.size()));
+    this->Tensions =
+      Vector::Zero(static_cast<Eigen::Index>(this->Values.size() + this->Lengths.size()));
     double last = 1.0;
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     int stuck = 0;
     for (int step = 0; step < steps; ++step)
     {
       Rows rows;
       Entries bends;
       Vector missing;
-      this->constraints(rows, bends, missing);
+      this->constraints(-infinity, rows, bends, missing);
       last = this->largestOf(missing);
       stuck = step < steps / 3 || last < 0.5 * least ? 0 : stuck + 1;
       least = std::min(least, last);
@@ -652,7 +664,7 @@ private:
       {
         return last <= goodLength;
       }
-      if (last < exactLength)
+      if (last < exactLength && (step == 0 || step > steps / 3))
       {
         return true;
       }
@@ -660,7 +672,17 @@ private:
       const bool towardsMinimum = step < steps / 3;
       const Vector pull =
         towardsMinimum ? Vector(hessian * (free - this->X)) : Vector(0.0 * this->X);
+      if (!towardsMinimum)
+      {
+        this->Tensions.setZero();
+      }
       Vector change = this->stepOf(rows, bends, pull, missing);
+      if (!change.allFinite()) // lengths that push may make the objective less than convex
+      {
+        bends.clear();
+        this->constraints(0.0, rows, bends, missing);
+        change = this->stepOf(rows, bends, pull, missing);
+      }
       if (!change.allFinite())
       {
         return false;
@@ -672,7 +694,7 @@ private:
         change *= limit / most;
       }
       this->X += change;
-      if (towardsMinimum && most < 1e-9 * this->Longest && last < 1e-11)
+      if (towardsMinimum && most < goodStep * this->Longest && last < goodStep)
       {
         step = steps / 3; // it is there
       }

@@ -76,8 +76,9 @@ struct FairCurves
 
 /// Smooth curves of prescribed lengths near given points: least bending (the integral of the
 /// squared second derivative) and least squared distance, weighed by a length of waves that are
-/// smoothed away, under exact lengths, by Newton's method on the Lagrangian without the curvature
-/// of the constraints. Curves are piecewise cubic and continuously differentiable.
+/// smoothed away, under exact lengths, by Newton's method on the Lagrangian, without the curvature
+/// of lengths that push where it would leave no minimum. Curves are piecewise cubic and
+/// continuously differentiable.
 /// \param wave the longest wave that is smoothed away, in the unit of the points
 FairCurves solveFairNetwork(const FairNetwork& network, double wave);
 }

@@ -22,7 +22,15 @@ constexpr double leastOff = 0.1;    ///< of a curve in what its length is chosen
 constexpr double balancing = 0.4;   ///< power of how far off it is
 constexpr int smoothings = 6;
 constexpr double widerWave = 1.6;
-constexpr double sparing = 0.5; ///< of the tolerance, what may be spent on smoothness alone
+constexpr double sparing = 0.5;  ///< of the tolerance, what may be spent on smoothness alone
+constexpr double grid = 1 << 12; ///< parts of 1 in what one trial gives to the next
+
+/// Rounds what one trial gives to the next, so that rounding errors do not grow from trial to
+/// trial: the curves would be others on another processor.
+double rounded(double share)
+{
+  return std::round(share * grid) / grid;
+}
 }
 
 void emphasize(const std::vector<double>& shares, std::vector<double>& weights)
@@ -36,7 +44,7 @@ void emphasize(const std::vector<double>& shares, std::vector<double>& weights)
     std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(weights.size());
   for (double& weight : weights)
   {
-    weight = std::max(weight / mean, leastWeight);
+    weight = std::max(rounded(weight / mean), leastWeight);
   }
 }
 
@@ -171,9 +179,10 @@ void FairTrial::balance(std::vector<double>& breaks) const
     const double most = this->mostBetween(breaks[k], breaks[k + 1]);
     ends.push_back(ends.back() + (breaks[k + 1] - breaks[k]) * std::pow(most, -balancing));
   }
+  const auto spans = static_cast<double>(breaks.size() - 1);
   for (std::size_t k = 1; k + 1 < breaks.size(); ++k)
   {
-    breaks[k] = ends[k] / ends.back() * breaks.back();
+    breaks[k] = rounded(spans * ends[k] / ends.back()) / spans * breaks.back();
   }
 }
 
@@ -302,9 +311,12 @@ void FairTrial::follow(const std::vector<double>& nearest, FairStretch& one)
 {
   for (std::size_t p = 1; p + 1 < one.arc.size(); ++p)
   {
-    if (!one.isHook(p) && one.arc[p - 1] < nearest[p] && nearest[p] < one.arc[p + 1])
+    const double low = one.arc[p - 1];
+    const double width = one.arc[p + 1] - low;
+    const double at = rounded((nearest[p] - low) / width);
+    if (!one.isHook(p) && 0.0 < at && at < 1.0)
     {
-      one.arc[p] = nearest[p];
+      one.arc[p] = low + at * width;
     }
   }
 }

@@ -33,18 +33,15 @@ std::vector<double> crossings(const Point2& from, const Point2& direction, const
   std::vector<double> found;
   for (const Segment& segment : segments)
   {
-    const Point2 side = segment.to - segment.from;
+    // By the sides of the ends, so that a border is never missed where two segments meet.
     const Point2 start = segment.from - from;
-    const double sine = cross(direction, side);
-    if (sine == 0.0)
+    const Point2 end = segment.to - from;
+    const double left = cross(direction, start);
+    const double right = cross(direction, end);
+    if ((left < 0.0) != (right < 0.0))
     {
-      continue;
-    }
-    const double along = cross(start, side) / sine;
-    const double across = cross(start, direction) / sine;
-    if (across >= 0.0 && across <= 1.0)
-    {
-      found.push_back(along);
+      const Point2 place = start + left / (left - right) * (end - start);
+      found.push_back(place.dot(direction) / direction.squaredNorm());
     }
   }
   std::sort(found.begin(), found.end());
