@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The package has the native build's numbers and says what is wrong with its input:
-// node check_package.mjs PACKAGE PIECES.json, the pieces of TestWithoutVtk.py --write as JSON.
+// node check_package.mjs PACKAGE PIECES.json PATTERNS, the pieces of TestWithoutVtk.py --write as JSON and a folder of
+// their patterns as SVG.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 
 const precision = 1e-9; // of the size of the pieces
-const [, , folder, file] = process.argv;
+const [, , folder, file, patterns] = process.argv;
 const { load } = await import(pathToFileURL(`${folder}/index.js`).href);
 const clipper = createRequire(new URL("page/package.json", import.meta.url))("clipper-lib");
 const engine = await load({ clipper });
 const types = ["accessory", "key", "dart", "seam"];
 const difference = (a, b) => a.reduce((most, value, k) => Math.max(most, Math.abs(value - b[k])), a.length === b.length ? 0 : Infinity);
+const pathNumbers = (svg) => Array.from(svg.matchAll(/ d="([^"]*)"/g), ([, path]) => path.match(/-?[\d.]+/g).map(Number)).flat();
 let worst = 0;
 const pieces = Object.entries(JSON.parse(readFileSync(file, "utf8")));
 for (const [name, piece] of pieces) {
@@ -21,7 +23,7 @@ for (const [name, piece] of pieces) {
     name: piece.names[k],
     points: Float64Array.from(piece.chains.slice(piece.ends[k], piece.ends[k + 1]).flatMap((id) => piece.curve_points[id])),
   }));
-  const surface = engine.makeSurface(piece.points.flat(), piece.triangles.flat());
+  const surface = engine.makeSurface(piece.points.flat(), piece.triangles.flat(), "cm");
   const start = performance.now();
   const flattening = surface.flatten(curves);
   const seconds = (performance.now() - start) / 1000;
@@ -31,9 +33,11 @@ for (const [name, piece] of pieces) {
   const wanted = piece.positions.flat();
   const size = Math.max(...wanted) - Math.min(...wanted);
   const found = Math.max(difference(Array.from(flat), wanted) / size, difference(report.pieces.map((row) => row.E_area), piece.E_area));
-  worst = Math.max(worst, found);
-  console.log(`${name}: ${piece.triangles.length} triangles, ${seconds.toFixed(2)} s, differences up to ${found.toExponential(1)}`);
-  assert.ok(found <= precision, name);
+  const numbers = pathNumbers(new TextDecoder().decode(flattening.pattern("svg", { allowance: 0 }).bytes));
+  const drawn = difference(numbers, pathNumbers(readFileSync(`${patterns}/${name}.svg`, "utf8"))) / Math.max(...numbers);
+  worst = Math.max(worst, found, drawn);
+  console.log(`${name}: ${piece.triangles.length} triangles, ${seconds.toFixed(2)} s, differences up to ${found.toExponential(1)}, of smooth borders ${drawn.toExponential(1)}`);
+  assert.ok(found <= precision && drawn <= precision, name);
   flattening.delete();
   surface.delete();
 }

@@ -15,7 +15,7 @@ async function compile(): Promise<WebAssembly.Module> {
     return await WebAssembly.compileStreaming(fetch(wasmUrl));
   } catch (error) {
     if (error instanceof WebAssembly.CompileError) {
-      throw new Error("This browser is too old for the page: its WebAssembly has no exceptions. Take Chrome 95, Firefox 100, Safari 15.2 or later.");
+      throw new Error("This browser is too old for the page: its WebAssembly has no exceptions. Take Chrome 95, Firefox 105, Safari 16.4 or later.");
     }
     const reply = await fetch(wasmUrl); // a server that does not say the type of the file
     return WebAssembly.compile(await reply.arrayBuffer());

@@ -50,6 +50,17 @@ function rectangleOf(pdf) {
   return [spans[0].length - lineWidth, spans[spans.length - 1].y - spans[0].y + 1 - lineWidth].map((pixels) => pixels / perMillimeter);
 }
 
+/** How many runs of columns with ink the first mask of a PDF has. */
+function lettersOf(pdf) {
+  const file = join(mkdtempSync(join(tmpdir(), "mask-")), "mask");
+  execFileSync("pdfimages", ["-l", "1", pdf, file]);
+  const image = readFileSync(`${file}-000.pbm`);
+  const [head, width, height] = /^P4\s+(\d+)\s+(\d+)\s/.exec(image.toString("latin1", 0, 40));
+  const rows = Array.from({ length: Number(height) }, (_, y) => image.subarray(head.length + (y * width) / 8, head.length + ((y + 1) * width) / 8));
+  const ink = Array.from({ length: Number(width) }, (_, x) => rows.some((row) => (row[x >> 3] >> (7 - (x % 8))) & 1));
+  return ink.filter((isInk, x) => isInk && !ink[x - 1]).length;
+}
+
 const extent = (corners) => [0, 1].map((axis) => Math.max(...corners.map((p) => p[axis])) - Math.min(...corners.map((p) => p[axis])));
 
 await test("PDF", () => withBrowser(async (browser, address) => {
@@ -94,5 +105,13 @@ await test("PDF", () => withBrowser(async (browser, address) => {
       copyFileSync(path, `${pictures}/pattern_a4.pdf`);
     }
   }
+
+  // Letters that no PDF reader's font has.
+  await page.click("#pattern");
+  await page.fill("#pattern-name", "Ж Ω 前");
+  const { path } = await saved(page, () => page.click("#pattern-save"));
+  assert.equal(lettersOf(path), 3);
+  assert.doesNotMatch(execFileSync("pdftotext", [path, "-"], { encoding: "utf8" }), /\?/);
+  copyFileSync(path, `${pictures}/letters.pdf`);
   assert.deepEqual(page.errors, []);
 }));

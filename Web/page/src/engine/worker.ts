@@ -77,8 +77,7 @@ export class EngineSession {
     const { PdfCanvas } = await import("../files/PdfCanvas");
     const canvas = await PdfCanvas.create(String(options.name));
     const { warnings } = checked(this.flattened().pattern(ending, options, canvas));
-    const lacking = Array.from(canvas.lacking, (words) => `The PDF shows ? for letters of "${words}".`);
-    return { bytes: await canvas.bytes(), warnings: [...warnings, ...lacking] };
+    return { bytes: await canvas.bytes(), warnings };
   }
 
   addCurves(curves: StoredCurve[]): EditorState {

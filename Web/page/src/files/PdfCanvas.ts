@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {
-  appendBezierCurve, beginText, clip, closePath, concatTransformationMatrix, endPath, endText, fillAndStroke, lineTo, moveTo, PDFDocument,
+  appendBezierCurve, beginText, clip, closePath, concatTransformationMatrix, drawObject, endPath, endText, fillAndStroke, lineTo, moveTo, PDFDocument,
   popGraphicsState, pushGraphicsState, rectangle, setDashPattern, setFillingRgbColor, setFontAndSize, setLineWidth, setStrokingRgbColor,
-  setTextMatrix, showText, StandardFonts, stroke, type PDFFont, type PDFName, type PDFOperator, type PDFPage,
+  setTextMatrix, showText, StandardFonts, stroke, type PDFContext, type PDFFont, type PDFName, type PDFOperator, type PDFPage,
 } from "pdf-lib";
 import type { PageCanvas } from "surfaceflattening";
 
@@ -14,8 +14,6 @@ export class PdfCanvas implements PageCanvas {
   private fontName!: PDFName;
   private operators: PDFOperator[] = [];
   private readonly letters: Set<number>;
-  /** Words in letters that the font of the PDF lacks. */
-  readonly lacking = new Set<string>();
 
   private constructor(private readonly file: PDFDocument, private readonly font: PDFFont) {
     this.letters = new Set(font.getCharacterSet());
@@ -93,21 +91,44 @@ export class PdfCanvas implements PageCanvas {
   }
 
   text(words: string, x: number, y: number, height: number, anchor: number, angle: number): void {
-    const known = this.inFont(words);
-    const back = anchor * this.font.widthOfTextAtSize(known, height);
+    const isKnown = Array.from(words).every((letter) => this.letters.has(letter.codePointAt(0) ?? 0));
+    const drawn = isKnown ? null : pictureOf(words, height);
+    const back = anchor * (drawn?.width ?? this.font.widthOfTextAtSize(words, height));
     const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
     // y is downward, and letters stand upright in it; the baseline lies below the middle of their height.
-    const below = 0.35 * height;
-    this.operators.push(beginText(), setFontAndSize(this.fontName, height),
-      setTextMatrix(cos, -sin, -sin, -cos, x - back * cos + below * sin, y + back * sin + below * cos),
-      showText(this.font.encodeText(known)), endText());
-  }
-
-  private inFont(words: string): string {
-    const known = Array.from(words, (letter) => (this.letters.has(letter.codePointAt(0) ?? 0) ? letter : "?")).join("");
-    if (known !== words) {
-      this.lacking.add(words);
+    const below = 0.35 * height + (drawn?.descent ?? 0);
+    const [left, bottom] = [x - back * cos + below * sin, y + back * sin + below * cos];
+    if (drawn) {
+      const image = this.page.node.newXObject("Words", this.file.context.register(drawn.stream(this.file.context)));
+      this.operators.push(pushGraphicsState(),
+        concatTransformationMatrix(drawn.width * cos, -drawn.width * sin, -drawn.height * sin, -drawn.height * cos, left, bottom),
+        drawObject(image), popGraphicsState());
+    } else {
+      this.operators.push(beginText(), setFontAndSize(this.fontName, height),
+        setTextMatrix(cos, -sin, -sin, -cos, left, bottom), showText(this.font.encodeText(words)), endText());
     }
-    return known;
   }
+}
+
+/** Words in letters that fonts of PDF readers lack, by a font of the browser, as a mask that is painted in the pen's color. */
+function pictureOf(words: string, size: number) {
+  const pixels = 24; // a millimeter: 610 an inch
+  const font = `${size * pixels}px Helvetica, Arial, sans-serif`;
+  const context = new OffscreenCanvas(1, 1).getContext("2d") as OffscreenCanvasRenderingContext2D;
+  context.font = font;
+  const { canvas } = context;
+  canvas.width = 8 * Math.ceil(context.measureText(words).width / 8);
+  canvas.height = Math.ceil(1.6 * size * pixels);
+  context.font = font; // a new size resets it
+  context.fillText(words, 0, 1.15 * size * pixels);
+  const { width, height, data } = context.getImageData(0, 0, canvas.width, canvas.height);
+  const bits = new Uint8Array(data.length / 32);
+  for (let k = 0; 4 * k < data.length; ++k) {
+    bits[k >> 3] |= data[4 * k + 3] > 127 ? 128 >> k % 8 : 0;
+  }
+  const header = { Type: "XObject", Subtype: "Image", Width: width, Height: height, ImageMask: true, Decode: [1, 0], BitsPerComponent: 1 };
+  return {
+    width: width / pixels, height: height / pixels, descent: height / pixels - 1.15 * size,
+    stream: (file: PDFContext) => file.flateStream(bits, header),
+  };
 }

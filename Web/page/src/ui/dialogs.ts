@@ -38,7 +38,7 @@ const papers: Record<string, string> = { A4: "A4", letter: "Letter", A3: "A3", A
 /** Lets the user choose a format until the dialog is closed. \param save may reject with what is wrong */
 export function askPattern(title: string, save: (choice: PatternChoice) => Promise<string>): void {
   const dialog = byId<HTMLDialogElement>("pattern-dialog");
-  const name = make("input", { value: title });
+  const name = make("input", { id: "pattern-name", value: title });
   const format = make("select", { id: "pattern-format" }, ...Object.entries(formats).map(([key, words]) => option(key, words)));
   const paper = make("select", { id: "pattern-paper" }, ...Object.entries(papers).map(([key, words]) => option(key, words)));
   const allowance = make("input", { id: "pattern-allowance", type: "number", min: "0", max: "100", step: "any", value: "10" });
