@@ -3,68 +3,29 @@
  * @class vtkFeatureCurveSuggestion
  * @brief propose darts and seams, or lines to draw, for a surface, and flatten it with them
  *
- * Looks for straight cuts that let the surface lie flat with little strain. Thousands are ranked by
- * a forecast (Yamabe's equation); the best of each round are flattened with all options set here
- * and moved while that helps, and the best one is kept. The search ends where the largest
- * `StrainP95` of a piece is within Bound, where MaximumCuts or MaximumCutLength are used up, or
- * where no cut is worth its price; cuts that are not needed are taken back. A surface that is
- * closed, a tube or has handles is first cut open. Curves of the input stay; keys are not cut.
- * Cuts of a symmetric surface are mirrored. Results do not depend on the number of threads.
+ * Looks for straight cuts with which each flat piece is strained by at most Bound on 95 % of its
+ * area. Thousands are ranked by a forecast; the best of each round are flattened and moved while
+ * that helps. Cuts that are not needed are taken back, and those of a symmetric surface come in
+ * pairs. Curves of the input stay; keys are not cut. LINES proposes center, grain and style lines
+ * and girths, and no cut.
  *
- * With LINES it proposes what a designer draws first, and no cut: the centre line of a symmetric
- * piece, or a grain line along the others, as straight key curves; girths where the surface is
- * widest or narrowest, and style lines over what lies flat worst, as accessory curves where they
- * raise the energy by no more than 5 %.
- *
- * With a WeightArray each cell counts, in the choice of cuts, gains and strains of this filter, as
- * if its area were multiplied by its weight.
- *
- * Inputs and options: see vtkFeatureCurveAlgorithm and vtkWireWarpingFilter. **Outputs 0 to 4** are
- * those of vtkWireWarpingFilter, for the surface with all curves.
- *
- * **Output 5, the curves**: those of the input in their order, then the proposed ones in the order
- * of choice, ready to be given to vtkWireWarpingFilter:
- *
- * | cell array | type | meaning |
- * |---|---|---|
- * | `CurveType`, `CurveName`, `KeyShape`, `LengthTolerance` | int, string, int, double | as of every curve; names are "dart 1", "seam 2", ... |
- * | `Rank` | int | from 1; -1: a curve of the input |
- * | `Length` | double | unit of length |
- * | `PredictedGain`, `Gain` | double | by how much the cut lowers the mean of u^2 by forecast, and the mean rigid energy in truth, after those of lower rank; a line's is negative, what it costs |
- * | `Opening` | double | by forecast, of a dart's mouth, or of the widest place of a cut that ends inside |
- * | `AreaErrorBefore`, `AreaErrorAfter` | double | mean change of area |
- * | `StrainBefore`, `StrainAfter` | double | the largest `StrainP95` |
- * | `MirrorOf` | int | the rank of the cut that it is the mirror image of, or -1 |
- *
- * Gain, errors and strains are NaN where the surface cannot be flattened without further cuts, or
- * MaximumWork is used up. Point array, where a curve has one: `PlanarShape`. Field data of mirrored
- * cuts: `MirrorPlane` (double; normal and offset), or, where no plane mirrors the surface but its
- * lengths and angles do, `MirrorAxis` (double; the points of the boundary at its ends).
- *
- * **Output 6, the search**: a vtkTable of one row with the columns `BoundMet` (int),
- * `StrainBefore`, `StrainAfter` (double; without and with all cuts), `Width` (double; of the widest
- * piece where MaximumWidth is given, else 0), `Trials` (id; flattenings made) and `Work` (double).
- *
- * A bound that is not met is a warning, which names the strain that is left, its place, and what
- * ended the search. INVALID_OPTION: a preference for a missing curve; a WeightArray that is missing
- * or has a number that is not a weight.
+ * Inputs, options and outputs 0 to 4 are those of vtkWireWarpingFilter, for the surface with all
+ * curves. **Output 5** holds the curves of the input and behind them the proposed ones, with
+ * `Rank`, `Length`, `Gain` and `MirrorOf`; **output 6** is a vtkTable of one row about the search
+ * (Documentation/outputs.md). A bound that is not met is a warning with place and remedy.
  *
  * @code
  * vtkNew<vtkFeatureCurveSuggestion> suggestion;
  * suggestion->SetInputData(surface);
- * suggestion->SetSuggestedCutsToDarts();
  * suggestion->SetBound(0.02);
- * suggestion->Update();
  * vtkNew<vtkWireWarpingFilter> again; // the curves are ordinary ones
  * again->SetInputData(surface);
  * again->AddCurvesConnection(suggestion->GetOutputPort(5));
  * again->Update();
  * @endcode
  *
- * @warning Each trial is a flattening of the whole surface: seconds for a garment piece of a thousand
- * triangles, minutes for large ones. Reports progress. An abort ends the search: the surface is
- * flattened with the best cuts found so far, with a warning; one before the first trial has ended,
- * or during that flattening, ends in CANCELLED.
+ * @warning Each trial flattens the whole surface: seconds for a thousand triangles, minutes for
+ * large ones. An abort ends the search with the best cuts found so far, and a warning.
  *
  * @sa vtkWireWarpingFilter vtkFeatureCurveImprinter
  */

@@ -3,53 +3,29 @@
  * @class vtkMakeFlattenable
  * @brief move a surface as little as it takes to lie flat with little strain, and flatten it
  *
- * For a surface in which no cuts are wanted: it is changed until the strain on 95 % of
- * each flat piece is within Bound. The surface is flattened and sewn together again in turn, the
- * cloth being drawn back to the design by springs that are weakened until the bound holds; then it
- * goes back towards the design while it holds. The aim is that of C. C. L. Wang, "Towards
- * flattenable mesh surfaces", Computer-Aided Design 40(1), 2008, with a bound on the strain, which
- * cloth can bear, in place of angles that sum to 2 pi. The boundary and curves that are named do
- * not move at all, so that their lengths stay and neighbours still fit. The same for any number of
- * threads.
+ * For a surface in which no cuts are wanted. It is flattened and sewn together again in turn, held
+ * to the design by springs that are weakened until the strain on 95 % of each piece is within
+ * Bound; then it goes back toward the design while the bound holds. The aim is that of C. C. L.
+ * Wang, "Towards flattenable mesh surfaces", Computer-Aided Design 40(1), 2008. The boundary and
+ * curves that are named keep their place, so that neighbors still fit.
  *
- * Inputs and options: see vtkFeatureCurveAlgorithm and vtkWireWarpingFilter; **port 2**, optional,
- * a body that is not entered; the surface is
- * flattened by the scheme and all options that are set here. **Outputs 0 to 4** are those of
- * vtkWireWarpingFilter, for the moved surface.
- *
- * **Output 5, the moved surface**: that of vtkFeatureCurveImprinter with other points. Point
- * arrays: `Shift` (double, 3 components, unit of length; from the design to the moved surface),
- * `ShiftDistance` (double; its length), `ShiftOutwards` (double; its part along the normal of the
- * design, below 0 inwards), `Kept` (unsigned char; 1: not to be moved). **Output 6, the curves** on
- * it, as vtkFeatureCurveImprinter gives them: outputs 5 and 6 can be given to vtkWireWarpingFilter.
- *
- * **Outputs 7 and 8, the design before**: outputs 0 and 3 of vtkWireWarpingFilter without this
- * filter.
- *
- * **Output 9, the measures**: a vtkTable of one row. Columns: `BoundMet` (int), `StrainBefore`,
- * `StrainAfter` (the largest `StrainP95` of a piece), `Size` (root of the area of the design),
- * `ShiftMean`, `ShiftP95`, `ShiftMax` (by area; P95 is not exceeded on 95 % of it),
- * `ShiftOutwardsMean` (by area), `ShiftInwardsMax` (0: no point moved inwards; unit of length),
- * `RelativeShiftMean`, `RelativeShiftP95`, `RelativeShiftMax` (over Size) (double).
- *
- * A bound that cannot be met is no refusal: the surface is then the one with the least strain that
- * was found, `BoundMet` is 0, and a warning says so. INVALID_OPTION: a curve to keep that there is
- * not.
+ * Inputs, options and outputs 0 to 4 are those of vtkWireWarpingFilter, for the moved surface; port
+ * 2, optional, is a body that is not entered. **Output 5** is the moved surface with `Shift` and
+ * `ShiftDistance`, **output 6** its curves, **7 and 8** are the flat pieces and their table without
+ * this filter, **9** has the measures in one row (Documentation/outputs.md). A bound that cannot be
+ * met is a warning: the surface is the one with the least strain that was found.
  *
  * @code
  * vtkNew<vtkMakeFlattenable> flattenable;
  * flattenable->SetInputData(surface);
- * flattenable->SetCurvesData(curves);
  * flattenable->SetBound(0.02);
- * flattenable->AddKeptCurve("centre front");
  * flattenable->Update();
- * vtkPolyData* moved = flattenable->GetOutput(5);
  * vtkTable* measures = vtkTable::SafeDownCast(flattenable->GetOutputDataObject(9));
  * std::cout << measures->GetValueByName(0, "ShiftMax").ToDouble() << "\n";
  * @endcode
  *
- * @warning Each step is a flattening of the whole surface and a sewing: seconds for a garment piece
- * of two thousand triangles. Progress is told, and an abort is heard.
+ * @warning Each step is a flattening and a sewing of the whole surface: seconds for two thousand
+ * triangles. Reports progress; can be aborted.
  *
  * @sa vtkWireWarpingFilter vtkSewnShape vtkFeatureCurveSuggestion
  */

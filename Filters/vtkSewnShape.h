@@ -4,53 +4,19 @@
  * @brief sew flat pieces together again and compare the result with the design
  *
  * The proof of a flattening: cloth that is flat at rest in the shape of the pieces is put where the
- * design has it and let go. It stretches and bends as little as it can, and comes to rest at some
- * distance from the surface that was designed: under Pressure, by its weight (Gravity) and on a
- * body, where these are given, without friction.
+ * design has it and let go. Newton's method finds where it comes to rest, a minimum of its energy
+ * next to the design: under Pressure, by its weight (Gravity), and on a body that it does not
+ * enter. It stretches as RigidEnergy or its Material says and bends like a plate of Thickness; the
+ * page on the sewing simulation has the model and its sources.
  *
- * **Port 0**, the flat pieces, and **port 1**, the cut surface in space, point for point and cell
- * for cell like them: outputs 0 and 2 of vtkWireWarpingFilter. The field data `SeamPairs` of port 0
- * says what is sewn together; without it nothing is.
- *
- * **Port 2**, optional, a body that the cloth does not go through: a penalty pushes it out, then a
- * barrier keeps it out (M. Li et al., "Incremental potential contact", ACM Transactions on Graphics
- * 39(4), 2020).
- *
- * The cloth is an isotropic sheet that costs (S - 1)^2 + (s - 1)^2 an area, S >= s the stretches of
- * a triangle, as the flattening counts it (RigidEnergy; AreaBias as there), or has the threads of a
- * Material, warp along y of the flat pieces, whose limits are no stiffness and do not count; and
- * bends like a plate
- * of Thickness (quadratic bending: M. Bergou, M. Wardetzky, D. Harmon, D. Zorin, E. Grinspun, "A
- * quadratic bending model for inextensible surfaces", 2006); across a seam as in a piece. The rest
- * is found by Newton's method from the design on. It is a minimum of the energy next to the design;
- * a sheet that buckles may have others.
- *
- * **Output 0, the sewn surface at rest** over the points and cells of port 1, with its point and
- * cell data but for normals, and **output 1, the design** with the same:
- *
- * | array | on | type | meaning |
- * |---|---|---|---|
- * | `Distance` | points | double | to the closest point of the other surface, unit of length |
- * | `NormalDeviation` | cells | double | angle between the normals on both surfaces, radians |
- * | `PrincipalStrains` | cells | double, 2 components | S - 1 and s - 1 |
- * | `Compressed` | cells | unsigned char | 1 where s is below 0.999: cloth wrinkles there |
- * | `ShapeId` | cells | id | row of output 2 |
- * | `SewnStrainWarp`, `SewnStrainWeft` | cells | double | with a Material: length of a thread at rest over that in the piece, less 1 |
- * | `SewnShearAngle` | cells | double | with a Material: by how many degrees its threads leave the right angle |
- *
- * Field data of output 0: `SeamPairs` (as in port 0) and `SeamStrains` (double, 2 components: how
- * much longer each of the two edges is at rest than in its piece, as a fraction).
- *
- * **Output 2, the shapes**: see GetShapes().
- *
- * Errors: pieces without area (DEGENERATE_TRIANGLE); inputs that do not belong together, with
- * PRODUCT a piece that is sewn to nothing, pressure in an open product, weight of one without a
- * body, an unknown material (INVALID_OPTION). Warning: NOT_CONVERGED.
+ * **Ports 0 and 1** are outputs 0 and 2 of vtkWireWarpingFilter: the flat pieces, whose `SeamPairs`
+ * say what is sewn together, and the cut surface. **Port 2**, optional, is the body. **Output 0**
+ * is the surface at rest, **output 1** the design, both with `Distance`, `NormalDeviation` and
+ * `PrincipalStrains`; **output 2** has one row a shape, GetShapes() (Documentation/outputs.md).
  *
  * @code
  * vtkNew<vtkWireWarpingFilter> flattening;
  * flattening->SetInputData(surface);
- * flattening->SetCurvesData(curves);
  * vtkNew<vtkSewnShape> sewn;
  * sewn->SetInputConnection(flattening->GetOutputPort(0));
  * sewn->SetDesignConnection(flattening->GetOutputPort(2));
@@ -58,10 +24,8 @@
  * std::cout << sewn->GetShapes()->GetValueByName(0, "RelativeDistanceMean").ToDouble() << "\n";
  * @endcode
  *
- * @warning The thinner the cloth, the closer a developable comes to its design: by the square of
- * Thickness, since the rest of the cloth is flat and bending it has to be held by stretching.
- * @warning Only where cloth bends like a cylinder does it bend like that plate; bent in both
- * directions it is stiffer, by the mesh: a flat square sags by 0.56 to 0.75 of what the plate does.
+ * @warning Cloth that bends in both directions is stiffer than its plate, by the mesh: a flat square
+ * sags by 0.56 to 0.75 of what the plate does. A sheet that buckles may have other minima.
  *
  * @sa vtkWireWarpingFilter vtkFlatteningQuality
  */

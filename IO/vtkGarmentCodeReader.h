@@ -4,37 +4,16 @@
  * @brief read a sewing pattern of GarmentCode: panels as flat pieces with seams
  *
  * The JSON of GarmentCode (M. Korosteleva, O. Sorkine-Hornung, ACM Transactions on Graphics 42(6),
- * 2023) holds panels with straight, quadratic, cubic and circular edges, stitches between edges,
- * and where each panel is in space. Outputs are those of vtkWireWarpingFilter, in centimetres, and
- * so vtkPatternWriter draws them:
+ * 2023) holds panels with straight and curved edges, stitches between edges, and where each panel
+ * is in space. Outputs are in centimeters: **0** the panels as flat pieces, **1** their borders as
+ * wires, **2** the panels in space, with the arrays of vtkWireWarpingFilter, so that
+ * vtkPatternWriter draws them.
  *
- * | port | what | arrays |
- * |---|---|---|
- * | 0 | the panels as flat pieces, triangles between points of their borders | cells: `PieceId`; field data: `SeamPairs` (points a, b, c, d and the curve: edge ab to edge cd, a to c) |
- * | 1 | their borders as polylines over the same points | cells: `CurveType` (-1 boundary, 0 accessory, 2 dart, 3 seam), `WireKind` the same, `CurveId`, `CurveName`, `PieceId`, `Boundary` (1), `Connector` (0), `RestLength`, `FlatLength`, `LengthError` (0); field data as below |
- * | 2 | the same triangles where the panels are placed in space | cells: `PieceId` |
- *
- * Curved edges are chords within 0.02 mm of them, as many on both edges of a stitch and of one
- * length each. Edges that are sewn together one after the other under one label are one seam, or a
- * dart where its sides meet in a point, named by the label, or "stitch N" where both have none.
- * Other edges with a label are accessory curves of that name, so that hems have allowances of their
- * own.
- *
- * The field data of port 1 says what the file said, one row for each panel in `PanelNames`,
- * `PanelLabels` and `PanelPlacements` (translation; degrees about x, y and z), for each edge in
- * `PanelEdges`
- * (piece, first and last point, shape: 0 straight, 1 quadratic, 2 cubic, 3 circle),
- * `PanelEdgeParameters` (control points in the frame of the chord; radius, larger arc,
- * counter-clockwise) and `PanelEdgeLabels`, for each stitch in `PanelStitches` (two edges, and 1
- * where it runs from start to start). vtkPatternWriter writes these again: panels, edges and
- * stitches of the new file are equal to those of the old. Parameters of a design are not kept.
- *
- * Panels whose borders run clockwise are kept as they are, with triangles counter-clockwise.
- *
- * **Errors**: no file; no JSON; a panel whose edges are no ring, have no length, or cross; an arc
- * that does not reach its ends; stitches of edges that are not there, or of one edge with two. One
- * vtkErrorMacro names panel and edge, GetStatusName() ("InvalidPattern", "NothingToDraw"),
- * GetErrorMessage() and GetErrorCode() tell it again, and the outputs are empty.
+ * Curved edges become chords within 0.02 mm. Edges under one label that are sewn together are one
+ * seam, or a dart where both sides meet in a point; other edges with a label are accessory curves
+ * of that name. The field data of output 1 (`PanelNames` and others, Documentation/outputs.md)
+ * holds what else the file says: vtkPatternWriter writes it again, but for the parameters of the
+ * design. What is wrong names panel and edge.
  *
  * @code
  * vtkNew<vtkGarmentCodeReader> reader;

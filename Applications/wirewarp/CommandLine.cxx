@@ -175,10 +175,9 @@ void addFlattening(CLI::App& app, Options& options)
   addSeams(app, options);
   app
     .add_option("--neutral-layer", options.neutralLayer,
-      "Flatten the layer this far within SURFACE, which a sheet keeps the lengths of: where "
-      "SURFACE "
-      "is its outer face 1 - K of its thickness, K being the K factor (0.33 to 0.5); below 0 where "
-      "SURFACE is the inner one")
+      "Flatten the layer this far inside SURFACE, the neutral layer, whose lengths a bent sheet "
+      "keeps. Where SURFACE is the outer face of a sheet it is 1 - K times its thickness, K the K "
+      "factor (0.33 to 0.5); below 0 where SURFACE is the inner face")
     ->transform(length([](double value) { return std::abs(value) <= 1e6; }, "[-1e6, 1e6]"))
     ->type_name("MM");
   addMending(app, options);
@@ -325,7 +324,7 @@ const std::vector<Command>& commands()
     { "prices", "Print what the planar shape of each key curve costs", "SURFACE", "DIR",
       "A folder that keeps the result with report.json", nothing, { "--material", "--scheme" } },
     { "batch", "Flatten the surfaces of a list, or run another command on each", nullptr, "DIR",
-      "A folder with one of the surface's name for each (default: <name of LIST>_flat)", addList,
+      "Folder of the results, one folder for each surface (default: <name of LIST>_flat)", addList,
       { "--material", "--grain", "--scheme", "--close-cuts", "--skip-closed", "--seams-from" } },
     { "materials", "Print the materials known by name with the sources of their numbers", nullptr,
       nullptr, nullptr, nothing, {} },

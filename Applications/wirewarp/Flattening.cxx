@@ -89,8 +89,8 @@ void checkBound(const Options& options, Flattening& result)
   {
     const bool darts = options.values.text("SuggestedCuts") == "darts";
     message << "a strain of " << 100.0 * strain << " % is left, more than half above the bound of "
-            << 100.0 * bound << " %; take a longer --effort, " << (darts ? "--kind all, " : "")
-            << "more --max-cuts, or a larger --max-strain";
+            << 100.0 * bound << " %; take " << (darts ? "--kind all, " : "")
+            << "a longer --effort, more --max-cuts, or a larger --max-strain";
   }
   result.exitCode = Flawed;
   result.status = "BoundMissed";

@@ -50,14 +50,14 @@ Results
   curves.vtp (all curves), of reshape flattenable.vtp (the moved surface), of sew sewn.vtp (the cloth
   at rest, point for point like flat.vtp). Earlier files are replaced. pattern, nest, sew and picture
   read such a folder.
-  Pieces are numbered from 1 where they are read of; PieceId and "piece" of report.json count from 0.
+  Texts number pieces from 1; PieceId and "piece" of report.json count from 0.
 
 Units
   Lengths are in the unit of SURFACE, angles in radians, times in seconds; sizes are printed in mm and
   cm, by --unit, or by what SURFACE or CURVES state (the field data LengthUnit of .vtp and .vtk, a
-  comment of OBJ such as "# units: mm"). Without one of these mm, cm or m is taken, in which SURFACE
-  is nearest to what people wear and sit on, and a note says so. Files that are written keep a unit
-  that is stated. A length of an option may have its unit: 12mm, 1.2cm, 0.5in, 1.5m. Without one it
+  comment of OBJ such as "# units: mm"). Without one of these the command takes mm, cm or m, whichever
+  makes SURFACE most nearly as large as clothes and furniture, and says so. Files that are written
+  keep a unit that is stated. A length of an option may have its unit: 12mm, 1.2cm, 0.5in, 1.5m. Without one it
   is in mm where the help has MM, in the unit of SURFACE where it has LENGTH.
 
 Exit codes

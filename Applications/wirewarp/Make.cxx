@@ -218,7 +218,7 @@ void addMaking(CLI::App& app, Options& options)
 {
   std::vector<std::string> names;
   std::string words;
-  std::string text = "What is not given is then:";
+  std::string text = "Options that are not given are then:";
   for (const Kind& kind : kinds())
   {
     names.push_back(kind.name);

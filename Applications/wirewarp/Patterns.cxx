@@ -334,8 +334,8 @@ void addDrawing(CLI::App& app, PatternRequest& request)
         curves.erase(end, curves.end());
         values.set("Folds", curves);
       },
-      "Cut on the fold of the cloth along this curve, or every symmetric piece. A half of a piece "
-      "that is symmetric about the curve, or a piece that is a half and has it on its border; "
+      "Draw pieces to cut on the fold of the cloth, along this curve, or every symmetric one. The "
+      "curve halves a symmetric piece, which is drawn by half, or borders a piece that is a half; "
       "repeat it for the next")
     ->type_name("NAME|symmetric")
     ->allow_extra_args(false);

@@ -26,8 +26,8 @@ std::string otherEnergy(const PieceContext& context, const PieceSolution& flat)
     return {};
   }
   return *flat.report.energyUsed == DistortionEnergyKind::SymmetricDirichlet
-    ? "the symmetric Dirichlet energy was used: the one asked for folds triangles, or presses them "
-      "to nothing"
+    ? "the symmetric Dirichlet energy was used, since the chosen one folds triangles or crushes "
+      "them"
     : "no energy of the isometric scheme keeps triangles from folding; the piece lies where the "
       "global scheme has put it";
 }

@@ -53,8 +53,8 @@ void addCurves(Table& table)
   table.add("SnapTolerance", [](All& all) { return &all.imprint.snap; })
     .range(0.0, 0.5)
     .expert()
-    .help("A point or crossing of a curve nearer to a vertex or an edge than this fraction of the "
-          "mean edge length, or of the longest edge there where that is shorter, moves onto it.");
+    .help("Points and crossings of curves nearer than this to a vertex or an edge move onto it. A "
+          "fraction of the mean edge length, or of the longest edge there where that is shorter.");
 }
 
 void addMethod(Table& table)
@@ -188,10 +188,10 @@ void addPieces(Table& table)
   table.text("Grain", OptionType::List)
     .form("CURVE|DEGREES|free")
     .where({ "Material", {} })
-    .help("How pieces lie on the material: along a curve, or NAME:DEGREES at an angle from it "
-          "(each piece by the first that it has); by an angle from the upright of the piece (its "
-          "first key curve, else its long side) to the warp, counter-clockwise; or free, where the "
-          "material is strained least.");
+    .help(
+      "How pieces lie on the material: along a curve, or at NAME:DEGREES from it (a piece takes "
+      "the first curve that it has); at DEGREES from its first key curve, else its long side, to "
+      "the warp, counter-clockwise; or free, where the material is strained least.");
 }
 
 void addSolver(Table& table)
@@ -403,13 +403,12 @@ void addOthers(Table& table)
     .help("Maximum iterations until the cloth is at rest, per shape.");
   table.add("Pressure", [](All& all) { return &all.sewing.pressure; })
     .range(-1.0, 1.0)
-    .help(
-      "Pressure behind the cloth, times its size over its stiffness; a product must be closed.");
+    .help("Pressure behind the cloth, in its stiffness over its size; a product must be closed.");
   table.add("Gravity", [](All& all) { return &all.sewing.gravity; })
     .range(-1.0, 1.0)
     .form("X Y Z")
-    .help("Weight of the cloth per area and its direction, times its size over its stiffness, such "
-          "as 0 0 -0.0002 where z is up; a product needs a body to lie on.");
+    .help("Weight of the cloth per area and its direction, in its stiffness over its size, such as "
+          "0 0 -0.0002 where z is up; a product needs a body to lie on.");
   table.text("Material")
     .form("NAME|FILE")
     .help(

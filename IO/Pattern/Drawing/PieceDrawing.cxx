@@ -326,7 +326,7 @@ private:
       Point2 border = middle;
       for (const double s : crossings(tip, direction, this->CutLine))
       {
-        if (s > 0.5)
+        if (s > 0.5 && dart.loop == 0) // the mouth of another one is at a cut inside
         {
           border = tip + s * direction;
           break;

@@ -41,9 +41,10 @@ void addDrawing(Table& table)
     .slider(-1.0, 500.0)
     .automatic("by size")
     .form("MM")
-    .help("Distance of notches along seams and darts (by default about a sixth of the largest "
-          "piece). From their start, on the surface; in the middle where they are shorter. 0: none "
-          "but at the mouths of darts.");
+    .help(
+      "Distance of notches along seams and darts (by default about a sixth of the largest "
+      "piece). It is measured on the surface from their start; shorter ones have a notch in the "
+      "middle; 0: only at the mouths of darts.");
   table.text("CurveNotches", OptionType::List)
     .spelled("notch", "curve_notches")
     .range(0.0, largestLength)
@@ -61,13 +62,14 @@ void addDrawing(Table& table)
     .range(0.0, largestLength)
     .slider(0.0, 50.0)
     .form("MM")
-    .help("How far tips of folded darts are drawn back. Their legs with them, which are shorter "
-          "then; at most half of a dart's depth.");
+    .help(
+      "How far folded darts end before their tips. Their legs are shorter then; at most half of "
+      "a dart's depth.");
   table.text("CurveDartTips", OptionType::List)
     .spelled("dart-tip", "curve_dart_tips")
     .range(0.0, largestLength)
     .form("NAME=MM")
-    .help("How far the tip of one dart is drawn back.");
+    .help("How far one dart ends before its tip.");
   table.add("CutOnFold", [](All& all) { return &all.pattern.cutOnFold; })
     .label("Halves to Cut on the Fold")
     .spelled("fold symmetric", "cut_on_fold")
@@ -129,9 +131,9 @@ void addDetails(Table& table)
     .words(
       { { "auto", "Automatic" }, { "x", "X" }, { "y", "Y" }, { "z", "Z" }, { "none", "None" } })
     .expert()
-    .help("The axis of the surface that points up in each piece, with the grain along it. Not of "
-          "pieces with a grain of their own; auto: of y and z that along which it is larger; none: "
-          "no piece is turned.");
+    .help("The axis of the surface that points up in each piece, with the grain along it. Pieces "
+          "with a grain of their own keep that; auto: y or z, along which the surface is larger; "
+          "none: no piece is turned.");
   table.add("JoinMarks", [](All& all) { return &all.pattern.joinMarks; })
     .label("Marks of Joins")
     .off("No letters along the two sides of what is sewn together.")
