@@ -73,6 +73,10 @@ const cutLine = (allowance) => {
 };
 assert.ok(difference(cutLine(0), [100, 60]) < 1e-3, `${cutLine(0)}`);
 assert.ok(difference(cutLine(10), [120, 80]) < 1e-3, `${cutLine(10)}`);
+// On cloth 1.4 m wide it lies upright, with its allowances.
+const { status: laid, bytes: lay } = plane.pattern("svg", { allowance: 10, fabric_width: 1400 });
+assert.equal(laid.name, "Ok", laid.message);
+assert.match(new TextDecoder().decode(lay), /cloth 1400 mm x 80 mm/);
 assert.match((await load()).makeSurface([0, 0, 0, 10, 0, 0, 10, 6, 0], [0, 1, 2], "cm").flatten().pattern("svg", { allowance: 10 }).status.message, /clipper-lib/);
 const calls = {};
 const canvas = new Proxy({}, { get: (_, name) => (...given) => (calls[name] ??= []).push(given) });
@@ -87,6 +91,17 @@ const editor = engine.edit(sheet);
 assert.equal(editor.add("dart", "d", [0, 0, 0, 1, 1, 0.5], "geodesic", false).name, "Ok");
 assert.ok(Math.abs(editor.curves()[0].length - 1.5) < 1e-12);
 assert.deepEqual(editor.curves()[0].kinds, ["geodesic"]);
+// A quarter beside the diagonal a line is shorter by as much at both ends, where the halves are right-angled.
+assert.notEqual(editor.addOffset(0, 2).name, "Ok");
+assert.equal(editor.addOffset(0, 0.25).name, "Ok");
+assert.ok(editor.curves()[1].length < editor.curves()[0].length);
+editor.undo();
+// x and y are alike.
+assert.equal(editor.add("seam", "s", [0.2, 0, 0, 0.9, 0.3, 0.15], "geodesic", false).name, "Ok");
+assert.equal(editor.addImage(1).name, "Ok");
+assert.ok(difference(Array.from(editor.curves()[2].nodes), [0, 0.2, 0, 0.3, 0.9, 0.15]) < 1e-6, `${editor.curves()[2].nodes}`);
+editor.undo();
+editor.undo();
 editor.undo();
 assert.equal(editor.curves().length, 0);
 assert.ok(editor.canRedo());

@@ -21,6 +21,7 @@
 #include "Report/ReportKeys.h"
 #include "Report/SuggestionReport.h"
 #include "Report/SurfaceRun.h"
+#include "Suggestion/SymmetryPlane.h"
 #include "Surface/TriangleMesh.h"
 #include "Units.h"
 
@@ -382,6 +383,25 @@ public:
   {
     return objectOf(this->Curves.describe(static_cast<std::size_t>(curve), traitsOf(type, name)));
   }
+  /// The curve's image in the plane of symmetry of the surface.
+  val addImage(int curve)
+  {
+    const std::optional<SymmetryPlane> plane = findSymmetryPlane(this->Drawn->mesh());
+    if (!plane)
+    {
+      return objectOf(
+        Status{ StatusCode::InvalidOption, "the surface is not its own mirror image" });
+    }
+    this->Curves.beginGroup();
+    this->Curves.setMirror(MirrorPlane{ plane->offset * plane->normal, plane->normal });
+    const Status status = this->Curves.addImage(static_cast<std::size_t>(curve));
+    this->Curves.endGroup();
+    return objectOf(status);
+  }
+  val addOffset(int curve, double distance)
+  {
+    return objectOf(this->Curves.addOffset(static_cast<std::size_t>(curve), distance));
+  }
   val remove(int curve) { return objectOf(this->Curves.remove(static_cast<std::size_t>(curve))); }
   val moveNode(int curve, int node, const val& place)
   {
@@ -596,6 +616,8 @@ EMSCRIPTEN_BINDINGS(surfaceflattening)
     .function("snap", &Safe<&Editor::snap>::call)
     .function("add", &Safe<&Editor::add>::call)
     .function("addStroke", &Safe<&Editor::addStroke>::call)
+    .function("addImage", &Safe<&Editor::addImage>::call)
+    .function("addOffset", &Safe<&Editor::addOffset>::call)
     .function("describe", &Safe<&Editor::describe>::call)
     .function("remove", &Safe<&Editor::remove>::call)
     .function("moveNode", &Safe<&Editor::moveNode>::call)

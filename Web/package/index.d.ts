@@ -134,6 +134,10 @@ export interface Editor extends Owned {
   add(type: CurveType, name: string, nodes: ArrayLike<number>, kinds: SegmentKind | SegmentKind[], closed: boolean): Status;
   /** A smooth curve along a stroke by hand, up to a tolerance in space. */
   addStroke(places: ArrayLike<number>, tolerance: number): Status;
+  /** The curve's image in the surface's plane of symmetry. */
+  addImage(curve: number): Status;
+  /** A curve at a distance from one, on its left where the distance is positive. */
+  addOffset(curve: number, distance: number): Status;
   describe(curve: number, type: CurveType, name: string): Status;
   remove(curve: number): Status;
   moveNode(curve: number, node: number, place: ArrayLike<number>): Status;

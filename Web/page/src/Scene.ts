@@ -3,7 +3,7 @@ import type { DrawnCurve, Report, SuggestedCut, Unit } from "surfaceflattening";
 import type { FlatPieces, OpenedSurface } from "./engine/messages";
 import type { Care } from "./engine/LiveFlattening";
 import { byId } from "./ui/elements";
-import { curveTypes, lengthWords, percent, pieceRows, verdictOf } from "./ui/words";
+import { curveTypes, lengthWords, percent, pieceRows } from "./ui/words";
 import { atPoints, colorsOf, cssColor, rangeOf } from "./view/colors";
 import type { Dot, Line } from "./view/MeshCanvas";
 import { PieceView } from "./view/PieceView";
@@ -159,7 +159,7 @@ export class Scene {
       }
     }
     return rows.length < 2 && !rows[0]?.name ? []
-      : rows.map((row, k) => ({ words: verdictOf(row).name, x: sums[k][0] / sums[k][2], y: sums[k][1] / sums[k][2] }));
+      : rows.map((row, k) => ({ words: row.name || `${row.piece + 1}`, x: sums[k][0] / sums[k][2], y: sums[k][1] / sums[k][2] }));
   }
 
   private mark(): void {

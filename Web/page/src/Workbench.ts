@@ -9,7 +9,7 @@ import { Scene } from "./Scene";
 import { askPattern, askUnit, type PatternChoice } from "./ui/dialogs";
 import { byId } from "./ui/elements";
 import { Sidebar } from "./ui/Sidebar";
-import { pieceRows, verdictOf } from "./ui/words";
+import { pieceRows, plain, verdictOf } from "./ui/words";
 
 /** Surfaces with more triangles are flattened on request only. */
 const mostTriangles = 200_000;
@@ -65,6 +65,8 @@ export class Workbench {
       searchLonger: () => void this.propose(longSearch),
       choose: (curve) => this.choose(curve, -1),
       describe: (curve, type, name) => this.edit(this.editor.call("describe", curve, type, name)),
+      mirror: (curve) => this.edit(this.editor.call("addImage", curve)),
+      offset: (curve, distance) => this.edit(this.editor.call("addOffset", curve, distance)),
       remove: (curve) => this.edit(this.editor.call("removeCurve", curve)),
       accept: (cuts) => this.accept(cuts),
       reject: () => this.showGhosts([], true),
@@ -149,7 +151,7 @@ export class Workbench {
       bar.hidden = byId("cancel").hidden = false;
       bar.removeAttribute("value");
       this.say("Looking for cuts");
-      const found = await this.live.suggest(this.flattenable(), { release_trials: false, max_work: work }, (fraction) => (bar.value = fraction));
+      const found = await this.live.suggest(this.flattenable(), { ...this.sidebar.search(), release_trials: false, max_work: work }, (fraction) => (bar.value = fraction));
       this.take(found, "full");
       this.showGhosts(found.cuts, found.boundMet);
       if (found.cuts.length === 0 && !found.report.refused) {
@@ -212,6 +214,7 @@ export class Workbench {
     this.showSurface();
     this.setSaved(true);
     const triangles = surface.corners.length / 3;
+    this.say(`Flattening ${name}`);
     await this.live.setSurface(name, bytes, this.unit, triangles);
     await this.editor.call("setUnit", this.unit);
     this.enable();
@@ -330,7 +333,7 @@ export class Workbench {
     const worst = ["poor", "fair", "good"].map((level) => verdicts.find((verdict) => verdict.level === level)).find(Boolean);
     const others = verdicts.length > 1 ? ` ${verdicts.length} pieces; worst:` : "";
     const said = `${others} ${worst?.name} ${worst?.words}. ${worst?.details ?? ""}`.trim();
-    const warnings = report.warnings.filter((warning) => !said.includes(warning.replace(/^piece \d+: /, "")));
+    const warnings = report.warnings.map(plain).filter((warning) => !said.includes(warning.replace(/^piece \d+: /, "")));
     this.say([said, ...warnings].join(". "));
   }
 

@@ -151,6 +151,7 @@ try {
     navigator.serviceWorker.register("serviceWorker.js").catch(() => {});
   }
 } catch (error) {
-  byId("verdict").textContent = (error as Error).message;
+  const { message } = error as Error;
+  byId("verdict").textContent = /WebGL/.test(message) ? "This browser shows no 3D graphics (WebGL), which the page needs. Turn hardware acceleration on in its settings." : message;
   byId("verdict").classList.add("problem");
 }

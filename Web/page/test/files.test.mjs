@@ -62,6 +62,28 @@ await test("files", () => withBrowser(async (browser, address) => {
   await answered(page);
   await verdict(page, /fits|lies flat/);
 
+  // Of darts alone, and seams in about three pieces; a line in the mirror and one beside it.
+  await openExample(page, "shirt_front.obj");
+  for (const [cuts, pieces, word] of [["darts", "", "dart"], ["seams", "3", "seam"]]) {
+    await page.getByRole("combobox", { name: "Propose" }).selectOption(cuts);
+    await page.getByRole("spinbutton", { name: "Pieces, about" }).fill(pieces);
+    await page.click("#propose");
+    await page.waitForFunction((type) => document.querySelector("#proposal-panel .card")?.textContent.includes(type), word, { timeout: 60_000 });
+  }
+  await page.click("#proposal-panel .card button");
+  await answered(page);
+  const lines = () => page.evaluate(() => window.workbench.lines());
+  const [first] = await lines();
+  await page.getByRole("textbox", { name: "Name of line 1" }).focus();
+  await page.getByRole("button", { name: "Mirror" }).click();
+  await page.waitForFunction(() => window.workbench.lines().length === 2);
+  const [, image] = await lines();
+  assert.ok(Math.abs(image.length / first.length - 1) < 0.01, `${first.length}, mirrored ${image.length}`);
+  await page.keyboard.press("Control+z");
+  await page.getByRole("button", { name: /^Offset/ }).click();
+  await page.waitForFunction(() => window.workbench.lines().length >= 2);
+  await picture(page, "copies");
+
   // The memory of a large surface is free when another one is opened.
   const megabytes = () => page.evaluate(async () => (await window.workbench.memory()) / 1e6);
   await openText(page, "huge.obj", grid(710));
@@ -75,4 +97,6 @@ await test("files", () => withBrowser(async (browser, address) => {
 
   const old = await openPage(browser, address, { prepare: (tab) => tab.addInitScript(() => delete window.WebAssembly) });
   await verdict(old, /no WebAssembly/);
+  const plain = await openPage(browser, address, { prepare: (tab) => tab.addInitScript(() => (HTMLCanvasElement.prototype.getContext = () => null)) });
+  await verdict(plain, /no 3D graphics/);
 }));

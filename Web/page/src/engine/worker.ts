@@ -126,6 +126,14 @@ export class EngineSession {
     return this.edit((editor) => editor.describe(curve, type, name));
   }
 
+  addImage(curve: number): EditorState {
+    return this.edit((editor) => editor.addImage(curve));
+  }
+
+  addOffset(curve: number, distance: number): EditorState {
+    return this.edit((editor) => editor.addOffset(curve, distance));
+  }
+
   removeCurve(curve: number): EditorState {
     return this.edit((editor) => editor.remove(curve));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import type { CurveType, DrawnCurve, Report, SuggestedCut, Unit } from "surfaceflattening";
+import type { CurveType, DrawnCurve, Report, SuggestedCut, SuggestionOptions, Unit } from "surfaceflattening";
 import { typeColor } from "../Scene";
 import { byId, make, option } from "./elements";
 import { curveRows, curveTypes, lengthWords, percent, pieceRows, segmentKinds, sizeWords, units, verdictOf } from "./words";
@@ -12,6 +12,8 @@ export interface SidebarUse {
   searchLonger(): void;
   choose(curve: number): void;
   describe(curve: number, type: CurveType, name: string): void;
+  mirror(curve: number): void;
+  offset(curve: number, distance: number): void;
   remove(curve: number): void;
   accept(cuts: SuggestedCut[]): void;
   reject(): void;
@@ -28,9 +30,19 @@ export interface SurfaceFacts {
 
 /** The lists at the right: surface, proposed cuts, lines and pieces. */
 export class Sidebar {
+  private readonly cuts = make("select", {}, option("all", "darts and seams"), option("darts", "darts"), option("seams", "seams"), option("gores", "equal strips"));
+  private readonly strain = make("select", {}, option("0.02", "2 %: paper, foam"), option("0.05", "5 %: cloth", true), option("0.1", "10 %: stretch cloth"));
+  private readonly pieces = make("input", { type: "number", min: "1", placeholder: "as few as fit" });
+
   constructor(private readonly use: SidebarUse, private readonly materials: { name: string; about: string }[]) {
     this.showCurves([], -1, "cm");
     this.showPieces(null);
+  }
+
+  /** What the user wants to be proposed. */
+  search(): SuggestionOptions {
+    const pieces = Math.max(0, Math.round(this.pieces.valueAsNumber || 0));
+    return { cuts: this.cuts.value as SuggestionOptions["cuts"], bound: Number(this.strain.value), ...(pieces > 0 ? { pieces } : {}) };
   }
 
   showSurface({ name, triangles, extent, unit, up }: SurfaceFacts, material: string, grain: string): void {
@@ -53,7 +65,8 @@ export class Sidebar {
     byId("surface-panel").replaceChildren(
       make("p", {}, make("b", {}, name), ` ${triangles.toLocaleString("en")} triangles, ${sizeWords(extent, unit)}`),
       make("label", {}, "Unit", unitBox), make("label", {}, "Up", upBox), make("label", {}, "Material", cloth), make("label", {}, "Grain, degrees", grainBox),
-      make("label", {}, "New lines run", kind));
+      make("label", {}, "New lines run", kind), make("label", {}, "Propose", this.cuts), make("label", {}, "Strain up to", this.strain),
+      make("label", {}, "Pieces, about", this.pieces));
   }
 
   showCurves(curves: readonly DrawnCurve[], chosen: number, unit: Unit): void {
@@ -69,7 +82,8 @@ export class Sidebar {
       remove.addEventListener("click", () => this.use.remove(k));
       const card = make("div", { class: k === chosen ? "card chosen" : "card" },
         make("div", { class: "row" }, name, type, remove),
-        make("span", { class: "quiet" }, `${lengthWords(curve.length, unit)}, ${curveTypes[curve.type].about}`));
+        make("span", { class: "quiet" }, `${lengthWords(curve.length, unit)}, ${curveTypes[curve.type].about}`),
+        ...(k === chosen ? [this.copies(k, unit)] : []));
       card.style.borderLeftColor = typeColor(curve.type);
       card.addEventListener("pointerdown", () => this.use.choose(k));
       name.addEventListener("focus", () => this.use.choose(k));
@@ -84,6 +98,16 @@ export class Sidebar {
     }
   }
 
+  /** The line again in the mirror, or at a distance. */
+  private copies(curve: number, unit: Unit): HTMLElement {
+    const mirror = make("button", { title: "Add its image in the surface's plane of symmetry" }, "Mirror");
+    mirror.addEventListener("click", () => this.use.mirror(curve));
+    const distance = make("input", { type: "number", step: "any", value: "1", ariaLabel: `Distance in ${units[unit].words}, negative on the other side` });
+    const beside = make("button", { title: "Add a line at this distance from it" }, `Offset, ${unit}`);
+    beside.addEventListener("click", () => this.use.offset(curve, distance.valueAsNumber || 0));
+    return make("div", { class: "row" }, mirror, distance, beside);
+  }
+
   showProposals(cuts: readonly SuggestedCut[], unit: Unit, boundMet: boolean): void {
     byId("proposal-details").hidden = cuts.length === 0;
     const all = make("button", { class: "main" }, "Accept all");
@@ -94,6 +118,7 @@ export class Sidebar {
     none.addEventListener("click", () => this.use.reject());
     byId("proposal-panel").replaceChildren(
       make("p", {}, boundMet ? "With these cuts the pieces fit." : "These cuts help, but some strain stays."),
+      make("p", { class: "row" }, all, none, ...(boundMet ? [] : [longer])),
       ...cuts.map((cut, k) => {
         const one = make("button", { ariaLabel: `Accept ${cut.name || `cut ${k + 1}`}` }, "Accept");
         one.addEventListener("click", () => this.use.accept([cut]));
@@ -101,8 +126,7 @@ export class Sidebar {
         const gain = `${lengthWords(cut.length, unit)}; ${before}${percent(cut.strain_after)} after it`;
         return make("div", { class: "card fair" }, make("div", { class: "row" },
           make("span", {}, cut.name || `${curveTypes[cut.type].name} ${k + 1}`), one), make("span", { class: "quiet" }, gain));
-      }),
-      make("p", { class: "row" }, all, none, ...(boundMet ? [] : [longer])));
+      }));
   }
 
   showPieces(report: Report | null): void {

@@ -94,6 +94,11 @@ export function curveRows(report: Report): CurveRow[] {
   return (report.curves ?? []) as unknown as CurveRow[];
 }
 
+/** Without the numbers of triangles, which say nothing to a maker. */
+export function plain(message: string): string {
+  return message.replace(/ at triangles \d+(, \d+)*( and \d+ more)?,?/g, "").replace(/ \(in the input: [^)]*\)/g, "");
+}
+
 /** Whether a piece fits, for who cuts and sews it. */
 export function verdictOf(row: PieceRow): Verdict {
   const strain = row.strain_p95;
@@ -105,7 +110,7 @@ export function verdictOf(row: PieceRow): Verdict {
   return {
     name: row.name || `Piece ${row.piece + 1}`,
     level: row.message ? "poor" : level,
-    words,
-    details: [row.message, row.verdict, strain < 0.005 ? "" : row.ease].filter(Boolean).join(". "),
+    words: row.message ? "cannot be used as it is" : words,
+    details: [plain(row.message), row.verdict, strain < 0.005 ? "" : row.ease].filter(Boolean).join(". "),
   };
 }
