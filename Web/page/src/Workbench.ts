@@ -324,15 +324,14 @@ export class Workbench {
   }
 
   private sayVerdict(report: Report): void {
-    const verdicts = pieceRows(report).map(verdictOf);
-    if (report.refused || verdicts.length === 0) {
+    const rows = [...pieceRows(report)].sort((a, b) => Number(b.message !== "") - Number(a.message !== "") || b.strain_p95 - a.strain_p95);
+    if (report.refused || rows.length === 0) {
       const closed = /closed/.test(report.status.message) ? " Propose cuts opens it." : "";
       this.say(`This surface cannot be flattened: ${report.status.message}.${closed}`, true);
       return;
     }
-    const worst = ["poor", "fair", "good"].map((level) => verdicts.find((verdict) => verdict.level === level)).find(Boolean);
-    const others = verdicts.length > 1 ? ` ${verdicts.length} pieces; worst:` : "";
-    const said = `${others} ${worst?.name} ${worst?.words}. ${worst?.details ?? ""}`.trim();
+    const { name, words, details } = verdictOf(rows[0]);
+    const said = `${rows.length > 1 ? `${rows.length} pieces; worst: ` : ""}${name} ${words}. ${details}`;
     const warnings = report.warnings.map(plain).filter((warning) => !said.includes(warning.replace(/^piece \d+: /, "")));
     this.say([said, ...warnings].join(". "));
   }

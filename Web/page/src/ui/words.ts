@@ -94,9 +94,10 @@ export function curveRows(report: Report): CurveRow[] {
   return (report.curves ?? []) as unknown as CurveRow[];
 }
 
-/** Without the numbers of triangles, which say nothing to a maker. */
+/** Without numbers of triangles and names of methods, which say nothing to a maker. */
 export function plain(message: string): string {
-  return message.replace(/ at triangles \d+(, \d+)*( and \d+ more)?,?/g, "").replace(/ \(in the input: [^)]*\)/g, "");
+  return message.replace(/ at triangles \d+(, \d+)*( and \d+ more)?,?| \(in the input: [^)]*\)| from point \d+ to point \d+|; the symmetric Dirichlet energy was used:[^.]*/g, "")
+    .replace(/the isometric scheme did not converge in \d+ iterations/, "no flat shape of it was found");
 }
 
 /** Whether a piece fits, for who cuts and sews it. */
@@ -111,6 +112,6 @@ export function verdictOf(row: PieceRow): Verdict {
     name: row.name || `Piece ${row.piece + 1}`,
     level: row.message ? "poor" : level,
     words: row.message ? "cannot be used as it is" : words,
-    details: [plain(row.message), row.verdict, strain < 0.005 ? "" : row.ease].filter(Boolean).join(". "),
+    details: plain([row.message, row.verdict, strain < 0.005 ? "" : row.ease].filter(Boolean).join(". ")),
   };
 }
