@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/Execution.h"
 #include "Fairing/FairPlan.h"
 #include "Fairing/OutlineMirror.h"
 
