@@ -25,6 +25,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -143,7 +144,7 @@ EditorWindow::EditorWindow()
     this->showSize();
   });
   this->Measures->setToolTip(measureWords);
-  this->Plane->SetBackground(1.0, 1.0, 1.0);
+  this->takePalette();
 
   this->Rest->setSingleShot(true);
   this->Rest->setInterval(restMilliseconds);
@@ -369,7 +370,27 @@ bool EditorWindow::event(QEvent* event)
   {
     this->letGo();
   }
+  if (event->type() == QEvent::PaletteChange)
+  {
+    this->takePalette();
+  }
   return QMainWindow::event(event);
+}
+
+//------------------------------------------------------------------------------
+void EditorWindow::takePalette()
+{
+  // Lines and words on it are black.
+  constexpr double darkest = 0.6;
+  const double light = std::max(darkest, this->palette().color(QPalette::Base).lightnessF());
+  for (vtkRenderer* const renderer : { this->space(), this->plane() })
+  {
+    renderer->SetBackground(light, light, light);
+    if (renderer->GetRenderWindow())
+    {
+      renderer->GetRenderWindow()->Render();
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

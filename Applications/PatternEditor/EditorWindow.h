@@ -97,7 +97,7 @@ public:
   QAction* action(int id) { return this->HandActions[static_cast<std::size_t>(id)]; }
 
 protected:
-  /// A dialog takes the mouse from a drag, which would go on after it.
+  /// A dialog takes the mouse from a drag, which would go on after it; views follow the palette.
   bool event(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   /// Of the thread that flattens: there are pieces to take.
@@ -105,6 +105,7 @@ protected:
 
 private:
   QVTKOpenGLStereoWidget* addView(vtkRenderer* renderer);
+  void takePalette();
   void makeBar();
   void makeHandActions();
   void makeFileMenu();

@@ -243,6 +243,21 @@ TEST_F(PatternEditor, AllThatCanBeDoneIsInTheMenusWithAKeyOfItsOwn)
   EXPECT_GE(keys.size(), Hand::NUMBER_OF_ACTIONS + 10U);
 }
 
+TEST_F(PatternEditor, ViewsAreNotWhiteInADarkTheme)
+{
+  const auto light = [](vtkRenderer* renderer) { return renderer->GetBackground()[0]; };
+  EXPECT_EQ(light(this->window->plane()), 1.0);
+  QPalette dark;
+  dark.setColor(QPalette::Base, QColor(30, 30, 30));
+  this->window->setPalette(dark);
+  QApplication::processEvents();
+  for (vtkRenderer* const renderer : { this->window->space(), this->window->plane() })
+  {
+    EXPECT_LT(light(renderer), 0.7);
+    EXPECT_GT(light(renderer), 0.5); // black lines are on it
+  }
+}
+
 TEST_F(PatternEditor, TheBarHasIconsOfTheStylesSize)
 {
   const auto* const bar = this->window->findChild<QToolBar*>();
