@@ -420,9 +420,15 @@ std::string shortList(const Table& cuts, const Table& leftOut, const std::string
   std::string text;
   for (std::size_t row = 0; row < rowsOf(cuts); ++row)
   {
+    const double before = numberIn(cuts, row, "StrainBefore");
+    const double after = numberIn(cuts, row, "StrainAfter");
     text += plainText(textIn(cuts, row, "Name")) + ": " + known(numberIn(cuts, row, "Length")) +
-      ' ' + unit + " long, strain " + percent(numberIn(cuts, row, "StrainBefore")) + " -> " +
-      percent(numberIn(cuts, row, "StrainAfter")) + '\n';
+      ' ' + unit + " long";
+    if (!std::isnan(after))
+    {
+      text += ", strain " + (std::isnan(before) ? "" : percent(before) + " -> ") + percent(after);
+    }
+    text += '\n';
   }
   for (const bool sound : { true, false })
   {

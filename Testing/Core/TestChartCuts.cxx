@@ -2,6 +2,7 @@
 #include "Suggestion/ChartCuts.h"
 
 #include "Cut/PieceTopology.h"
+#include "Flattening/PieceArrangement.h"
 #include "SuggestionTesting.h"
 #include "TestThreads.h"
 
@@ -128,6 +129,27 @@ TEST(ChartCuts, TakeLessSeamForALooserBound)
     }
     EXPECT_LT(length, before) << bound;
     before = length;
+  }
+}
+
+TEST(ChartCuts, MakePiecesThatHardlyWind)
+{
+  // The convex hulls of pieces that wind take 1.8 to 2.6 times their area.
+  for (const TriangleMesh& mesh : { ball(1.0), bean(), pear(), torus(16, 3.0) })
+  {
+    const FlatteningResult flat = flattenedWith(mesh, chartsOf(mesh, 0.1, std::nullopt));
+    ASSERT_TRUE(flat.status.ok()) << flat.status.message;
+    std::vector<Points2> pieces(flat.pieces.size());
+    for (Index h = 0; h < flat.cut->mesh.halfedgeCount(); ++h)
+    {
+      pieces[flat.cut->pieceOfTriangle[h / 3]].push_back(flat.positions[flat.cut->mesh.from(h)]);
+    }
+    double cloth = 0.0;
+    for (const Points2& piece : pieces)
+    {
+      cloth += hullArea(piece);
+    }
+    EXPECT_LE(cloth, 1.7 * mesh.area());
   }
 }
 

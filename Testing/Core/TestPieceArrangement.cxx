@@ -51,6 +51,19 @@ std::vector<ArrangementPiece> severalPieces()
 }
 }
 
+TEST(PieceArrangement, MeasuresConvexHulls)
+{
+  EXPECT_EQ(hullArea({}), 0.0);
+  EXPECT_EQ(hullArea({ { 1.0, 2.0 }, { 3.0, 4.0 } }), 0.0);
+  // An L of three unit squares, whose hull closes the corner by half of one, wherever it is.
+  const Points2 corners{ { 0.0, 0.0 }, { 2.0, 0.0 }, { 2.0, 1.0 }, { 1.0, 1.0 }, { 1.0, 2.0 },
+    { 0.0, 2.0 } };
+  for (const Point2& move : { Point2(0.0, 0.0), Point2(-512.0, 1024.0) })
+  {
+    EXPECT_EQ(hullArea(moved(corners, 0.0, move)), 3.5);
+  }
+}
+
 TEST(PieceArrangement, MovesPiecesRigidlyAndKeepsThemApart)
 {
   const auto pieces = severalPieces();

@@ -236,6 +236,19 @@ std::vector<Point2> cornersInRows(const std::vector<Point2>& sizes, double spaci
   return corners;
 }
 
+double hullArea(const Points2& points)
+{
+  const Indices hull = convexHull(points);
+  double twice = 0.0;
+  for (std::size_t k = 2; k < hull.size(); ++k)
+  {
+    const Point2 a = points[hull[k - 1]] - points[hull[0]];
+    const Point2 b = points[hull[k]] - points[hull[0]];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return 0.5 * twice;
+}
+
 LeastWidth leastWidth(const Points2& points)
 {
   const Indices hull = convexHull(points);

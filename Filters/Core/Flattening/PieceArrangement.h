@@ -32,6 +32,9 @@ struct LeastWidth
 };
 LeastWidth leastWidth(const Points2& points);
 
+/// Of the convex hull. \pre all are finite
+double hullArea(const Points2& points);
+
 /// Points turned by an angle around the first of them, which comes to the origin: those far from it
 /// keep their digits.
 Points2 turnedAroundFirst(const Points2& points, double cosine, double sine);

@@ -401,7 +401,9 @@ bool Charts::removeFirst(
     for (std::size_t k = first; k < last; ++k)
     {
       order[k]->tried = true;
-      order[k]->keeps = results[k - first].keeps(this->Bound);
+      order[k]->keeps = results[k - first].keeps(this->Bound) &&
+        (this->Options.pieces > 0 ||
+          this->worthIt(order[k]->removal, results[k - first].waste, budget, execution));
     }
     for (std::size_t k = first; k < last; ++k)
     {
@@ -413,6 +415,20 @@ bool Charts::removeFirst(
     }
   }
   return false;
+}
+
+/// Whether what is saved is more than the price of what the pieces waste more.
+bool Charts::worthIt(
+  const Removal& removal, double waste, TrialBudget& budget, const Execution& execution)
+{
+  std::vector<TriangleMesh> before;
+  for (Index chart : removal.charts)
+  {
+    before.push_back(openedPart(this->Mesh, this->All[chart].triangles, this->Cut).mesh);
+  }
+  const double wasted =
+    this->Trials.run({ before }, greatestBound, budget, execution).front().waste;
+  return removal.saved > wastePrice * (waste - wasted) / (pi * this->Size * this->Size);
 }
 
 void Charts::remove(const Removal& removal)

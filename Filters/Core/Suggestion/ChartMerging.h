@@ -97,6 +97,8 @@ private:
     const std::vector<Candidate*>& order, TrialBudget& budget, const Execution& execution);
   void remove(const Removal& removal);
   std::vector<OpenedPart> without(const Removal& removal) const;
+  bool worthIt(
+    const Removal& removal, double waste, TrialBudget& budget, const Execution& execution);
   double forecastCost(const Removal& removal) const;
   bool isDisk(const OpenedPart& part) const;
   Removal removalOf(Indices edges, double fixedPrice) const;

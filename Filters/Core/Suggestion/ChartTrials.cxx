@@ -54,6 +54,7 @@ ChartTrials::Result ChartTrials::flattened(
   Result result;
   result.sound = outcome.valid && outcome.flipped == 0 && outcome.overlaps == 0;
   result.strain = outcome.valid ? outcome.strainP95 : result.strain;
+  result.waste = outcome.waste;
   result.work = budget.work();
   return result;
 }
@@ -71,7 +72,7 @@ std::vector<ChartTrials::Result> ChartTrials::run(
     execution.parallelFor(static_cast<Index>(last - first), [&](Index begin, Index end) {
       for (Index k = begin; k < end; ++k)
       {
-        Result all{ true, 0.0, 0.0 };
+        Result all{ true, 0.0, 0.0, 0.0 };
         for (const TriangleMesh& chart : sets[first + k])
         {
           const Key key = keyOf(chart);
@@ -89,6 +90,7 @@ std::vector<ChartTrials::Result> ChartTrials::run(
           }
           all.sound = all.sound && one.sound;
           all.strain = std::max(all.strain, one.strain);
+          all.waste += one.waste;
           if (!all.keeps(bound))
           {
             break;

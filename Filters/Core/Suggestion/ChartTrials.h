@@ -19,6 +19,7 @@ public:
   {
     bool sound = false; ///< laid flat without folds and overlaps
     double strain = std::numeric_limits<double>::infinity(); ///< on 95 % of the area
+    double waste = 0.0;                                      ///< see TrialOutcome
     double work = 0.0;
 
     bool keeps(double bound) const { return this->sound && this->strain <= bound; }
@@ -31,7 +32,8 @@ public:
   {
   }
 
-  /// Sets of charts, in parallel. A set is no better than the worst of its charts, and is given up
+  /// Sets of charts, in parallel. A set is no better than the worst of its charts, wastes what
+  /// all of them do, and is given up
   /// at the first that does not keep the bound. Those after the budget is spent are not tried.
   std::vector<Result> run(const std::vector<std::vector<TriangleMesh>>& sets, double bound,
     TrialBudget& budget, const Execution& execution);

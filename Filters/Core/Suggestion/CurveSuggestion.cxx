@@ -188,7 +188,7 @@ private:
       {
         return std::pair(0, std::cbrt(outcome.energy * std::pow(outcome.areaError, 4.0)));
       }
-      double price = 0.0;
+      double price = search.pieces > 0 ? 0.0 : wastePrice * outcome.waste / this->Area;
       for (const SuggestedCurve& cut : set.cuts)
       {
         price += search.fixedPrice + cut.length / std::sqrt(this->Area / pi);

@@ -2,6 +2,7 @@
 #include "Suggestion/CutTrials.h"
 
 #include "Cut/SurfaceCut.h"
+#include "Flattening/PieceArrangement.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
 #include "Quality/StrainMeasures.h"
@@ -412,6 +413,19 @@ void CutTrials::measure(
       !quality.flipped.empty() || flat.pieces[p].overlaps.count > 0 ? 1 : 0);
     outcome.flipped += quality.flipped.size();
     outcome.overlaps += flat.pieces[p].overlaps.count;
+  }
+  std::vector<Points2> places(flat.pieces.size());
+  for (Index h = 0; h < flat.cut->mesh.halfedgeCount(); ++h)
+  {
+    const Point2& place = flat.positions[flat.cut->mesh.from(h)];
+    if (flat.cut->mesh.twin(h) == none && place.allFinite()) // it is laid
+    {
+      places[flat.cut->pieceOfTriangle[h / 3]].push_back(place);
+    }
+  }
+  for (std::size_t p = 0; p < places.size(); ++p)
+  {
+    outcome.waste += std::max(0.0, hullArea(places[p]) - areas[p]);
   }
   outcome.flipped += static_cast<std::size_t>(std::count_if(
     flat.triangles.begin(), flat.triangles.end(), [](const TriangleQuality& triangle) {
