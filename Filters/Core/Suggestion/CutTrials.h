@@ -69,8 +69,8 @@ private:
 };
 
 /// The price of cloth as large as the surface that lies between pieces that wind, as that of a seam
-/// in sqrt(area / pi). Of garments and helmets 6 halves the waste at the same price of seams; 4 left
-/// more, and 10 made more pieces.
+/// in sqrt(area / pi). Of garments and helmets 6 halves the waste at the same price of seams; 4
+/// left more, and 10 made more pieces.
 constexpr double wastePrice = 6.0;
 
 /// What a flattening with some cuts turned out to be. Where regions have weights, energy, goal and
