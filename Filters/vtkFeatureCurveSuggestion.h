@@ -162,7 +162,7 @@ public:
 
   /**
    * Lines that the last run tried and does not propose, with the columns `Name`, `Type`, `Sound`
-   * (1: the line only costs too much, 0: it breaks a promise, such as that no triangle is turned
+   * (1: the line only costs too much, 0: it brings a warning, such as that triangles are turned
    * over), `Length`, `Gain`, `AreaErrorBefore`, `AreaErrorAfter`, `StrainBefore`, `StrainAfter`.
    */
   vtkTable* GetLeftOutLines() const;

@@ -11,7 +11,7 @@
  *   vtkErrorCode::UserError, and the request fails, so that filters behind this one do not run; of
  *   a composite data set, and among several processes, only the output is empty. A run that was
  *   aborted (CANCELLED) has empty outputs as well, but no error.
- * - **Broken promise** (codes from NOT_CONVERGED on): the outputs are complete, and a
+ * - **Warning** (codes from NOT_CONVERGED on): the outputs are complete, and a
  *   vtkWarningMacro says what is not as it should be.
  *
  * A vtkWarningMacro also says what the filter left out of an input that it can use, such as an
@@ -143,7 +143,7 @@ public:
 
   /**
    * What a run can end with. Up to NUMERICAL_FAILURE, but for OK, there is no result; later codes
-   * mark a result with a broken promise.
+   * mark a result with a warning.
    */
   enum StatusCodes
   {

@@ -292,7 +292,7 @@ public:
 
   ///@{
   /**
-   * A wire edge whose relative length error is larger breaks the promise (LENGTH_ERROR). Default:
+   * A wire edge whose relative length error is larger is a warning (LENGTH_ERROR). Default:
    * 1e-9. Range: from 0.
    */
   vtkFlatteningNumberMacro(MaximumLengthError, double);

@@ -419,7 +419,7 @@ constexpr const char* materialFile =
   R"(      <StringVectorProperty name="MaterialFile" label="Material File" command="SetMaterialFile" number_of_elements="1"
           default_values="">
         <FileListDomain name="files" />
-        <Documentation>A JSON file with the numbers of a material, which counts instead of Material. Empty: none.</Documentation>
+        <Documentation>A JSON file with the numbers of a material, used instead of Material. Empty: none.</Documentation>
         <Hints>
           <FileChooser extensions="json" file_description="Material" />
         </Hints>

@@ -29,15 +29,16 @@ void addCurves(Table& table)
   table.add("CoincidentPoints", [](All& all) { return &all.coincidentPoints; })
     .words({ { "automatic", "Automatic" }, { "join", "Join" }, { "keep", "Keep" } })
     .expert()
-    .help("Whether points of the surface with equal coordinates are one: automatic (where hardly "
-          "any two triangles share a point, as in files of separate triangles), join, or keep.");
+    .help(
+      "Points of the surface with equal coordinates: join makes them one, keep does not, automatic "
+      "joins where hardly any two triangles share a point, as in files of separate triangles.");
   table.add("HealSurface", [](All& all) { return &all.healSurface; })
     .spelled("heal", "heal")
     .off("Report defects of the surface as errors instead of healing them.")
-    .help("Heal defects of the surface where it is clear how, with a line for each kind: points "
-          "within a millionth of the edges there are joined, triangles without area, doubled ones "
-          "and fins are taken out, edges of more than two triangles separated, points in which "
-          "parts touch doubled, parts below 0.1 % of the largest one's area left out.");
+    .help("Heal defects of the surface where it is clear how, with a warning for each kind: join "
+          "points within a millionth of the edges there, remove triangles without area, doubled "
+          "triangles and fins, separate edges of more than two triangles, double points in which "
+          "parts touch, leave out parts below 0.1 % of the largest one's area.");
   table.add("SplitTriangles", [](All& all) { return &all.imprint.split; })
     .expert()
     .off("Report a curve that does not run along mesh edges as an error instead of splitting "
@@ -54,7 +55,7 @@ void addCurves(Table& table)
     .range(0.0, 0.5)
     .expert()
     .help("Points and crossings of curves nearer than this to a vertex or an edge move onto it. A "
-          "fraction of the mean edge length, or of the longest edge there where that is shorter.");
+          "fraction of the mean edge length or, where it is shorter, of the longest edge there.");
 }
 
 void addMethod(Table& table)
@@ -76,8 +77,8 @@ void addMethod(Table& table)
     .words({ { "exact", "Exact" }, { "free", "Free" } })
     .where(isometric)
     .help("Which lengths are kept: exact (those of the boundary, of the sides of cuts and of all "
-          "curves), or free (those of accessory and key curves alone, also along the boundary, so "
-          "that the surface distorts least).");
+          "curves), or free (those of accessory and key curves alone, including such curves along "
+          "the boundary, so that the surface distorts least).");
   table.add("Interior", [](All& all) { return &all.flattening.interior.method; })
     .words({ { "laplacian", "Laplacian" }, { "relaxation", "Relaxation" },
       { "arap", "AsRigidAsPossible" } })
@@ -85,7 +86,7 @@ void addMethod(Table& table)
     .where(exact)
     .help("How points between wires are placed: arap (as rigid as possible), laplacian (Eq. 11), "
           "relaxation (the paper's iteration for it, Eq. 12). The isometric scheme only starts "
-          "there.");
+          "from that result.");
   table.add("ReleaseKeys", [](All& all) { return &all.flattening.releaseKeys; })
     .spelled("no-keys", "release_keys")
     .where(keepsLengths)
@@ -95,9 +96,9 @@ void addMethod(Table& table)
     .byDefault("mirrored") // as darts are sewn, leg on leg
     .where(keepsLengths)
     .where(exact)
-    .help("How the legs of a dart lie: free (as the piece distorts least; sewn they fit, folded "
-          "they may miss each other), straight, or mirrored (both the mean of free ones). Legs "
-          "that are not free fold on each other exactly, which costs distortion.");
+    .help("How the legs of a dart lie: free (as the piece distorts least; they fit sewn, but "
+          "folded may miss each other), straight, or mirrored (both the mean of free ones). "
+          "Straight and mirrored legs fold onto each other exactly, which costs distortion.");
   table.add("Solver", [](All& all) { return &all.flattening.angles.method; })
     .words({ { "newton", "Newton" }, { "sequential", "Sequential" } })
     .where(keepsLengths)
@@ -110,11 +111,10 @@ void addMethod(Table& table)
     .where({ "Scheme", { "global", "isometric" } })
     .where(exact)
     .expert()
-    .off("Rank the curves to release by their sensitivity alone, without trial flattenings of "
-         "pieces that lie poorly.")
-    .help("Where a piece lies poorly, try what a release of a curve would improve: up to six more "
-          "flattenings of the piece, about two seconds by the isometric scheme; off: curves are "
-          "ranked by their sensitivity alone.");
+    .off("Rank the curves to release by their sensitivity alone, without trial flattenings.")
+    .help("Where a piece or its wires' angles change much, try what releasing a curve would "
+          "improve: up to six more flattenings of the piece, about two seconds by the isometric "
+          "scheme; off: curves are ranked by their sensitivity alone.");
   const OptionCondition withoutThreads{ "Material", { "", "isotropic" } };
   table.add("DistortionEnergy", [](All& all) { return &all.flattening.isometric.energy.kind; })
     .spelled("energy")
@@ -139,8 +139,8 @@ void addMethod(Table& table)
     .range(0.0, 100.0)
     .where(isometric)
     .expert()
-    .help("Weight of the wires' bending against the sheet: the larger, the nearer their angles are "
-          "to those on the surface; 0 lets wires buckle.");
+    .help("Weight of the wires' bending relative to the sheet's distortion: the larger, the nearer "
+          "their angles are to those on the surface; 0 lets wires buckle.");
 }
 
 void addEase(Table& table)
@@ -152,13 +152,14 @@ void addEase(Table& table)
     .form("NAME=FRACTION")
     .where(keepsLengths)
     .help("Make a curve elastic: its length may change by up to this fraction, from 0 to below 1; "
-          "NAME boundary: each stretch of the boundary between ends of other wires.");
+          "boundary as NAME: each stretch of the boundary between ends of other wires.");
   table.text("CurveEases", OptionType::List)
     .spelled("ease")
     .form("NAME[:PIECE]=PERCENT%")
     .where(keepsLengths)
-    .help("Make a seam or a named edge longer in one piece (numbered from 1) than on the surface "
-          "and than what it is sewn to; below 0 shorter. The curve needs a tolerance as large.");
+    .help(
+      "Make a seam or a named edge longer in one piece (numbered from 1) than on the surface and "
+      "than what it is sewn to, or below 0 shorter. The curve needs at least this tolerance.");
 }
 
 void addPieces(Table& table)
@@ -168,7 +169,7 @@ void addPieces(Table& table)
     .help("Leave out pieces that cannot be laid flat, since they have no boundary or have handles, "
           "and flatten the others, with a warning; off: such a surface is an error.");
   table.add("Arrange", [](All& all) { return &all.flattening.arrange; })
-    .off("Leave pieces where they arise instead of turning them upright, side by side.")
+    .off("Leave pieces where their first wire edge put them instead of upright, side by side.")
     .help("Turn pieces upright (the first key curve, else the long side, along y) and lay them "
           "side by side; off: each stays where its first wire edge put it.");
   table.add("Spacing", [](All& all) { return &all.flattening.spacing; })
@@ -189,9 +190,9 @@ void addPieces(Table& table)
     .form("CURVE|DEGREES|free")
     .where({ "Material", {} })
     .help(
-      "How pieces lie on the material: along a curve, or at NAME:DEGREES from it (a piece takes "
-      "the first curve that it has); at DEGREES from its first key curve, else its long side, to "
-      "the warp, counter-clockwise; or free, where the material is strained least.");
+      "Direction of the warp in each piece: along a curve, or at NAME:DEGREES from it (of several "
+      "the first that the piece has); at DEGREES from its first key curve, else from its long "
+      "side; or free, where the material is strained least. Angles count counter-clockwise.");
 }
 
 void addSolver(Table& table)
@@ -223,7 +224,7 @@ void addSolver(Table& table)
               [](All& all) { return &all.flattening.angles.optimalityTolerance; }))
     .where(keepsLengths)
     .where(exact)
-    .help("The solver stops when no entry of the gradient of the Lagrangian is larger.");
+    .help("The solver stops when no entry of the gradient of the Lagrangian is larger than this.");
   count(table.add("IsometricMaximumIterations",
           [](All& all) { return &all.flattening.isometric.maximumIterations; }))
     .spelled("isometric-iterations")
@@ -232,7 +233,7 @@ void addSolver(Table& table)
   tolerance(
     table.add("IsometricTolerance", [](All& all) { return &all.flattening.isometric.tolerance; }))
     .where(isometric)
-    .help("The isometric scheme stops when the relative gradient of the Lagrangian is smaller.");
+    .help("The isometric scheme stops when the relative gradient of the Lagrangian is below this.");
   tolerance(table.add("RigidEnergyTolerance",
               [](All& all) { return &all.flattening.interior.energyTolerance; }))
     .spelled("rigid-tolerance")
@@ -261,8 +262,8 @@ void addSolver(Table& table)
     .where(keepsLengths)
     .where(exact)
     .where(relaxes)
-    .help("Interior relaxation stops when no point moves farther, as a fraction of the mean wire "
-          "edge.");
+    .help("Interior relaxation stops when no point moves farther than this fraction of the mean "
+          "wire edge.");
   count(table.add("RelaxationMinimumIterations",
           [](All& all) { return &all.flattening.interior.minimumIterations; }),
     0.0)
@@ -292,22 +293,20 @@ void addSuggestion(Table& table)
     .words({ { "darts", "Darts" }, { "seams", "Seams" }, { "all", "DartsAndSeams" },
       { "lines", "Lines" }, { "gores", "Gores" } })
     .help("What is proposed: darts, seams, all (both), gores (equal seams of a round surface) or "
-          "lines (no cuts, but center and grain lines, girths and style lines). What opens a "
-          "closed surface, a tube or a handle is proposed with darts, seams "
-          "and all.");
+          "lines (no cuts, but center and grain lines, girths and style lines). Cuts that open a "
+          "closed surface, a tube or a handle are proposed with darts, seams and all.");
   table.add("Bound", [](All& all) { return &all.search.bound; })
     .spelled("max-strain", "bound")
     .form("STRAIN")
     .range(0.0, 0.99)
     .where(cuts)
-    .help("The strain that is good enough, on 95 % of each piece's area; 0: cut until the number "
-          "of cuts or their length is used up.");
+    .help("The strain that is good enough, on 95 % of each piece's area; 0: cut until the maximum "
+          "number or length of cuts is reached, or no cut is worth its price.");
   table.add("MaximumCuts", [](All& all) { return &all.search.maximumCuts; })
     .range(0.0, std::numeric_limits<int>::max())
     .slider(0.0, 50.0)
     .where(cuts)
-    .help(
-      "Maximum number of cuts to propose; a mirror image counts; 0: as many as the bound takes.");
+    .help("Maximum number of cuts, mirror images included; 0: as many as the bound needs.");
   table.add("MaximumCutLength", [](All& all) { return &all.search.maximumCutLength; })
     .spelled("max-length", "max_cut_length")
     .range(0.0, unlimited)
@@ -325,17 +324,16 @@ void addSuggestion(Table& table)
     .range(0.0, std::numeric_limits<int>::max())
     .slider(0.0, 50.0)
     .where({ "SuggestedCuts", { "seams", "all", "gores" } })
-    .help(
-      "About the number of pieces into which seams part the surface, with as little strain as that "
-      "allows; 0: as few as the bound takes.");
+    .help("Approximate number of pieces into which seams divide the surface, with as little strain "
+          "as that allows; 0: as few as the bound needs.");
   table.add("MaximumWidth", [](All& all) { return &all.search.maximumWidth; })
     .spelled("max-width", "max_width")
     .range(0.0, unlimited)
     .slider(0.0, 1000.0)
     .where(cuts)
-    .help("Maximum width of flat pieces, each where it is narrowest, in the unit of the surface: "
-          "wider ones are parted into strips of equal widths by seams that are straight in the "
-          "plane; 0: any.");
+    .help("Maximum width of each flat piece, measured in its narrowest direction, in the unit of "
+          "the surface; seams that are straight in the plane divide wider pieces into strips of "
+          "equal width; 0: no limit.");
   table.add("Symmetric", [](All& all) { return &all.search.symmetric; })
     .form("on|off|force|CURVE|PLANE")
     .help("Mirrored cuts: on (where the surface is its own mirror image within 3 %), off, force "
@@ -385,8 +383,8 @@ void addOthers(Table& table)
   table.add("Test", [](All& all) { return &all.sewing.test; })
     .spelled("mode", "test")
     .words({ { "panel", "Panel" }, { "product", "Product" } })
-    .help("What is held: panel (the boundary of each piece where the design has it) or product "
-          "(nothing: seams are shared, hems free).");
+    .help("What is held in place: panel (the boundary of each piece, where the design has it) or "
+          "product (nothing: seams are shared, hems free).");
   table.add("Thickness", [](All& all) { return &all.sewing.thickness; })
     .range(0.0, 1.0)
     .help("Thickness of a plate that bends as the cloth does, as a fraction of the size of a "
@@ -403,12 +401,13 @@ void addOthers(Table& table)
     .help("Maximum iterations until the cloth is at rest, per shape.");
   table.add("Pressure", [](All& all) { return &all.sewing.pressure; })
     .range(-1.0, 1.0)
-    .help("Pressure behind the cloth, in its stiffness over its size; a product must be closed.");
+    .help("Pressure behind the cloth, in units of its stiffness over its size; a product must be "
+          "closed.");
   table.add("Gravity", [](All& all) { return &all.sewing.gravity; })
     .range(-1.0, 1.0)
     .form("X Y Z")
-    .help("Weight of the cloth per area and its direction, in its stiffness over its size, such as "
-          "0 0 -0.0002 where z is up; a product needs a body to lie on.");
+    .help("Weight of the cloth per area and its direction, in units of its stiffness over its "
+          "size, such as 0 0 -0.0002 where z is up; a product needs a body to lie on.");
   table.text("Material")
     .form("NAME|FILE")
     .help(
@@ -426,8 +425,8 @@ void addOthers(Table& table)
   table.add("AreaNormalized", [](All& all) { return &all.flattening.conformal.areaNormalized; })
     .where(conformal)
     .expert()
-    .off("Scheme lscm: let large triangles count more.")
-    .help("Scheme lscm: let every triangle count by its area; off: large triangles count more.");
+    .off("Scheme lscm: let every triangle count by the square of its area.")
+    .help("Scheme lscm: let every triangle count by its area; off: by the square of its area.");
   table.add("Pins", [](All& all) { return &all.flattening.conformal.pins; })
     .byFilter()
     .form("V0 V1")

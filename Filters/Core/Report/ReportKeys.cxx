@@ -38,12 +38,13 @@ const std::vector<ReportKey>& reportKeys(const std::string& record)
           "that all of its cells have in the array \"PieceName\", numbered where several pieces "
           "have it." },
         { "status", "Status", Kind::Text,
-          "\"Ok\", or the name of the worst promise that is broken, such as \"LengthError\"." },
+          "\"Ok\", or the name of the worst warning, such as \"LengthError\"." },
         { "id_kind", "StatusIdKind", Kind::Text,
           "what ids are: \"points\", \"cells\", \"curves\", ..." },
         { "size", "SizeInWords", Kind::Text, "" },
         { "ease", "EaseInWords", Kind::Text,
-          "how large the flat piece is, in cm, and what its cloth has to do and where, in words." },
+          "how large the flat piece is, in cm, and where its cloth must be eased in or stretched, "
+          "in words." },
         { "triangles", "Triangles", Kind::Integer, "" },
         { "vertices", "Vertices", Kind::Integer, "" },
         { "wire_patches", "WirePatches", Kind::Integer, "" },
@@ -90,8 +91,8 @@ const std::vector<ReportKey>& reportKeys(const std::string& record)
           "what was done instead of what was chosen, and why; else empty. Another energy is among "
           "the warnings." },
         { "verdict", "Verdict", Kind::Text,
-          "that the plane has no room for the piece, where to cut it, and which other energy was "
-          "used; else empty. It is a warning as well." },
+          "that no plane can hold the piece, where to cut it, and which other energy was used; "
+          "else empty. It is a warning as well." },
         { "forecast_area_loss", "ForecastAreaLoss", Kind::Number, "" },
         { "forecast_area_loss_after_cut", "ForecastAreaLossAfterCut", Kind::Number,
           "part of the area that is lost where the boundary keeps its lengths, as known before "
@@ -174,7 +175,8 @@ const std::vector<ReportKey>& reportKeys(const std::string& record)
         { "E_area_after", "AreaErrorAfter", Kind::Number, "mean change of area." },
         { "strain_before", "StrainBefore", Kind::Number, "" },
         { "strain_after", "StrainAfter", Kind::Number, "the largest strain on 95 % of a piece." },
-        { "sound", "Sound", Kind::Truth, "it breaks no promise, but costs too much." },
+        { "sound", "Sound", Kind::Truth,
+          "whether the result with it is sound; it then only costs too much." },
       } },
     { "SuggestedCut",
       {
@@ -182,9 +184,9 @@ const std::vector<ReportKey>& reportKeys(const std::string& record)
         { "predicted_gain", "PredictedGain", Kind::Number,
           "by how much it lowers the mean of the squared scale factor, by forecast." },
         { "gain", "Gain", Kind::Number,
-          "by how much it lowers the mean rigid energy, in truth, after the cuts before it. A "
-          "line's is what it costs, and negative. NaN, as strain and E_area, where the surface "
-          "cannot be flattened without it, such as a closed one." },
+          "by how much it lowers the mean rigid energy, as measured, after the cuts before it; of "
+          "a line what it costs, negative. NaN, as strain and E_area, where the surface cannot be "
+          "flattened without it, such as a closed one." },
         { "opening", "Opening", Kind::Number,
           "of a dart's mouth, or of the widest place of one inside, by forecast, unit of "
           "length." },

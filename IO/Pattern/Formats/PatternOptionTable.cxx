@@ -33,18 +33,16 @@ void addDrawing(Table& table)
     .range(0.0, largestLength)
     .form("NAME=MM")
     .help("Seam allowance along one curve, or along 'boundary'; NAME:2=MM on the side of piece 2 "
-          "alone, "
-          "as for an overlap.");
+          "alone, as for an overlap.");
   table.add("NotchSpacing", [](All& all) { return &all.pattern.notchSpacing; })
     .label("Notches Every")
     .range(0.0, largestLength)
     .slider(-1.0, 500.0)
     .automatic("by size")
     .form("MM")
-    .help(
-      "Distance of notches along seams and darts (by default about a sixth of the largest "
-      "piece). It is measured on the surface from their start; shorter ones have a notch in the "
-      "middle; 0: only at the mouths of darts.");
+    .help("Distance of notches along seams and darts (by default about a sixth of the largest "
+          "piece). It is measured on the surface from their start; shorter seams and darts have a "
+          "notch in the middle; 0: only at the mouths of darts.");
   table.text("CurveNotches", OptionType::List)
     .spelled("notch", "curve_notches")
     .range(0.0, largestLength)
@@ -141,7 +139,7 @@ void addDetails(Table& table)
           "middle and, where there is room, near both ends, and list them in a PDF.");
   table.add("NotchCorners", [](All& all) { return &all.pattern.notchCorners; })
     .label("Notches at Corners")
-    .help("Notch the cut line at corners, where the sew lines, drawn on, meet it.");
+    .help("Notch the cut line at corners, where the extended sew lines meet it.");
   table.add("NotchCurveEnds", [](All& all) { return &all.pattern.notchCurveEnds; })
     .label("Notches at Ends of Curves")
     .help("Notch the border where feature curves and edges end on it, and opposite on what is sewn "
@@ -156,7 +154,7 @@ void addDetails(Table& table)
     .range(1.0, 100.0)
     .slider(1.0, 10.0)
     .expert()
-    .help("Longest miter of a corner, in allowances.");
+    .help("Longest miter of a corner, as a multiple of the allowance.");
   const auto addCompensation = [&table](const char* property, auto access, const char* text) {
     table.add(property, access)
       .range(-20.0, 20.0)

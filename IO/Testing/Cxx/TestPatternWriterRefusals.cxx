@@ -110,7 +110,7 @@ int TestPatternWriterRefusals(int argc, char* argv[])
   const auto grid = makeGrid(3, 3);
 
   refusals.refuse(
-    "NothingToDraw", makePolyData({}, {}), plainly, { "no triangles", "flattening says" });
+    "NothingToDraw", makePolyData({}, {}), plainly, { "no triangles", "status of the flattening" });
   const auto dome = makePolyData(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0.2 }, { 0, 1, 0 } }, { { 0, 1, 2 }, { 0, 2, 3 } });
   refusals.refuse("InvalidPattern", dome, plainly, { "the surface is not flat", "high in z" });

@@ -6,24 +6,25 @@ Two ways to use it:
 - the VTK filters (vtkWireWarpingFilter and its family) in pipelines of vtkPolyData. Objects of
   Python classes that derive from vtkPolyData, such as PyVista's, are handed over as they are;
 - :func:`flatten` for numpy arrays, :func:`flatten_polydata` for a vtkPolyData or a PyVista mesh: one
-  call, and a :class:`Flattening` back, which draws itself in notebooks, plot()s, becomes a mesh with
-  to_polydata() and is cut from paper after write_pattern(); an exception where the input is rejected.
-  :func:`suggest` and :func:`suggest_polydata` propose the cuts as well, and :func:`price_keys` says what
-  each key curve costs; :func:`resew` sews the pieces together again to say how far that is from
+  call that returns a :class:`Flattening`, or raises an exception where the input is rejected. Notebooks
+  show the result as a picture; plot() draws it, to_polydata() returns meshes, write_pattern() writes a pattern.
+  :func:`suggest` and :func:`suggest_polydata` propose the cuts as well, and :func:`price_keys` measures what
+  each key curve costs; :func:`resew` sews the pieces together again and measures how far that is from
   the design; :func:`make_flattenable` and :func:`make_flattenable_polydata` move the surface until it
   lies flat with little strain. :func:`read_surface` and :func:`read_curves` read files.
   :func:`read_garmentcode` reads sewing patterns of GarmentCode, to be drawn
   at true scale; :func:`grade` lays the sizes of one pattern on each other, with their rule table.
 
-Neither needs a screen. The filters are in builds with VTK alone. All else needs no VTK but where it takes or gives meshes,
-and then that of the caller; :func:`load_surface` and :func:`load_curves` read files as arrays.
-Start with help(surfaceflattening.flatten); help(surfaceflattening.Flattening), help(surfaceflattening.Report) and help(surfaceflattening.PieceReport) say what it gives, and each filter has a
-help() of its own, such as help(surfaceflattening.vtkWireWarpingFilter).
+Neither needs a screen. Only builds with VTK have the filters. Everything else needs VTK only where it takes or
+returns meshes, and then uses that of the caller; :func:`load_surface` and :func:`load_curves` read files as arrays.
+Start with help(surfaceflattening.flatten); help(surfaceflattening.Flattening), help(surfaceflattening.Report) and
+help(surfaceflattening.PieceReport) describe the result, and each filter has a help() of its own, such as
+help(surfaceflattening.vtkWireWarpingFilter).
 
-Threads: any number of them may flatten at the same time, each with surfaces of its own, and get the
-results of a single one. flatten(), suggest(), make_flattenable(), price_keys() and resew() leave the interpreter's lock to
-other threads while they run; VTK's filters hold it but for calls of progress. One run uses several
-cores by itself. For many surfaces take processes (concurrent.futures.ProcessPoolExecutor; results, curves and
+Threads: any number of them may flatten at the same time, each with surfaces of its own, and get the same
+results as one alone. flatten(), suggest(), make_flattenable(), price_keys() and resew() release the interpreter's lock
+while they run; VTK's filters hold it except in calls of progress. One run uses several
+cores by itself. For many surfaces use processes (concurrent.futures.ProcessPoolExecutor; results, curves and
 errors can be sent between them) or the command wirewarp batch.
 
 The method is that of C. C. L. Wang, "WireWarping: A fast surface flattening

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The colours of pictures."""
+"""The colors of pictures."""
 
 from typing import Dict, List
 

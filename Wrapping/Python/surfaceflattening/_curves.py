@@ -41,11 +41,11 @@ class Curve(ComparedByValue):
             (integers, shape (k,)), or positions on the surface in its unit of length (shape
             (k, 3), also of integers); they need not be vertices. k is at least 2.
         type: "accessory", length kept, shape free (default); "key", length and shape kept; "dart",
-            cut open; "seam", cut through. Capitals count as small letters.
+            cut open; "seam", cut through. Upper and lower case are the same.
         name: its name in messages and in the report. Default: "curve N", N its place in the list.
         key_shape: of a key curve: "surface", the shape that its angles on the surface give
             (default), or "straight".
-        length_tolerance: how far lengths may go from those on the surface, as a fraction in [0, 1).
+        length_tolerance: how much lengths may differ from those on the surface, as a fraction in [0, 1).
             Default: 0, the curve is rigid.
         planar_shape: of a key curve: a polyline in the plane, shape (k, 2), whose turning angles
             the curve takes; lengths stay those on the surface. Default: none.

@@ -31,15 +31,15 @@ def flatten(
     says what that gains.
 
     Args:
-        points: positions in space in any unit of length, shape (n, 3). Integers are taken for what they
-            are, up to 2**53; masked values are rejected.
+        points: positions in space in any unit of length, shape (n, 3). Integers are exact up
+            to 2**53 and rejected beyond it; masked values are rejected.
         triangles: ids of their corners, counted from 0, shape (m, 3); or a flat list of polygons, each
             the number of its corners and then their ids, as PyVista's `faces`.
         curves: a list of feature curves, each a :class:`Curve`, or what its `points` may be (then it is
             an accessory curve). Without curves only the boundary keeps its length.
         _OPTIONS_
-        paper_method: the paper's method, scheme "global" with interior "laplacian". "newton" finds the
-            minimum that the paper defines, solver="sequential" by the paper's steps, where they converge.
+        paper_method: the paper's method, scheme "global" with interior "laplacian". solver="newton"
+            finds the minimum that the paper defines, "sequential" takes the paper's own steps to it, where they converge.
         progress: called with the fraction done, 0 to 1. What it raises ends the run and is raised
             again.
 
@@ -57,7 +57,7 @@ def flatten(
         TypeError: an unknown option, or a value of another type.
 
     Warns:
-        FlatteningWarning: there is a result, but a promise is broken (not converged, a length
+        FlatteningWarning: there is a result, but not a sound one (not converged, a length
             error, a flipped triangle, an overlap; report["status"] says which), or a part of the
             input was left out (report["warnings"]).
     """

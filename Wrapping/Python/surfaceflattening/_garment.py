@@ -32,9 +32,9 @@ class PanelEdge(ComparedByValue):
     #: Rows of the panel's vertices at which it begins and ends.
     ends: Tuple[int, int]
     shape: EdgeShape
-    #: None of a straight edge; control points in the frame of the chord, x and y of each, along it and to
-    #: its left, of which the chord is 1 long; radius in cm, 1 for the larger arc and 1 for
-    #: counter-clockwise of a circle.
+    #: Of a straight edge none. Of a quadratic or cubic edge x and y of each control point, along the chord
+    #: and to its left, in lengths of the chord. Of a circle the radius in cm, 1 for the larger arc (else 0)
+    #: and 1 for counter-clockwise (else 0).
     parameters: Tuple[float, ...]
     label: str
 
@@ -49,7 +49,7 @@ class Panel(ComparedByValue):
     vertices: NDArray[np.float64]
     #: One after the other around the panel.
     edges: List[PanelEdge]
-    #: Where it is in space: cm, and degrees about x, then y, then z, which stay.
+    #: Where it is in space: cm, and degrees about the fixed axes x, then y, then z.
     translation: Tuple[float, float, float]
     rotation: Tuple[float, float, float]
 
@@ -152,7 +152,7 @@ def read_garmentcode(path: Union[str, os.PathLike[str]]) -> GarmentPattern:
 
     Args:
         path: a JSON file with panels, straight, quadratic, cubic and circular edges, and stitches. Its
-            lengths are brought to cm. Parameters of a design are passed over.
+            lengths are brought to cm. Parameters of a design are ignored.
 
     Returns:
         A :class:`GarmentPattern`, whose write_pattern() draws it as SVG, PDF, DXF, HPGL or JSON.

@@ -101,7 +101,7 @@ def _table(result: "Flattening") -> str:
 
 
 def to_html(result: "Flattening") -> str:
-    """A picture and a table; where triangles are coloured, yellow is ideal and dark half the area."""
+    """A picture and a table; where triangles are colored, yellow is ideal and dark half the area."""
     legend = (f'Triangles: <span style="background:{IDEAL}">yellow</span>, the area kept, to '
               f'<span style="color:{POOR}">dark</span>, half or twice of it. ' if len(result.triangles) <= _MOST_COLORED else "")
     kinds = sorted({wire.type for wire in result.wires})

@@ -76,10 +76,10 @@ def price_keys(
     curves: Sequence[Union[Curve, ArrayLike]],
     **options: Any,
 ) -> KeyPrices:
-    """Flattens a surface without each of its key curves, and with each alone, to tell what they cost.
+    """Flattens a surface without each of its key curves, and with each alone, to measure what they cost.
 
     A key that is left out keeps its lengths and is free in its shape, as an accessory curve. Where keys
-    contradict each other, the `without` of one that is to blame gives up no other.
+    contradict each other, the trial `without` a key that causes it releases no other.
 
     Args:
         points, triangles: as for :func:`flatten`.

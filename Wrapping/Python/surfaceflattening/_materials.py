@@ -16,7 +16,7 @@ def materials() -> List[Dict[str, Any]]:
     """The materials that `material` takes by name, as wirewarp materials prints them.
 
     Returns:
-        A dict a material: name, description; warp, weft, shear, stiffness in N/m (0: a sheet alike in
+        A dict for each material: name, description; warp, weft, shear, stiffness in N/m (0: a sheet alike in
         all directions); compression, stiffness of a compressed thread over that of a drawn one;
         warp_least, warp_greatest, weft_least, weft_greatest, limits of strains in percent, and
         shear_limit, in degrees (infinite: none); one_way; source of the numbers.

@@ -73,7 +73,7 @@ def load_surface(path: Path, seams: SeamSource = "none") -> LoadedSurface:
 
     Raises:
         MissingFileError: there is no such file.
-        FlatteningError: it cannot be read, or says nothing of such seams; the message names the line.
+        FlatteningError: it cannot be read, or has nothing that gives such seams; the message names the line.
     """
     surface, curves, along, unit = _read(path, seams)
     return LoadedSurface(surface["points"], _faces(surface), _curves(curves) + _curves(along), unit)
@@ -115,7 +115,7 @@ def read_surface(path: Path, seams: SeamSource = "none") -> Tuple[vtkPolyData, v
 
     Raises:
         MissingFileError: there is no such file.
-        FlatteningError: it cannot be read, or says nothing of such seams; the message names the line.
+        FlatteningError: it cannot be read, or has nothing that gives such seams; the message names the line.
     """
     from ._vtk import mesh_of_data
 

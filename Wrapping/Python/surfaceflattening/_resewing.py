@@ -23,8 +23,8 @@ from ._types import ResewnShape, SewingTest
 
 @dataclass(frozen=True, eq=False)
 class Resewn(ComparedByValue):
-    """Flat pieces, sewn together again and at rest; point for point and triangle for triangle the
-    flattening."""
+    """Flat pieces, sewn together again and at rest; points and triangles are those of the flattening,
+    in the same order."""
 
     #: Where the points lie at rest; float64, shape (n, 3).
     points: NDArray[np.float64]
@@ -41,7 +41,7 @@ class Resewn(ComparedByValue):
     #: How much longer both edges of each of the flattening's seam_pairs are than in their pieces, as a
     #: fraction; shape (k, 2).
     seam_strains: NDArray[np.float64]
-    #: A row of measures a piece ("panel") or all that is sewn together ("product").
+    #: A row of measures for each piece ("panel") or all that is sewn together ("product").
     shapes: List[ResewnShape]
     #: Per triangle the strains of warp and weft and the shear in degrees, shape (m, 3); None without
     #: a material.
@@ -91,16 +91,16 @@ def resew(
             at most 1 long. A product needs a body to lie on.
         material: what the cloth is made of, a name that :func:`materials` knows or the path of a
             JSON file, with its warp along y of the flat pieces; None: the isotropic sheet.
-        body: a surface that the cloth does not go through, its normals outwards: points and triangles, or a
+        body: a surface that the cloth does not go through, whose normals point outwards: points and triangles, or a
             vtkPolyData.
-        second_start: come to rest from a second start as well, to learn of other shapes; it takes
+        second_start: come to rest from a second start as well, to find other shapes; it takes
             twice the time.
         progress: called with the fraction done, 0 to 1. What it raises ends the run and is raised
             again.
 
     Raises:
         FlatteningError: "product" has a piece that is sewn to nothing; with a free boundary it comes
-            to rest as the plane, which says nothing of it.
+            to rest flat, which measures nothing.
         ValueError, TypeError: an argument is not one of the words, out of range, or of another type.
 
     Warns:

@@ -58,15 +58,15 @@ class Flattening(ComparedByValue, Drawn):
     """Flat pieces; n points and m triangles are those of the surface after cuts and imprints.
 
     Two of them are equal where all values but the report's "seconds" are. A notebook shows the picture
-    and the measures. to_polydata() copies the arrays and write_pattern() draws them: what is changed in them
-    is changed there.
+    and the measures. to_polydata() copies the arrays and write_pattern() draws them,
+    both as they are at the call.
 
     Attributes:
         positions: in the plane, unit of length of the surface; float64, shape (n, 2).
         triangles: corners, counter-clockwise; int64, shape (m, 3).
         points: the same points on the cut surface in space; float64, shape (n, 3).
         point_arrays: by name, a value a point, such as "Developability" and "vtkOriginalPointIds"; see
-            vtkWireWarpingFilter for all names. Arrays of texts and without a name are not there.
+            vtkWireWarpingFilter for all names. Arrays of texts, and those without a name, are left out.
         cell_arrays: by name, a value a triangle, such as "HomogeneityOfDistortion", "AspectRatio",
             "AreaRatio", "PieceId".
         wires: boundary and feature curves in the plane, each a :class:`Wire`.
@@ -146,9 +146,9 @@ class Flattening(ComparedByValue, Drawn):
             color_by: what the colors show, the words of the command: of triangles "homogeneity" and
                 "area", what flattening does to the area, or "aspect-ratio", to the shape; of points
                 "developability", the surface's angle defect; with a material what its threads do,
-                "stretch", "warp", "weft" or "shear". None: one colour.
+                "stretch", "warp", "weft" or "shear". None: one color.
             ax: the axes to draw into. None: those of a new figure.
-            measures: number the pieces, from 1 as patterns do, and write a line of measures a piece below them.
+            measures: number the pieces, from 1 as patterns do, and write a line of measures for each piece below them.
 
         Returns:
             The axes; ``ax.figure.savefig("pieces.png")`` writes the picture.

@@ -32,7 +32,7 @@ def draw_curve(
         kind: between them "geodesic", by the straight path; "section", in the plane through both and the normal; "edges", by the
             shortest way along edges; or "spline", smoothly through all.
         type, name: of the curve; several get numbers behind the name.
-        closed: go on from the last control point to the first.
+        closed: continue from the last control point to the first.
         tight: pull a closed curve tight, as a rubber band that cannot leave the surface.
         offset: draw the curve at this distance from it, measured over the surface, above 0 on the left; 0: the curve itself.
 
