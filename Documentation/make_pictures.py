@@ -115,7 +115,7 @@ def draw_paraview(folder, images):
     root = os.path.dirname(HERE)
     build = os.environ.get("PARAVIEW_BUILD", os.path.join(root, "build-paraview"))
     if not os.path.isfile(os.path.join(build, "bin", "paraview")):
-        print("paraview.png is left as it is: there is no plugin in", build)
+        print("paraview.png is not drawn:", build, "has no plugin")
         return
     home = os.path.join(folder, "paraview")
     os.makedirs(home, exist_ok=True)

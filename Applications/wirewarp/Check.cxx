@@ -164,11 +164,10 @@ void saySymmetry(const DataSet& data, const TriangleList& list)
   const double off = std::round(1e4 * plane->spread) / 100.0; // of 95 % of the surface
   constexpr double nearlyAlong = 0.9998;                      // about one degree
   std::cout << "symmetry: about the plane "
-            << (along > nearlyAlong ? std::string(1, "xyz"[axis]) + '=' +
-                     inShort(offset == 0.0 ? 0.0 : sign * offset)
+            << (along > nearlyAlong ? std::string(1, "xyz"[axis]) + '=' + inShort(sign * offset)
                                     : "across " + inShort(normal.x()) + ", " + inShort(normal.y()) +
                      ", " + inShort(normal.z()))
-            << (off < 0.01 ? std::string(", exactly") : ", to " + inShort(off) + " % of its size")
+            << ", to " << (off < 0.01 ? "less than 0.01" : inShort(off)) << " % of its size"
             << "; cuts come in pairs, except with --symmetric off\n";
 }
 

@@ -8,6 +8,7 @@
 #include "InputError.h"
 #include "NeutralLayer.h"
 #include "Options/OptionStructures.h"
+#include "Outlines/PatternSource.h"
 #include "Paths/PlaneSection.h"
 #include "Patterns.h"
 #include "Progress.h"
@@ -179,9 +180,7 @@ DataSet readSeams(const std::string& path, const SurfaceContents& contents, cons
   }
 }
 
-/// Where the plane between front and back cuts a surface, across the shorter of its sides that are
-/// level, or along the normal of its symmetry: up is of y and z the axis along which it is larger,
-/// as patterns have it.
+/// Where the plane between front and back cuts a surface in the middle.
 DataSet sideSeams(const DataSet& surface)
 {
   const flattening::SurfaceTriangles read = flattening::readTriangles(surface);
@@ -191,20 +190,10 @@ DataSet sideSeams(const DataSet& surface)
   {
     throw InputError(messageOf(prepared.status.message, remediesOf(prepared.status)));
   }
-  const Eigen::AlignedBox3d box = boxOf(listTriangles(surface));
-  const Point3 sides = box.sizes();
-  const Eigen::Index up = flattening::upAxisOf(sides);
-  const Eigen::Index level = 3 - up;
-  Point3 ahead = Point3::Unit(sides.x() >= sides[level] ? level : 0);
-  const auto symmetry = flattening::findSymmetryPlane(prepared.mesh);
-  const Point3 across =
-    symmetry ? Point3(Point3::Unit(up).cross(symmetry->normal)) : Point3(Point3::Zero());
-  constexpr double leastAhead = 0.9; // else it is the symmetry of front and back, or of both ends
-  ahead = std::abs(across.dot(ahead)) > leastAhead ? across.normalized() : ahead;
   Points3 places;
   CurveList curves;
-  for (const flattening::PlaneSection& section :
-    flattening::planeSections(prepared.mesh, box.center(), ahead))
+  for (const flattening::PlaneSection& section : flattening::planeSections(
+         prepared.mesh, boxOf(listTriangles(surface)).center(), flattening::frontOf(prepared.mesh)))
   {
     Points3 points;
     for (const flattening::SurfacePoint& point : section.path.points)
@@ -218,6 +207,24 @@ DataSet sideSeams(const DataSet& surface)
     throw InputError("--template front-back: the plane between front and back misses the surface");
   }
   return curves.over(std::make_shared<const Points3>(std::move(places)));
+}
+
+/// What is cut from a roll has its allowances on it: strips are narrower by these.
+Options withinRoll(Options options, const std::string& unit)
+{
+  const std::string material = options.values.text("Material");
+  const bool isSheet = !material.empty() && flattening::readCloth(material).material.sheet;
+  const double given = options.pattern.values.number("Allowance");
+  const double allowance = given < 0.0 ? flattening::pattern::usualAllowance(isSheet) : given;
+  const double width =
+    options.values.number("MaximumWidth") - 2.0 * allowance / millimetresOf(unit);
+  if (!(width > 0.0))
+  {
+    throw InputError("--max-width is not more than both allowances of a strip; fix: a smaller "
+                     "--allowance, or check --unit");
+  }
+  options.values.set("MaximumWidth", width);
+  return options;
 }
 
 /// A surface and its curves in their files.
@@ -686,7 +693,11 @@ Flattening flattenOne(const Options& options, const std::string& base)
     }
     const RunInput input = readInput(options, base, result);
     result.secondsRead = secondsSince(start);
-    const Options inUnit = withLengthsIn(result.unit, options);
+    Options inUnit = withLengthsIn(result.unit, options);
+    if (options.seams == "strips")
+    {
+      inUnit = withinRoll(std::move(inUnit), result.unit);
+    }
     SurfaceRun run(inUnit, input, result);
     checkPattern(options, input.surface, curvesOf(input), run.settings(), result);
     if (result.refused())

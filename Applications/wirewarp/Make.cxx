@@ -135,30 +135,6 @@ std::string surfaceLine(const Options& options, const Flattening& result)
     (result.unitStated ? "" : " (a likely unit; state it with --unit)") + '\n';
 }
 
-std::string cutsLine(const Options& options, const Flattening& result)
-{
-  const Table cuts = suggestedCuts(result);
-  std::map<std::string, std::size_t> count;
-  double length = 0.0;
-  for (std::size_t row = 0; row < rowsOf(cuts); ++row)
-  {
-    ++count[textIn(cuts, row, "Type")];
-    length += numberIn(cuts, row, "Length");
-  }
-  std::string text;
-  for (const auto& [type, number] : count)
-  {
-    text += counted(number, type) + ", ";
-  }
-  const bool mirrored =
-    !mirrorNumbers(result, "MirrorPlane").empty() || !mirrorNumbers(result, "MirrorAxis").empty();
-  const bool enough = rowsOf(result.search) == 0 ||
-    numberIn(result.search, 0, "StrainAfter") <= options.values.number("Bound");
-  return text.empty() ? (enough ? "cuts: none are needed\n" : "cuts: none that help are found\n")
-                      : "cuts: " + text + rounded(length) + ' ' + result.unit + " long in all" +
-      (mirrored ? ", mirrored\n" : "\n");
-}
-
 /// The row with the largest number of any of some columns.
 std::size_t largestRow(const Table& pieces, const std::vector<const char*>& columns)
 {
@@ -178,6 +154,46 @@ std::size_t largestRow(const Table& pieces, const std::vector<const char*>& colu
   return largest;
 }
 
+/// The row of a piece that covers itself, else of the one that is strained most.
+std::size_t worstPiece(const Table& pieces)
+{
+  for (std::size_t row = 0; row < rowsOf(pieces); ++row)
+  {
+    if (coversItself(pieces, row))
+    {
+      return row;
+    }
+  }
+  return largestRow(pieces, { "StrainP95" });
+}
+
+std::string cutsLine(const Options& options, const Flattening& result)
+{
+  const Table cuts = suggestedCuts(result);
+  std::map<std::string, std::size_t> count;
+  double length = 0.0;
+  for (std::size_t row = 0; row < rowsOf(cuts); ++row)
+  {
+    ++count[textIn(cuts, row, "Type")];
+    length += numberIn(cuts, row, "Length");
+  }
+  std::string text;
+  for (const auto& [type, number] : count)
+  {
+    text += counted(number, type) + ", ";
+  }
+  const bool mirrored =
+    !mirrorNumbers(result, "MirrorPlane").empty() || !mirrorNumbers(result, "MirrorAxis").empty();
+  const bool strained = rowsOf(result.search) > 0 &&
+    numberIn(result.search, 0, "StrainAfter") > options.values.number("Bound");
+  const Table& pieces = result.tables.pieces;
+  const bool enough =
+    !strained && (rowsOf(pieces) == 0 || !coversItself(pieces, worstPiece(pieces)));
+  return text.empty() ? (enough ? "cuts: none are needed\n" : "cuts: none that help are found\n")
+                      : "cuts: " + text + rounded(length) + ' ' + result.unit + " long in all" +
+      (mirrored ? ", mirrored\n" : "\n");
+}
+
 std::string piecesLine(const Flattening& result)
 {
   const Table& pieces = result.tables.pieces;
@@ -189,12 +205,11 @@ std::string piecesLine(const Flattening& result)
 std::string fitLine(const Options& options, const Flattening& result)
 {
   const Table& pieces = result.tables.pieces;
-  const std::size_t worst = largestRow(pieces, { "StrainP95" });
+  const std::size_t worst = worstPiece(pieces);
   const std::string piece =
     rowsOf(pieces) > 1 ? "on piece " + std::to_string(worst + 1) + ", " : "";
   const std::string place = textIn(pieces, worst, "WorstPlace");
-  return "fit: " +
-    fitVerdict(numberIn(pieces, worst, "StrainP95"), options.values.number("Bound")) +
+  return "fit: " + fitVerdict(pieces, worst, options.values.number("Bound")) +
     (place.empty() ? "" : ", worst " + piece + plainText(place)) + '\n';
 }
 

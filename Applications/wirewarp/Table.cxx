@@ -163,8 +163,19 @@ std::string pieceTable(const Flattening& result)
   return layOut(rows, 1);
 }
 
-std::string fitVerdict(double strain, double bound)
+bool coversItself(const Table& pieces, std::size_t piece)
 {
+  const std::string status = textIn(pieces, piece, "Status");
+  return status == "Overlap" || status == "FlippedTriangles";
+}
+
+std::string fitVerdict(const Table& pieces, std::size_t piece, double bound)
+{
+  if (coversItself(pieces, piece))
+  {
+    return "does not fit: it lies over itself, cut it";
+  }
+  const double strain = numberIn(pieces, piece, "StrainP95");
   constexpr double hardlyAny = 0.01;
   constexpr double ofCloth = 0.05;
   constexpr double ofElastic = 0.15;
@@ -195,7 +206,7 @@ std::string verdicts(const Flattening& result)
     const std::string name = plainText(textIn(table, piece, "Name"));
     text += "piece " + nameOf(piece) + (name.empty() ? "" : " " + name) + ": " +
       textIn(table, piece, "SizeInWords") + "; " + plainText(textIn(table, piece, "EaseInWords")) +
-      "; " + fitVerdict(numberIn(table, piece, "StrainP95"), 0.0) + '\n';
+      "; " + fitVerdict(table, piece, 0.0) + '\n';
   }
   return text;
 }

@@ -15,10 +15,14 @@ std::string pieceTable(const Flattening& result);
 /// A line a piece in words: size, what has to be eased in and where most.
 std::string verdicts(const Flattening& result);
 
-/// What the strain of 95 % of a piece's area means to its maker, as "fits" or "does not fit: strain
-/// 40 %, cut it". \param bound the strain that is good enough; 0: 5 %, or 15 % for
-/// material that gives
-std::string fitVerdict(double strain, double bound);
+/// Whether a piece overlaps itself or has triangles turned over.
+bool coversItself(const Table& pieces, std::size_t piece);
+
+/// What a piece means to its maker: "does not fit" where it covers itself, else by
+/// the strain of 95 % of its area, as "fits" or "does not fit: strain 40 %, cut it".
+/// \param piece a row \param bound the strain that is good enough; 0: 5 %, or 15 % for material that
+/// gives
+std::string fitVerdict(const Table& pieces, std::size_t piece, double bound);
 
 /// A row a feature curve: its length on the surface and in the plane.
 std::string curveTable(const Flattening& result);

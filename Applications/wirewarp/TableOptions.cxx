@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TableOptions.h"
 
-#include "InputError.h"
 #include "Options.h"
 #include "PlainText.h"
 #include "TextFile.h"
@@ -491,19 +490,6 @@ Options withLengthsIn(const std::string& unit, Options options)
     options.values.set(property, factor * options.values.number(property));
   }
   options.unitsOfLengths.clear();
-  if (options.seams == "strips") // what is cut from a roll has its allowances on it
-  {
-    constexpr double usual = 10.0; // mm, where none is given
-    const double given = options.pattern.values.number("Allowance");
-    const double allowance = (given < 0.0 ? usual : given) / millimetresOf(unit);
-    const double width = options.values.number("MaximumWidth") - 2.0 * allowance;
-    if (!(width > 0.0))
-    {
-      throw InputError("--max-width is not more than both allowances of a strip; fix: a smaller "
-                       "--allowance, or check --unit");
-    }
-    options.values.set("MaximumWidth", width);
-  }
   return options;
 }
 

@@ -65,8 +65,7 @@ void addMethods(CLI::App& app, Options& options);
 /// Core's options, without the cloth.
 flattening::OptionStructures structuresOf(const Options& options);
 
-/// The options with lengths of the surface in its unit, and the width of strips within their
-/// allowances.
+/// The options with lengths of the surface in its unit.
 Options withLengthsIn(const std::string& unit, Options options);
 
 /// Of values of another class of options those that both have.

@@ -208,6 +208,15 @@ class Make(command.CommandTest):
         run = self.make("tent.obj", "--unit", "m", "--template", "strips", "--max-width", "2cm", code=3)
         self.assertIn("both allowances", run.stderr)
 
+    def test_what_lies_over_itself_does_not_fit(self):
+        """A ramp of 1.4 turns, which is strained by nothing."""
+        self.write("ramp.obj", command.obj(*command.grid(60, 1, lambda i, j: (
+            (1 + j) * math.cos(0.147 * i), (1 + j) * math.sin(0.147 * i), 0.03 * i))))
+        run = self.run_command("flatten", "ramp.obj", "--unit", "m", "-o", "out")
+        self.assertEqual(run.returncode, 4)
+        self.assertIn("does not fit: it lies over itself", run.stdout)
+        self.assertNotIn("fits", run.stdout)
+
     def test_an_unknown_kind_is_refused(self):
         run = self.make("cap.obj", "--for", "boat", code=2)
         self.assertIn("boat", run.stderr)

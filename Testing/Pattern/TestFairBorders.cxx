@@ -118,7 +118,7 @@ TEST(FairBorders, SidesThatAreNearlyStraightBecomeStraightAndKeepTheirLengths)
       corners.emplace_back((20.0 * k - 100.0) * along + (off - 100.0) * inward);
     }
   }
-  const Smoothed smoothed(polygon(corners), 0.1);
+  const Smoothed smoothed(polygon(corners), 0.2);
   const FairPieceReport& report = smoothed.borders->reports()[0];
   EXPECT_EQ(report.straightened, 4U);
   EXPECT_EQ(report.segments, 4U);

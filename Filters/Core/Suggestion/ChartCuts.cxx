@@ -54,7 +54,7 @@ constexpr double mostChartSteps = 50.0;
 constexpr int mostPartings = 3;
 /// Where the mirror is worse than this, in sqrt(area / pi), cuts are tried from either side.
 constexpr double unlikeSides = 0.01;
-/// Of their price, below which cuts that are no pairs are taken there.
+/// Of the price of pairs, below which other cuts are taken there.
 constexpr double unpairedShare = 0.8;
 /// Of the work, what cuts in pairs may take where the mirror is not exact.
 constexpr double nearShare = 0.6;
@@ -557,16 +557,6 @@ std::vector<SuggestedCurve> possible(
   return cuts;
 }
 
-double priceOf(const std::vector<SuggestedCurve>& cuts, const ChartOptions& options, double size)
-{
-  double price = options.fixedPrice * static_cast<double>(cuts.size());
-  for (const SuggestedCurve& cut : cuts)
-  {
-    price += cut.length / size;
-  }
-  return price;
-}
-
 /// The cuts of a version with fewer triangles on the surface itself.
 std::vector<SuggestedCurve> drawnOn(const TriangleMesh& mesh,
   const std::optional<SymmetryPlane>& plane, std::vector<SuggestedCurve> cuts,
@@ -695,9 +685,10 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   if (failed || (near && second))
   {
     std::vector<SuggestedCurve> others = chartCuts(mesh, std::nullopt, options, budget, execution);
-    const double size = std::sqrt(mesh.area() / pi);
-    if (!others.empty() &&
-      (failed || priceOf(others, options, size) < unpairedShare * priceOf(cuts, options, size)))
+    const auto price = [&](const std::vector<SuggestedCurve>& set) {
+      return priceOf(set, options.fixedPrice, std::sqrt(mesh.area() / pi));
+    };
+    if (!others.empty() && (failed || price(others) < unpairedShare * price(cuts)))
     {
       return others;
     }

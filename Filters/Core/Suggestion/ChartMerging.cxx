@@ -402,8 +402,7 @@ bool Charts::removeFirst(
     {
       order[k]->tried = true;
       order[k]->keeps = results[k - first].keeps(this->Bound) &&
-        (this->Options.pieces > 0 ||
-          this->worthIt(order[k]->removal, results[k - first].waste, budget, execution));
+        this->worthIt(order[k]->removal, results[k - first].waste, budget, execution);
     }
     for (std::size_t k = first; k < last; ++k)
     {
@@ -417,17 +416,22 @@ bool Charts::removeFirst(
   return false;
 }
 
-/// Whether what is saved is more than the price of what the pieces waste more.
+/// Whether what is saved is more than the price of what the pieces waste more, where their number
+/// is free.
 bool Charts::worthIt(
   const Removal& removal, double waste, TrialBudget& budget, const Execution& execution)
 {
+  if (this->Options.pieces > 0)
+  {
+    return true;
+  }
   std::vector<TriangleMesh> before;
   for (Index chart : removal.charts)
   {
     before.push_back(openedPart(this->Mesh, this->All[chart].triangles, this->Cut).mesh);
   }
-  const double wasted =
-    this->Trials.run({ before }, greatestBound, budget, execution).front().waste;
+  constexpr double any = std::numeric_limits<double>::infinity();
+  const double wasted = this->Trials.run({ before }, any, budget, execution).front().waste;
   return removal.saved > wastePrice * (waste - wasted) / (pi * this->Size * this->Size);
 }
 

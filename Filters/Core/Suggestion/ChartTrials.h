@@ -32,9 +32,9 @@ public:
   {
   }
 
-  /// Sets of charts, in parallel. A set is no better than the worst of its charts, wastes what
-  /// all of them do, and is given up
-  /// at the first that does not keep the bound. Those after the budget is spent are not tried.
+  /// Sets of charts, in parallel. A set is no better than the worst of its charts, wastes as much
+  /// as all of them, and is given up at the first that does not keep the bound. Those after the
+  /// budget is spent are not tried.
   std::vector<Result> run(const std::vector<std::vector<TriangleMesh>>& sets, double bound,
     TrialBudget& budget, const Execution& execution);
 

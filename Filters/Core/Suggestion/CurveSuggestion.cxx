@@ -188,11 +188,8 @@ private:
       {
         return std::pair(0, std::cbrt(outcome.energy * std::pow(outcome.areaError, 4.0)));
       }
-      double price = search.pieces > 0 ? 0.0 : wastePrice * outcome.waste / this->Area;
-      for (const SuggestedCurve& cut : set.cuts)
-      {
-        price += search.fixedPrice + cut.length / std::sqrt(this->Area / pi);
-      }
+      const double waste = search.pieces > 0 ? 0.0 : wastePrice * outcome.waste / this->Area;
+      const double price = waste + priceOf(set.cuts, search.fixedPrice, std::sqrt(this->Area / pi));
       return this->withinBound(outcome.strainP95) ? std::pair(0, price)
                                                   : std::pair(1, outcome.strainP95);
     };

@@ -34,6 +34,16 @@ Points3 shortened(const Points3& line, double length)
   return kept;
 }
 
+double priceOf(const std::vector<SuggestedCurve>& cuts, double fixedPrice, double size)
+{
+  double price = fixedPrice * static_cast<double>(cuts.size());
+  for (const SuggestedCurve& cut : cuts)
+  {
+    price += cut.length / size;
+  }
+  return price;
+}
+
 std::vector<Polyline> linesOf(const std::vector<SuggestedCurve>& cuts)
 {
   std::vector<Polyline> lines;

@@ -17,6 +17,9 @@ void thinCuts(const CutTrials& trials, double bound, double least,
 /// The first part of a line, of this length.
 Points3 shortened(const Points3& line, double length);
 
+/// Of cuts, by a fixed price for each beside its length over a size.
+double priceOf(const std::vector<SuggestedCurve>& cuts, double fixedPrice, double size);
+
 std::vector<Polyline> linesOf(const std::vector<SuggestedCurve>& cuts);
 
 /// The cuts with one and its mirror image left out, or cut back to a share of its length.

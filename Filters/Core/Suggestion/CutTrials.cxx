@@ -417,10 +417,9 @@ void CutTrials::measure(
   std::vector<Points2> places(flat.pieces.size());
   for (Index h = 0; h < flat.cut->mesh.halfedgeCount(); ++h)
   {
-    const Point2& place = flat.positions[flat.cut->mesh.from(h)];
-    if (flat.cut->mesh.twin(h) == none && place.allFinite()) // it is laid
+    if (flat.cut->mesh.twin(h) == none)
     {
-      places[flat.cut->pieceOfTriangle[h / 3]].push_back(place);
+      places[flat.cut->pieceOfTriangle[h / 3]].push_back(flat.positions[flat.cut->mesh.from(h)]);
     }
   }
   for (std::size_t p = 0; p < places.size(); ++p)

@@ -6,6 +6,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -259,6 +260,23 @@ std::optional<SymmetryPlane> findSymmetryPlane(const TriangleMesh& mesh, double 
 SymmetryPlane measuredPlane(const TriangleMesh& mesh, const SymmetryPlane& plane)
 {
   return Fitting(mesh).measured(plane);
+}
+
+Point3 frontOf(const TriangleMesh& mesh)
+{
+  constexpr double leastAlong = 0.9; // else it is the symmetry of front and back, or of both ends
+  Eigen::AlignedBox3d box;
+  for (const Point3& point : mesh.points())
+  {
+    box.extend(point);
+  }
+  const Point3 sides = box.sizes();
+  const Eigen::Index up = upAxisOf(sides);
+  const Eigen::Index level = 3 - up;
+  const Point3 front = Point3::Unit(sides.x() >= sides[level] ? level : 0);
+  const std::optional<SymmetryPlane> plane = findSymmetryPlane(mesh);
+  const Point3 along = plane ? Point3(Point3::Unit(up).cross(plane->normal)) : Point3::Zero();
+  return std::abs(along.dot(front)) > leastAlong ? along.normalized() : front;
 }
 
 Status readSymmetry(const std::string& text, const TriangleMesh& mesh,

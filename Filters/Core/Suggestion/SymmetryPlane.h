@@ -56,6 +56,10 @@ SymmetryPlane flattestPlane(const TriangleMesh& mesh);
 std::optional<SymmetryPlane> findSymmetryPlane(
   const TriangleMesh& mesh, double tolerance = mirrorTolerance);
 
+/// The level direction in which a body faces, up being upAxisOf() its box: along its plane of
+/// symmetry where that stands upright and about so, otherwise along the shorter level side.
+Point3 frontOf(const TriangleMesh& mesh);
+
 /// What a user says of the mirror plane.
 struct SymmetryChoice
 {

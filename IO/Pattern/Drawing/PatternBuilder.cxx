@@ -377,7 +377,7 @@ PatternOptions completed(PatternOptions options, const PatternSource& source)
 {
   if (options.allowance < 0.0)
   {
-    options.allowance = source.isSheet ? 0.0 : 10.0;
+    options.allowance = usualAllowance(source.isSheet);
   }
   if (options.notchSpacing < 0.0)
   {

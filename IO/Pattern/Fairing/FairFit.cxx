@@ -195,7 +195,6 @@ constexpr double nearly = 1.3;   ///< of a tolerance: more emphasis may help
 constexpr int tolerated = 3;     ///< how often
 constexpr double progress = 0.9; ///< what more breaks must make of what is too far
 
-/// Fits piece by piece: a plan of all stretches, and the curves that are found for it.
 /// Of two plans of one chain before a search: all else follows from these.
 bool samePlan(const PlannedChain& a, const PlannedChain& b)
 {
@@ -213,6 +212,7 @@ bool samePlan(const PlannedChain& a, const PlannedChain& b)
       a.stretches.begin(), a.stretches.end(), b.stretches.begin(), b.stretches.end(), sameStretch);
 }
 
+/// Fits piece by piece: a plan of all stretches, and the curves that are found for it.
 class Fitting
 {
 public:

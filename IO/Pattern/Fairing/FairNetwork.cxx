@@ -323,7 +323,8 @@ constexpr double exactLength = 1e-13; ///< of an interval, relative
 constexpr double goodLength = 1e-10;
 constexpr double sliding = 0.01; ///< weight of what is missing along a curve, to that across it
 constexpr double cornerWeight = 10.0;
-constexpr double goodStep = 1e-6; ///< of a step to the minimum, relative
+/// Of a step to the minimum, relative: the next one would be about its square.
+constexpr double goodStep = 1e-6;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Of constraints, which may depend on each other. Pivots are not chosen by size: with smaller ones
 /// on the diagonal a step loses its digits.

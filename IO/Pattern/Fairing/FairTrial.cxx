@@ -22,8 +22,10 @@ constexpr double leastOff = 0.1;    ///< of a curve in what its length is chosen
 constexpr double balancing = 0.4;   ///< power of how far off it is
 constexpr int smoothings = 6;
 constexpr double widerWave = 1.6;
-constexpr double sparing = 0.5;  ///< of the tolerance, what may be spent on smoothness alone
-constexpr double grid = 1 << 12; ///< parts of 1 in what one trial gives to the next
+constexpr double sparing = 0.5; ///< of the tolerance, what may be spent on smoothness alone
+/// Parts of 1 in what one trial gives to the next: far above rounding errors, and 0.02 % of a
+/// weight or span, which decides nothing else.
+constexpr double grid = 1 << 12;
 
 /// Rounds what one trial gives to the next, so that rounding errors do not grow from trial to
 /// trial: the curves would be others on another processor.

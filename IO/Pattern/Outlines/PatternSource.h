@@ -96,6 +96,12 @@ enum class UpAxis
   None, ///< pieces are drawn as they lie
 };
 
+/// In millimetres, where none is given: edges of a sheet do not fray.
+constexpr double usualAllowance(bool isSheet)
+{
+  return isSheet ? 0.0 : 10.0;
+}
+
 /// How to make a pattern of a flattening. Lengths in millimetres whatever the unit of the surface.
 struct PatternOptions
 {
@@ -105,7 +111,7 @@ struct PatternOptions
   int quantity = 1;
   std::vector<int> pieceQuantities;    ///< by piece; where missing or 0: quantity
   std::vector<std::string> pieceNames; ///< by piece; where missing: the name, numbered if need be
-  double allowance = -1.0;             ///< below 0: 10, of a sheet 0
+  double allowance = -1.0;             ///< below 0: usualAllowance()
   std::map<std::string, double> allowanceOfCurve; ///< by curve name; "boundary" for the rest
   double mitreLimit = 2.0;                        ///< longest mitre, in allowances
   double warpCompensation = 0.0; ///< by which pieces are longer along their grain, per cent

@@ -9,7 +9,7 @@ import { Scene } from "./Scene";
 import { askPattern, askUnit, type PatternChoice } from "./ui/dialogs";
 import { byId } from "./ui/elements";
 import { Sidebar } from "./ui/Sidebar";
-import { pieceRows, plain, verdictOf } from "./ui/words";
+import { isSound, pieceRows, verdictOf } from "./ui/words";
 
 /** Surfaces with more triangles are flattened on request only. */
 const mostTriangles = 200_000;
@@ -324,7 +324,7 @@ export class Workbench {
   }
 
   private sayVerdict(report: Report): void {
-    const rows = [...pieceRows(report)].sort((a, b) => Number(b.message !== "") - Number(a.message !== "") || b.strain_p95 - a.strain_p95);
+    const rows = [...pieceRows(report)].sort((a, b) => Number(isSound(a)) - Number(isSound(b)) || b.strain_p95 - a.strain_p95);
     if (report.refused || rows.length === 0) {
       const closed = /closed/.test(report.status.message) ? " Propose cuts opens it." : "";
       this.say(`This surface cannot be flattened: ${report.status.message}.${closed}`, true);
@@ -332,7 +332,7 @@ export class Workbench {
     }
     const { name, words, details } = verdictOf(rows[0]);
     const said = `${rows.length > 1 ? `${rows.length} pieces; worst: ` : ""}${name} ${words}. ${details}`;
-    const warnings = report.warnings.map(plain).filter((warning) => !said.includes(warning.replace(/^piece \d+: /, "")));
+    const warnings = report.warnings.filter((warning) => !/^piece \d+: /.test(warning)); // the list of pieces has their words
     this.say([said, ...warnings].join(". "));
   }
 

@@ -61,9 +61,9 @@ export function likeness(metres: number): string {
 export interface PieceRow {
   piece: number;
   name: string;
+  status: string;
   size: string;
   ease: string;
-  message: string;
   verdict: string;
   strain_p95: number;
   E_area: number;
@@ -82,7 +82,7 @@ export interface Verdict {
   name: string;
   level: "good" | "fair" | "poor";
   words: string;
-  /** The engine's own words: what is eased, where; what is wrong and what helps. */
+  /** The engine's own words: what is eased, where. */
   details: string;
 }
 
@@ -94,10 +94,18 @@ export function curveRows(report: Report): CurveRow[] {
   return (report.curves ?? []) as unknown as CurveRow[];
 }
 
-/** Without numbers of triangles and names of methods, which say nothing to a maker. */
-export function plain(message: string): string {
-  return message.replace(/ at triangles \d+(, \d+)*( and \d+ more)?,?| \(in the input: [^)]*\)| from point \d+ to point \d+|; the symmetric Dirichlet energy was used:[^.]*/g, "")
-    .replace(/the isometric scheme did not converge in \d+ iterations/, "no flat shape of it was found");
+/** What is wrong with a piece, by its status. */
+const troubles: Record<string, string> = {
+  NotConverged: "has no good flat shape yet: part it by a seam",
+  IncompatibleKeys: "has straight lines that contradict each other: release one",
+  LengthError: "has lines that cannot keep their length: add a dart or a seam",
+  FlippedTriangles: "is folded in places: add a dart or a seam there",
+  Overlap: "lies over itself: part it by a seam",
+  BeyondLimits: "strains the material too much: add a dart or a seam",
+};
+
+export function isSound(row: PieceRow): boolean {
+  return !(row.status in troubles);
 }
 
 /** Whether a piece fits, for who cuts and sews it. */
@@ -108,10 +116,11 @@ export function verdictOf(row: PieceRow): Verdict {
     : strain < 0.05 ? ["good", `fits: nearly all of it is strained by less than ${percent(strain)}`]
     : strain < 0.1 ? ["fair", `fits a material that gives: strain up to ${percent(strain)}`]
     : ["poor", `is strained by up to ${percent(strain)}: add a dart or a seam where the color is strongest`];
+  const trouble = troubles[row.status];
   return {
     name: row.name || `Piece ${row.piece + 1}`,
-    level: row.message ? "poor" : level,
-    words: row.message ? "cannot be used as it is" : words,
-    details: plain([row.message, row.verdict, strain < 0.005 ? "" : row.ease].filter(Boolean).join(". ")),
+    level: trouble ? "poor" : level,
+    words: trouble ?? words,
+    details: [row.verdict, strain < 0.005 ? "" : row.ease].filter(Boolean).join(". "),
   };
 }
