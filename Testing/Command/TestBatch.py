@@ -60,24 +60,20 @@ class Batch(command.CommandTest):
         self.assertEqual(self.report("out/lune_2")["curve_files"], ["key.txt"])
         self.assertEqual(self.report("out/lune_3")["curves"], [])
 
-    def test_results_do_not_depend_on_how_many_run_at_a_time(self):
+    def test_a_refused_surface_stops_no_other_however_many_run_at_a_time(self):
         text = "lune.obj arc.txt\nlune.obj key.txt\nmissing.obj\nlune.obj\n"
         seen = []
         for threads in ("1", "2", "3", "7"):
-            report, _ = self.batch(text, "--threads", threads, code=3)
+            report, run = self.batch(text, "--threads", threads, code=3)
+            self.assertEqual([row["exit_code"] for row in report["surfaces"]], [0, 0, 3, 0])
+            self.assertEqual(report["surfaces"][2]["status"], "UnreadableInput")
+            self.assertTrue(any("error: missing.obj" in line for line in command.error_lines(run)), run.stderr)
+            self.assertEqual(os.listdir(self.path("out/missing")), ["report.json"])
             self.assertEqual(report["workers"], min(4, int(threads)))
             seen.append([(row["folder"], row["status"]) for row in report["surfaces"]])
             seen[-1] += [self.array(f"out/{folder}/flat.vtp", "Points")
                          for folder in ("lune", "lune_2", "lune_3")]
         self.assertEqual(seen, [seen[0]] * 4)
-
-    def test_a_refused_surface_stops_no_other(self):
-        report, run = self.batch("missing.obj\nlune.obj arc.txt\n", code=3)
-        self.assertEqual([row["exit_code"] for row in report["surfaces"]], [3, 0])
-        self.assertEqual(report["surfaces"][0]["status"], "UnreadableInput")
-        self.assertIn("missing.obj", command.error_lines(run)[0])
-        self.assertEqual(os.listdir(self.path("out/missing")), ["report.json"])
-        self.assertTrue(os.path.exists(self.path("out/lune/flat.vtp")))
 
     def test_the_exit_code_is_that_of_the_worst(self):
         broken = ("--paper-method", "--solver", "sequential", "--max-iterations", "1")

@@ -181,12 +181,9 @@ class Commands(command.CommandTest):
                 points = self.array("b.vtp", "Points")
                 for k, side in enumerate(sides):
                     self.assertAlmostEqual(max(points[k::3]) - min(points[k::3]), side, delta=1e-9 * side)
-                self.assertEqual(self.report_of("b.vtp")["unit"], unit)
+                self.assertEqual(self.flatten("b.vtp", "--scheme", "global")["unit"], unit)
         self.assert_usage_error("--scale", "check", "a.obj", "--scale", "2", "--height", "3mm")
         self.assert_usage_error("not a length", "check", "a.obj", "--height", "tall")
-
-    def report_of(self, surface):
-        return self.flatten(surface, "--scheme", "global")
 
     def assert_usage_error(self, words, *arguments):
         run = self.run_command(*arguments)

@@ -205,10 +205,6 @@ class Curves(command.CommandTest):
         for dart in ("waist_dart_inner", "waist_dart_outer"):
             self.assertEqual(said[0].count(dart), 1, said)
 
-    def test_types_may_have_capital_letters(self):
-        self.write("capital.txt", open(self.path("arc.txt"), encoding="utf-8").read().replace("acc", "Acc"))
-        self.assert_same_as_text(self.flatten("lune.obj", "capital.txt"), "accessory", "arc")
-
     def test_lines_of_an_obj_file_are_curves_named_by_their_group(self):
         with open(self.path("arc.txt"), encoding="utf-8") as file:
             ids = [int(word) + 1 for word in file.read().split()[2:]]
@@ -460,7 +456,7 @@ class Curves(command.CommandTest):
         self.assertNotIn("without the curve", self.run_command("lune.obj", "arc.txt").stdout)
 
     def test_the_walk_of_the_t_shirts_seams_adds_up_to_their_lengths_and_finds_no_difference(self):
-        data = os.environ["WIREWARP_DATA"]
+        data = command.DATA
         report = self.flatten("pattern", os.path.join(data, "tshirt.vtp"), os.path.join(data, "tshirt_curves.vtp"),
                               "-o", "out/walk.csv", "--unit", "cm", "--name", "shirt")
         with open(self.path("out/walk.csv"), encoding="utf-8", newline="") as file:

@@ -115,43 +115,36 @@ class Edges(command.CommandTest):
             self.assertIn(word, run.stderr)
         self.assertFalse(os.path.exists(self.path("none/pattern.dxf")))
 
-    def test_the_walk_of_an_eased_seam_tells_the_ease_of_every_interval(self):
-        seam = self.curves("seam side " + " ".join(str(at(4, j)) for j in range(SIZE + 1)) + "\n")
-        words = ("--unit", "mm", "-o", "out/walk.csv", "--notch-spacing", "100", "--tolerance", "side=0.05")
-        self.flatten("pattern", "bulged.obj", seam, *words, "--ease", "side:1=+3%")
+    def walk(self):
+        """The rows, the lengths of the first piece and of the second, and whether the first one is a: 1 or -1."""
         with open(self.path("out/walk.csv"), encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         self.assertGreater(len(rows), 5)
         for row in rows:
             longer = 1 if row["piece_a"].endswith(" 1") else -1
-            lengths = [float(row["length_a_mm"]), float(row["length_b_mm"])][::longer]
+            yield row, [float(row["length_a_mm"]), float(row["length_b_mm"])][::longer], longer
+
+    def test_the_walk_of_an_eased_seam_tells_the_ease_of_every_interval(self):
+        seam = self.curves("seam side " + " ".join(str(at(4, j)) for j in range(SIZE + 1)) + "\n")
+        words = ("--unit", "mm", "-o", "out/walk.csv", "--notch-spacing", "100", "--tolerance", "side=0.05")
+        self.flatten("pattern", "bulged.obj", seam, *words, "--ease", "side:1=+3%")
+        for row, lengths, longer in self.walk():
             self.assertAlmostEqual(lengths[0] / lengths[1], 1.03, places=6)
             self.assertAlmostEqual(lengths[1], float(row["to_mm"]) - float(row["from_mm"]), places=4)
             self.assertAlmostEqual(float(row["ease_percent"]), 3.0 if longer > 0 else 100 / 1.03 - 100, places=3)
 
     def test_a_file_of_curves_brings_its_eases(self):
-        with open(self.path("bulged.obj"), encoding="utf-8") as file:
-            points = [line.split()[1:4] for line in file if line.startswith("v ")]
-        seam = [points[at(4, j)] for j in range(SIZE + 1)]
-        lines = ["# vtk DataFile Version 3.0", "a seam", "ASCII", "DATASET POLYDATA",
-                 f"POINTS {len(seam)} double", *(" ".join(point) for point in seam),
-                 f"LINES 1 {len(seam) + 1}", " ".join(map(str, [len(seam), *range(len(seam))])),
-                 "CELL_DATA 1", "FIELD FieldData 4", "CurveType 1 1 int", "3", "LengthTolerance 1 1 double", "0.05",
-                 "LengthEase 1 1 double", "{}", "EasedPiece 1 1 int", "{}"]
+        points, _ = sheet(150.0)
 
         def ease(fraction, piece):
-            with open(self.path("eased.vtk"), "w", encoding="utf-8") as file:
-                file.write("\n".join(lines).format(fraction, piece) + "\n")
-            return self.path("eased.vtk")
+            fields = (("CurveType", "int", 3), ("LengthTolerance", "double", 0.05), ("LengthEase", "double", fraction),
+                      ("EasedPiece", "int", piece))
+            return self.write("eased.vtk", command.legacy(points, polylines=[[at(4, j) for j in range(SIZE + 1)]], cell_data=(
+                "CELL_DATA 1\nFIELD FieldData 4\n" + "".join(f"{name} 1 1 {kind}\n{value}\n" for name, kind, value in fields))))
 
         words = ("--unit", "mm", "-o", "out/walk.csv", "--notch-spacing", "100")
         self.flatten("pattern", "bulged.obj", ease(0.03, 0), *words)
-        with open(self.path("out/walk.csv"), encoding="utf-8") as file:
-            rows = list(csv.DictReader(file))
-        self.assertGreater(len(rows), 5)
-        for row in rows:
-            longer = 1 if row["piece_a"].endswith(" 1") else -1
-            lengths = [float(row["length_a_mm"]), float(row["length_b_mm"])][::longer]
+        for _, lengths, _ in self.walk():
             self.assertAlmostEqual(lengths[0] / lengths[1], 1.03, places=6)
         for fraction, piece, says in ((0.06, 0, ["6 %", "5 %"]), (0.03, 2, ["piece 3"]), (0.03, -1, ["1, 2"]),
                                       (1.0, 0, ["LengthEase", "(-1, 1)"]), (0.03, -2, ["EasedPiece"])):

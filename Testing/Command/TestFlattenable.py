@@ -7,16 +7,10 @@ import pathlib
 import command
 
 
-def hill(height=0.15):
-    return ([(i, j, height * i * (6 - i) * j * (6 - j) / 9) for j in range(7) for i in range(7)],
-            [t for j in range(6) for i in range(6) for a in [7 * j + i]
-             for t in ((a, a + 1, a + 8), (a, a + 8, a + 7))])
-
-
 class Flattenable(command.CommandTest):
     def setUp(self):
         super().setUp()
-        self.write("hill.obj", command.obj(*hill()))
+        self.write("hill.obj", command.obj(*command.hill(0.15)))
         self.write("curves.txt", "accessory middle 21 22 23 24 25 26 27\n")
 
     def bytes_of(self, name):

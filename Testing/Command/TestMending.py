@@ -68,16 +68,12 @@ class Mending(command.CommandTest):
             self.assertAlmostEqual(report["sizes"][0][key], good["sizes"][0][key], delta=0.2)
         self.assertAlmostEqual(piece["E_area"], good["pieces"][0]["E_area"], delta=1e-3)
 
-    def test_a_good_surface_is_said_nothing_of(self):
-        report, warnings = self.flattened(self.points, self.triangles)
-        self.assertEqual(warnings, [])
-        self.assert_whole(report, 2 * SIZE * SIZE)
-
-    def test_quads_need_no_mending(self):
+    def test_of_a_good_surface_of_triangles_or_quads_nothing_is_said(self):
         quads = [(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)) for j in range(SIZE) for i in range(SIZE)]
-        report, warnings = self.flattened(self.points, quads)
-        self.assertEqual(warnings, [])
-        self.assert_whole(report, 2 * SIZE * SIZE)
+        for cells in (self.triangles, quads):
+            report, warnings = self.flattened(self.points, cells)
+            self.assertEqual(warnings, [])
+            self.assert_whole(report, 2 * SIZE * SIZE)
 
     def test_a_triangle_without_area_is_taken_out_and_leaves_no_gap(self):
         # The point in the middle of an edge, which the triangle on one side uses and the other does not.
@@ -275,17 +271,7 @@ class Mending(command.CommandTest):
         self.assertEqual(warnings, ["--fill-holes found no opening so small"])
         self.assertEqual(report["pieces"][0]["triangles"], len(triangles))
 
-    def test_an_opening_is_filled_as_its_line_says(self):
-        fine, triangles = self.with_an_opening()
-        _, warnings = self.flattened(fine, triangles)
-        across = math.hypot(10, 10, 0.6)  # mm, a third of a square of 3 cm; the dome's height hardly counts
-        words = re.search(r"the largest ([0-9.]+) mm across.*(--fill-holes) ([0-9]+) closes it", warnings[0])
-        self.assertAlmostEqual(float(words[1]), across, delta=0.2)
-        report, warnings = self.flattened(fine, triangles, words[2], words[3])
-        self.assertEqual(warnings, ["1 opening filled, as --fill-holes asks"])
-        self.assert_whole(report, len(triangles) + 1)
-
-    def with_an_opening(self):
+    def test_an_opening_that_looks_like_a_missing_triangle_is_filled_as_its_line_says(self):
         fine = [tuple(middle_of) for middle_of in self.points]
         a, b, c = at(5, 5), at(6, 5), at(6, 6)
         m = len(fine)
@@ -294,15 +280,14 @@ class Mending(command.CommandTest):
         fine += [tuple(centre[k] + (fine[v][k] - centre[k]) / 3 for k in range(3)) for v in (a, b, c)]
         triangles = [t for t in self.triangles if t != (a, b, c)]
         triangles += [(a, b, m), (m, b, m + 1), (b, c, m + 1), (m + 1, c, m + 2), (c, a, m + 2), (m + 2, a, m)]
-        return fine, triangles
-
-    def test_openings_that_look_like_missing_triangles_are_named(self):
-        fine, triangles = self.with_an_opening()
         _, warnings = self.flattened(fine, triangles)
         self.assertEqual(len(warnings), 1)
         self.assertIn("1 small opening", warnings[0])
-        self.assertIn("--fill-holes", warnings[0])
-        report, warnings = self.flattened(fine, triangles, "--fill-holes", "20")
+        across = math.hypot(10, 10, 0.6)  # mm, a third of a square of 3 cm; the dome's height hardly counts
+        words = re.search(r"the largest ([0-9.]+) mm across.*(--fill-holes) ([0-9]+) closes it", warnings[0])
+        self.assertAlmostEqual(float(words[1]), across, delta=0.2)
+        report, warnings = self.flattened(fine, triangles, words[2], words[3])
+        self.assertEqual(warnings, ["1 opening filled, as --fill-holes asks"])
         self.assert_whole(report, len(triangles) + 1)
 
     def test_of_a_sheet_with_thickness_the_outer_side_is_taken(self):

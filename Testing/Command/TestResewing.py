@@ -13,10 +13,6 @@ def tube(columns, rows):
         math.cos(2 * math.pi * i / columns), math.sin(2 * math.pi * i / columns), 2 * j / rows), closed=True)
 
 
-def hill(height):
-    return command.grid(6, 6, lambda i, j: (i, j, height * i * (6 - i) * j * (6 - j) / 9))
-
-
 class Resewing(command.CommandTest):
     def setUp(self):
         super().setUp()
@@ -62,7 +58,7 @@ class Resewing(command.CommandTest):
         self.assertIn("product sewn again: ", product)
 
     def test_it_is_sewn_of_the_material_that_it_is_cut_from_and_hangs_by_its_weight(self):
-        self.write("hill.obj", command.obj(*hill(0.03)))
+        self.write("hill.obj", command.obj(*command.hill(0.03)))
         sheet, = self.flatten("sew", "hill.obj", "--mode", "panel")["resewn"]
         self.assertIsNone(sheet["cloth"])
         knit, = self.flatten("sew", "hill.obj", "--mode", "panel", "--material", "jersey")["resewn"]
@@ -91,7 +87,7 @@ class Resewing(command.CommandTest):
         self.assertNotIn("flat.vtp", os.listdir(self.path("out")))
 
     def test_cloth_that_is_not_at_rest_is_told(self):
-        self.write("hill.obj", command.obj(*hill(0.2)))
+        self.write("hill.obj", command.obj(*command.hill(0.2)))
         run = self.run_command(
             "sew", "hill.obj", "--mode", "panel", "--sewing-iterations", "1", "--output", "out")
         self.assertEqual(run.returncode, 4, run.stderr)

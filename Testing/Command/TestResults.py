@@ -143,13 +143,6 @@ class Results(command.CommandTest):
         self.assertIn("lune_flat", run.stdout)
         self.assertIn("flat.vtp", os.listdir(self.path("lune_flat")))
 
-    def test_names_with_blanks_and_deep_new_folders(self):
-        os.replace(self.path("lune.obj"), self.path("a lune.obj"))
-        os.replace(self.path("arc.txt"), self.path("an arc.txt"))
-        run = self.run_command("a lune.obj", "an arc.txt", "--output", "new folder/in it")
-        self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertEqual(self.report("new folder/in it")["surface"], "a lune.obj")
-
     def test_table_has_a_row_a_piece_and_the_papers_columns(self):
         points, triangles = command.sheet()
         self.write("sheet.obj", command.obj(points, triangles))
@@ -179,40 +172,10 @@ class Results(command.CommandTest):
         self.assertEqual(report["pieces"][0]["status"], "NotConverged")
         self.assertEqual(len(self.array("out/flat.vtp", "Points")), 3 * 37)
 
-    def test_a_relaxation_that_runs_out_of_iterations_is_a_broken_promise(self):
-        slow = ("lune.obj", "arc.txt", "--scheme", "global", "--interior", "relaxation",
-                "--relaxation-movement", "0")
-        run = self.run_command(*slow, "--output", "out")
-        self.assertEqual(run.returncode, 4, run.stderr)
-        self.assertIn("raise --relaxation-max-iterations", command.error_lines(run)[-1])
-        self.assertEqual(self.report("out")["pieces"][0]["status"], "NotConverged")
-        self.assertEqual(self.flatten(*slow[:-2])["status"], "Ok")
-
-    def test_lengths_that_could_not_be_made_exact_are_told(self):
-        # Edges of exact length fix the angles at the top of a steep pyramid, which are not flat.
-        points = [(0, 0, 1), (1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0)]
-        self.write("pyramid.obj", command.obj(points, [(0, k, k % 4 + 1) for k in range(1, 5)]))
-        self.write("ridges.txt", "".join(f"accessory ridge{k} 0 {k}\n" for k in range(1, 5)))
-        report = self.flatten("pyramid.obj", "ridges.txt", code=4)
-        self.assertEqual(report["status"], "LengthError")
-        self.assertIn("last correction of the wires' lengths", report["pieces"][0]["fallbacks"])
-        self.assertEqual(self.flatten("lune.obj", "arc.txt")["pieces"][0]["fallbacks"], "")
-
     def test_what_a_plane_cannot_hold_is_said_with_a_cut(self):
         # The sphere down to 120 degrees: 2 pi (1 - cos) of area, a disk of pi sin^2 for its boundary.
         rings, angle = 8, math.radians(120)
-        points, triangles = [(0, 0, 1)], []
-        for ring in range(1, rings + 1):
-            down = angle * ring / rings
-            points += [(math.sin(down) * math.cos(k * math.pi / 6),
-                        math.sin(down) * math.sin(k * math.pi / 6), math.cos(down)) for k in range(12)]
-        for k in range(12):
-            after = (k + 1) % 12
-            triangles.append((0, 1 + k, 1 + after))
-            for first in range(1, 12 * (rings - 1), 12):
-                triangles += [(first + k, first + 12 + k, first + 12 + after),
-                              (first + k, first + 12 + after, first + after)]
-        self.write("ball.obj", command.obj(points, triangles))
+        self.write("ball.obj", command.obj(*command.cap(angle, rings, 12)))
         run = self.run_command("ball.obj", "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)
         piece = self.report("out")["pieces"][0]

@@ -10,28 +10,16 @@ import time
 import command
 
 
-def dome(columns, rows, height):
-    """A dome over the square from -1 to 1."""
-    def place(i, j):
-        x, y = 2 * i / columns - 1, 2 * j / rows - 1
-        return x, y, height * (1 - x * x) * (1 - y * y)
-    return command.grid(columns, rows, place, other=lambda i, j: (i + j) % 2 == 0)
-
-
-def legacy(points, triangles, name, values):
-    """A file of VTK with a number for each cell."""
-    lines = ["# vtk DataFile Version 3.0", "dome", "ASCII", "DATASET POLYDATA", f"POINTS {len(points)} double"]
-    lines += [" ".join(map(repr, p)) for p in points]
-    lines += [f"POLYGONS {len(triangles)} {4 * len(triangles)}"]
-    lines += [" ".join(map(str, (3, *t))) for t in triangles]
-    lines += [f"CELL_DATA {len(triangles)}", f"SCALARS {name} double 1", "LOOKUP_TABLE default"]
-    return "\n".join(lines + [repr(value) for value in values]) + "\n"
+def legacy(points, triangles, values):
+    """A file of VTK with the number "matters" for each cell."""
+    return command.legacy(points, triangles, cell_data="\n".join(
+        [f"CELL_DATA {len(triangles)}", "SCALARS matters double 1", "LOOKUP_TABLE default", *map(repr, values)]) + "\n")
 
 
 class Suggestions(command.CommandTest):
     def setUp(self):
         super().setUp()
-        self.points, self.triangles = dome(14, 14, 0.5)
+        self.points, self.triangles = command.dome()
         self.write("dome.obj", command.obj(self.points, self.triangles))
 
     def test_its_curves_give_the_next_run_the_same_pieces(self):
@@ -136,7 +124,7 @@ class Suggestions(command.CommandTest):
 
     def test_weights_say_where_distortion_matters(self):
         middles = [sum(self.points[v][0] for v in t) / 3 for t in self.triangles]
-        self.write("dome.vtk", legacy(self.points, self.triangles, "matters", [float(x > 0) for x in middles]))
+        self.write("dome.vtk", legacy(self.points, self.triangles, [float(x > 0) for x in middles]))
         options = ("--kind", "darts", "--max-strain", "0", "--max-cuts", "1")
         run = self.run_command("cut", "dome.vtk", *options, "--weights", "matters", "--output", "out")
         self.assertIn(run.returncode, (0, 4), run.stderr)
@@ -146,7 +134,7 @@ class Suggestions(command.CommandTest):
         self.assertEqual(run.returncode, 3)
         self.assertIn('no cell array of numbers named "mattes"; give one of matters', run.stderr)
         self.assertFalse(os.path.exists(self.path("none/flat.vtp")))
-        self.write("dome.vtk", legacy(self.points, self.triangles, "matters", [-1.0] + middles[1:]))
+        self.write("dome.vtk", legacy(self.points, self.triangles, [-1.0] + middles[1:]))
         run = self.run_command("cut", "dome.vtk", *options, "--weights", "matters", "--output", "none")
         self.assertEqual(run.returncode, 3)
         self.assertIn("are negative or no numbers", run.stderr)
@@ -211,7 +199,7 @@ class Suggestions(command.CommandTest):
                 self.assertIn("above the bound of", run.stderr)
 
     def test_a_search_that_is_interrupted_ends_with_the_best_so_far(self):
-        self.write("fine.obj", command.obj(*dome(40, 40, 0.9)))
+        self.write("fine.obj", command.obj(*command.dome(40, 40, 0.9)))
         process = subprocess.Popen(
             [command.EXECUTABLE, "cut", "fine.obj", "--kind", "all", "--max-strain", "0", "--max-cuts", "30", "--max-work", "0",
              "--output", "out"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

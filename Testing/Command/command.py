@@ -11,8 +11,9 @@ import sys
 import tempfile
 import unittest
 
-EXECUTABLE = os.environ["WIREWARP"]
-DATA = os.environ["WIREWARP_DATA"]
+EXECUTABLE = os.environ.get("WIREWARP")
+SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+DATA = os.path.join(SOURCE, "Data")
 
 
 class CommandTest(unittest.TestCase):
@@ -23,8 +24,8 @@ class CommandTest(unittest.TestCase):
         self.folder = self._folder.name
         self.addCleanup(self._folder.cleanup)
 
-    def path(self, name):
-        return os.path.join(self.folder, name)
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
 
     def write(self, name, content):
         with open(self.path(name), "wb") as file:
@@ -38,7 +39,7 @@ class CommandTest(unittest.TestCase):
             cwd=self.folder,
             capture_output=True,
             text=True,
-            timeout=120,
+            timeout=300,
             check=False,
             **options,
         )
@@ -108,6 +109,35 @@ def grid(columns, rows, place, closed=False, other=lambda i, j: False):
 def sheet(columns=4, rows=4):
     """A sheet of squares over a cylinder of radius 1."""
     return grid(columns, rows, lambda i, j: (math.cos(0.3 * i), math.sin(0.3 * i), 0.25 * j))
+
+
+def dome(columns=14, rows=14, height=0.5, other=lambda i, j: (i + j) % 2 == 0):
+    """A dome over the square from -1 to 1; by default its own mirror image, triangles and all."""
+    def place(i, j):
+        x, y = 2 * i / columns - 1, 2 * j / rows - 1
+        return x, y, height * (1 - x * x) * (1 - y * y)
+    return grid(columns, rows, place, other=other)
+
+
+def hill(height):
+    """A bump over a square of 6 x 6."""
+    return grid(6, 6, lambda i, j: (i, j, height * i * (6 - i) * j * (6 - j) / 9))
+
+
+def cap(angle, rings, count, size=1.0):
+    """The sphere about its pole, which is vertex 0, down to an angle."""
+    points, triangles = grid(count, rings - 1, lambda i, j: (
+        size * math.sin(angle * (j + 1) / rings) * math.cos(2 * math.pi * i / count),
+        size * math.sin(angle * (j + 1) / rings) * math.sin(2 * math.pi * i / count),
+        size * math.cos(angle * (j + 1) / rings)), closed=True)
+    return [(0.0, 0.0, size), *points], [(0, 1 + k, 1 + (k + 1) % count) for k in range(count)] + [
+        (a + 1, c + 1, b + 1) for a, b, c in triangles]
+
+
+def ring(count=24):
+    """A flat ring of radii 1 and 3."""
+    return grid(count, 2, lambda i, j: (
+        (1 + j) * math.cos(2 * math.pi * i / count), (1 + j) * math.sin(2 * math.pi * i / count), 0.0), closed=True)
 
 
 TETRAHEDRON = ([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)],
