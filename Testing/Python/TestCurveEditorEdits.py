@@ -10,33 +10,9 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import surfaceflattening as sf
+from surfaces import command
 
 NAN, INF = math.nan, math.inf
-
-
-def grid(columns, rows, closed, place):
-    """A sheet, a tube (closed in u) or a torus (closed in both)."""
-    wide, high = columns + (not closed[0]), rows + (not closed[1])
-    points = [place(i / columns, j / rows) for j in range(high) for i in range(wide)]
-    triangles = []
-    for j in range(rows):
-        for i in range(columns):
-            a, b = j % high * wide + i % wide, j % high * wide + (i + 1) % wide
-            c, d = (j + 1) % high * wide + (i + 1) % wide, (j + 1) % high * wide + i % wide
-            triangles += [(a, b, c), (a, c, d)]
-    return points, triangles
-
-
-def on_torus(u, w):
-    u, w = 2.0 * math.pi * u, 2.0 * math.pi * w
-    return ((1.0 + 0.4 * math.cos(w)) * math.cos(u), (1.0 + 0.4 * math.cos(w)) * math.sin(u), 0.4 * math.sin(w))
-
-
-def two_parts():
-    sheet, first = grid(5, 4, (False, False), lambda u, w: (u, w, 0.1 * u * w))
-    tube, second = grid(8, 3, (True, False),
-                        lambda u, w: (3.0 + math.cos(2.0 * math.pi * u), math.sin(2.0 * math.pi * u), w))
-    return sheet + tube, first + [tuple(v + len(sheet) for v in t) for t in second]
 
 
 SURFACES = {
@@ -45,19 +21,21 @@ SURFACES = {
     "no area": ([(0, 0, 0), (1, 0, 0), (0.5, 0, 0)], [(0, 1, 2)]),
     "nothing": ([], []),
     "points alone": ([(0, 0, 0), (1, 0, 0)], []),
-    "a tetrahedron": ([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]),
-    "a torus": grid(8, 6, (True, True), on_torus),
+    "a tetrahedron": command.TETRAHEDRON,
+    "a torus": command.torus(),
     "three leaves": ([(0, 0, 0), (1, 0, 0), (0.5, 1, 0), (0.5, -1, 0.3), (0.5, 0, 1)],
                      [(0, 1, 2), (1, 0, 3), (0, 1, 4)]),
     "a bow tie": ([(0, 0, 0), (1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0)], [(0, 1, 2), (0, 3, 4)]),
-    "two parts": two_parts(),
+    "two parts": command.together(
+        command.grid(5, 4, lambda i, j: (0.2 * i, 0.25 * j, 0.005 * i * j)),
+        command.grid(8, 3, lambda i, j: (3 + math.cos(math.pi * i / 4), math.sin(math.pi * i / 4), j / 3), closed=True)),
     "a corner that is nowhere": ([(0, 0, 0), (1, 0, 0), (0, NAN, 0), (1, 1, 0)], [(0, 1, 2), (1, 3, 2)]),
     "a point that is nowhere": ([(0, 0, 0), (1, 0, 0), (0, 1, 0), (NAN, 1, 0)], [(0, 1, 2)]),
     "a point of no triangle": ([(5, 5, 5), (0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 1)], [(1, 2, 3), (2, 4, 3)]),
     "a quadrangle": ([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0.2)], [(0, 1, 2, 3)]),
     "a triangle twice": ([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2), (0, 1, 2)]),
-    "a sheet": grid(12, 12, (False, False), lambda u, w: (u, w, 0.3 * math.sin(5 * u) * math.cos(4 * w))),
-    "a sheet far away": grid(4, 4, (False, False), lambda u, w: (1e9 + u, w, 0.0)),
+    "a sheet": command.grid(12, 12, lambda i, j: (i / 12, j / 12, 0.3 * math.sin(5 * i / 12) * math.cos(j / 3))),
+    "a sheet far away": command.grid(4, 4, lambda i, j: (1e9 + i / 4, j / 4, 0.0)),
 }
 
 

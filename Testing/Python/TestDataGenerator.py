@@ -1,17 +1,14 @@
-#!/usr/bin/python3
-"""The pieces of Data/ are what their generator writes.
+"""The pieces of Data/ are what their generator writes."""
 
-Usage: TestDataGenerator.py SOURCE_FOLDER
-"""
-import glob
 import os
 import subprocess
 import sys
 import tempfile
+import unittest
 
 import numpy as np
-import vtk
-from vtk.util.numpy_support import vtk_to_numpy
+
+from surfaces import DATA, points_of, polylines_of, read, read_file, triangles_of
 
 # Triangle counts: the paper's Table 1 where it has the piece (within 5 %), else our own.
 TRIANGLES = {
@@ -32,75 +29,33 @@ TRIANGLES = {
     "tshirt": 3448,
 }
 DEVELOPABLES = ("cylinder", "cone", "tangent_developable")
-failures = []
 
 
-def expect(condition, message):
-    if not condition:
-        failures.append(message)
-        print("FAILED:", message)
+class Data(unittest.TestCase):
+    def test_the_generator_writes_exactly_the_committed_files(self):
+        script, names = os.path.join(DATA, "Generate", "generate.py"), list(TRIANGLES)
+        with tempfile.TemporaryDirectory() as fresh:
+            runs = [subprocess.Popen([sys.executable, script, fresh, *part], stdout=subprocess.DEVNULL)
+                    for part in (names[::2], names[1::2])]
+            self.assertEqual([run.wait() for run in runs], [0, 0])
+            committed = sorted(name for name in os.listdir(DATA) if name.endswith(".vtp"))
+            self.assertEqual(sorted(os.listdir(fresh)), committed)
+            for name in committed:
+                with self.subTest(name):
+                    mine, theirs = read_file(os.path.join(fresh, name)), read_file(os.path.join(DATA, name))
+                    self.assertEqual(theirs.GetPoints().GetData().GetDataTypeAsString(), "double")
+                    size = np.ptp(points_of(theirs), axis=0).max()
+                    np.testing.assert_allclose(points_of(mine), points_of(theirs), rtol=0, atol=1e-9 * size)
+                    np.testing.assert_array_equal(triangles_of(mine), triangles_of(theirs))
+                    for one, other in zip(polylines_of(mine), polylines_of(theirs), strict=True):
+                        np.testing.assert_array_equal(one, other)
 
-
-def read(path):
-    reader = vtk.vtkXMLPolyDataReader()
-    reader.SetFileName(path)
-    reader.Update()
-    return reader.GetOutput()
-
-
-def pointsOf(data):
-    return vtk_to_numpy(data.GetPoints().GetData())
-
-
-def connectivity(cells):
-    return [vtk_to_numpy(a) for a in (cells.GetOffsetsArray(), cells.GetConnectivityArray())]
-
-
-def sameAsCommitted(fresh, committed, name):
-    a, b = read(fresh), read(committed)
-    x, y = pointsOf(a), pointsOf(b)
-    expect(y.dtype == np.float64, f"{name}: points are double")
-    if x.shape != y.shape:
-        expect(False, f"{name}: {len(x)} points generated, {len(y)} committed")
-        return
-    size = np.ptp(y, axis=0).max()
-    expect(np.abs(x - y).max() <= 1e-9 * size, f"{name}: coordinates differ by {np.abs(x - y).max()}")
-    for mine, theirs in ((a.GetPolys(), b.GetPolys()), (a.GetLines(), b.GetLines())):
-        if mine.GetNumberOfCells() != theirs.GetNumberOfCells():
-            expect(False, f"{name}: number of cells differs")
-        elif mine.GetNumberOfCells():
-            same = all(np.array_equal(u, v) for u, v in zip(connectivity(mine), connectivity(theirs)))
-            expect(same, f"{name}: connectivity differs")
-    for data in (a.GetPointData(), b.GetPointData()):
-        if name[: -len(".vtp")] in DEVELOPABLES:
-            expect(data.HasArray("ExactUnrolling"), f"{name}: has ExactUnrolling")
-
-
-def regenerate(source, folder, names):
-    """Run the generator in two processes."""
-    script = os.path.join(source, "Data", "Generate", "generate.py")
-    runs = [
-        subprocess.Popen([sys.executable, script, folder, *part], stdout=subprocess.DEVNULL)
-        for part in (names[::2], names[1::2])
-    ]
-    for run in runs:
-        expect(run.wait() == 0, "the generator ran")
-
-
-def main(source):
-    folder = os.path.join(source, "Data")
-    committed = sorted(os.path.basename(p) for p in glob.glob(os.path.join(folder, "*.vtp")))
-    with tempfile.TemporaryDirectory() as fresh:
-        regenerate(source, fresh, list(TRIANGLES))
-        expect(committed == sorted(os.listdir(fresh)), "the generator writes exactly the committed files")
-        for name in sorted(set(committed) & set(os.listdir(fresh))):
-            sameAsCommitted(os.path.join(fresh, name), os.path.join(folder, name), name)
-    for name, count in TRIANGLES.items():
-        triangles = read(os.path.join(folder, name + ".vtp")).GetNumberOfPolys()
-        expect(abs(triangles - count) <= 0.05 * count, f"{name}: {triangles} triangles")
-    print("failed" if failures else "passed")
-    return 1 if failures else 0
+    def test_pieces_have_the_triangles_of_the_paper_and_exact_unrollings(self):
+        for name, count in TRIANGLES.items():
+            piece = read(name)
+            self.assertLessEqual(abs(piece.GetNumberOfPolys() - count), 0.05 * count, name)
+            self.assertEqual(bool(piece.GetPointData().HasArray("ExactUnrolling")), name in DEVELOPABLES, name)
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1]))
+    unittest.main()

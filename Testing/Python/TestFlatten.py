@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """flatten() takes what numpy and lists hold, and gives arrays that fit together."""
 
-import inspect
 import json
 import unittest
 import warnings
@@ -9,20 +8,7 @@ import warnings
 import numpy as np
 
 import surfaceflattening as sf
-from surfaces import distances, grid, quarter_sphere, read
-
-
-def cap(angle, rings, count, size):
-    """The sphere about its pole down to an angle."""
-    points, triangles = [(0.0, 0.0, size)], [(0, 1 + k, 1 + (k + 1) % count) for k in range(count)]
-    for down in angle * np.arange(1, rings + 1) / rings:
-        points += [(size * np.sin(down) * np.cos(turn), size * np.sin(down) * np.sin(turn), size * np.cos(down))
-                   for turn in 2 * np.pi * np.arange(count) / count]
-    for first in range(1, 1 + count * (rings - 1), count):
-        for k in range(count):
-            a, b = first + k, first + (k + 1) % count
-            triangles += [(a, a + count, b + count), (a, b + count, b)]
-    return np.array(points), np.array(triangles)
+from surfaces import cap, distances, grid, quarter_sphere, read
 
 
 class WhatAPlaneCannotHold(unittest.TestCase):
@@ -89,26 +75,6 @@ class QuarterSphere(unittest.TestCase):
         np.testing.assert_allclose(
             distances(many.positions), 1e4 * distances(one.positions), atol=1e-4)
 
-    def test_lists_and_other_number_types_are_taken(self):
-        points, triangles, arc = quarter_sphere()
-        expected = sf.flatten(points, triangles, [arc]).positions
-        for given in (
-            sf.flatten(points.tolist(), triangles.tolist(), [arc]),
-            sf.flatten(points, triangles.astype(np.uint8), [np.array(arc, np.int16)]),
-            sf.flatten(np.asfortranarray(points), np.asfortranarray(triangles), [points[arc]]),
-        ):
-            np.testing.assert_allclose(given.positions, expected, atol=1e-12)
-
-    def test_arguments_are_left_as_they_were(self):
-        points, triangles, arc = quarter_sphere()
-        arc = np.array(arc)
-        copies = points.copy(), triangles.copy(), arc.copy()
-        for array in (points, triangles, arc):
-            array.setflags(write=False)
-        sf.flatten(points, triangles, [arc])
-        for array, copy in zip((points, triangles, arc), copies):
-            np.testing.assert_array_equal(array, copy)
-
 
 class Results(unittest.TestCase):
     def test_a_seam_divides_and_its_sides_are_paired(self):
@@ -168,20 +134,6 @@ class Results(unittest.TestCase):
         self.assertEqual(json.loads(json.dumps(result.report, allow_nan=False)), result.report)
         self.assertTrue(result.report["pieces"][0]["history"])
 
-    def test_arrays_fit_points_and_triangles(self):
-        points, triangles, arc = quarter_sphere()
-        result = sf.flatten(points, triangles, [arc])
-        for name, array in result.point_arrays.items():
-            self.assertEqual(len(array), len(result.positions), name)
-        for name, array in result.cell_arrays.items():
-            self.assertEqual(len(array), len(result.triangles), name)
-        p, t = result.positions, result.triangles
-        u, v = p[t[:, 1]] - p[t[:, 0]], p[t[:, 2]] - p[t[:, 0]]
-        areas = 0.5 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
-        a, b = (result.points[t[:, k]] - result.points[t[:, 0]] for k in (1, 2))
-        in_space = 0.5 * np.linalg.norm(np.cross(a, b), axis=1)
-        np.testing.assert_allclose(result.cell_arrays["AreaRatio"], areas / in_space, rtol=1e-9)
-
     def test_arrays_outlive_the_filter(self):
         points, triangles, arc = quarter_sphere()
         first = sf.flatten(points, triangles, [arc])
@@ -198,19 +150,6 @@ class Results(unittest.TestCase):
         self.assertEqual(told, sorted(told))
         self.assertEqual(told[-1], 1.0)
         self.assertTrue(all(0.0 <= value <= 1.0 for value in told))
-
-    def test_a_sound_run_warns_of_nothing(self):
-        points, triangles, arc = quarter_sphere()
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            sf.flatten(points, triangles, [arc])
-
-
-class Help(unittest.TestCase):
-    def test_every_option_of_flatten_is_told_in_its_help(self):
-        told = [line.strip().split(":")[0] for line in inspect.getdoc(sf.flatten).splitlines()]
-        for option in inspect.signature(sf.flatten).parameters:
-            self.assertIn(option, told)
 
 
 if __name__ == "__main__":

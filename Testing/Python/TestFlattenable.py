@@ -7,18 +7,12 @@ import warnings
 import numpy as np
 
 import surfaceflattening as sf
-from surfaces import grid
-
-
-def dome(columns=10, rows=10, height=0.3):
-    points, triangles = grid(columns, rows)
-    x, y = 2 * points[:, 0] / points[:, 0].max() - 1, 2 * points[:, 1] / points[:, 1].max() - 1
-    return np.column_stack([x, y, height * (1 - x * x) * (1 - y * y)]), triangles
+from surfaces import dome
 
 
 class Flattenable(unittest.TestCase):
     def test_the_moved_surface_lies_flat_and_its_boundary_stays(self):
-        points, triangles = dome()
+        points, triangles = dome(10, 10, 0.3)
         moved = sf.make_flattenable(points, triangles, bound=0.01)
         self.assertTrue(moved.bound_met)
         self.assertEqual(moved.strain_before, sf.flatten(points, triangles).report["pieces"][0]["strain_p95"])
@@ -41,7 +35,7 @@ class Flattenable(unittest.TestCase):
         self.assertAlmostEqual(moved.size ** 2, area.sum())
 
     def test_kept_curves_stay_and_come_back(self):
-        points, triangles = dome()
+        points, triangles = dome(10, 10, 0.3)
         row = list(range(5 * 11, 6 * 11))
         curves = [sf.Curve(row, "key", "middle", "straight")]
         with warnings.catch_warnings():
@@ -54,7 +48,7 @@ class Flattenable(unittest.TestCase):
         self.assertEqual(len(sf.flatten(moved.points, moved.triangles, moved.curves).wires), len(moved.flattening.wires))
 
     def test_what_is_wrong_is_raised(self):
-        points, triangles = dome(4, 4)
+        points, triangles = dome(4, 4, 0.3)
         with self.assertRaisesRegex(sf.FlatteningError, "no curve is named"):
             sf.make_flattenable(points, triangles, keep=["hem"])
         for arguments in ({"bound": 0.0}, {"bound": 1.0}, {"thickness": -1.0}, {"outside_bias": 1.5},

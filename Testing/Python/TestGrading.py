@@ -12,6 +12,8 @@ import surfaceflattening as sf
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+from surfaces import grid
+
 SVG = "{http://www.w3.org/2000/svg}"
 COLUMNS, ROWS = 6, 10
 
@@ -22,13 +24,11 @@ def at(i, j):
 
 def plate(width, height, turn=0.3):
     """A plate in space, lying askew, with its centre line as a straight key."""
-    i, j = np.meshgrid(np.arange(COLUMNS + 1), np.arange(ROWS + 1))
-    x, y = i.ravel() * width / COLUMNS, j.ravel() * height / ROWS
-    points = np.column_stack([x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn), 0.2 * y])
-    cells = [(at(a, b), at(a + 1, b), at(a + 1, b + 1)) for a in range(COLUMNS) for b in range(ROWS)]
-    cells += [(at(a, b), at(a + 1, b + 1), at(a, b + 1)) for a in range(COLUMNS) for b in range(ROWS)]
+    def place(i, j):
+        x, y = i * width / COLUMNS, j * height / ROWS
+        return x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn), 0.2 * y
     centre = sf.Curve([at(COLUMNS // 2, b) for b in range(ROWS + 1)], "key", "centre", "straight")
-    return points, np.array(cells), [centre]
+    return *grid(COLUMNS, ROWS, place), [centre]
 
 
 def flat_plate(width, height):
@@ -114,10 +114,6 @@ class Grading(unittest.TestCase):
         writer.SetFileName(self.path("none.rul"))
         self.assertEqual((writer.Write(), writer.GetStatusName()), (0, "InvalidOption"))
         self.assertEqual(os.listdir(self.folder), [])
-
-    def coarse(self):
-        corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0.0]])
-        return {name: sf.flatten(factor * corners, np.array([[0, 1, 2]])) for name, factor in (("1", 1.0), ("2", 2.0))}
 
     def test_sizes_without_a_grain_are_turned_as_they_fit(self):
         corners = np.array([[0, 0], [40, 0], [40, 10], [0, 30.0]])

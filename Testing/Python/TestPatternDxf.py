@@ -7,20 +7,7 @@ import unittest
 import ezdxf.colors
 
 import pattern_files as pattern
-
-
-def ring(count=24):
-    """A flat ring of radii 1 and 3, as OBJ."""
-    lines = []
-    for radius in (1.0, 2.0, 3.0):
-        for k in range(count):
-            angle = 2 * math.pi * k / count
-            lines.append(f"v {radius * math.cos(angle)!r} {radius * math.sin(angle)!r} 0")
-    for inner in (0, count):
-        for k in range(count):
-            a, b = inner + k + 1, inner + (k + 1) % count + 1
-            lines += [f"f {a} {a + count} {b + count}", f"f {a} {b + count} {b}"]
-    return "\n".join(lines) + "\n"
+from pattern_files import command
 
 
 def marks(block, layer):
@@ -50,15 +37,6 @@ class Layers(pattern.PatternTest):
         self.assertEqual(audit, [])
         inserts = document.modelspace().query("INSERT")
         return document, [document.blocks.get(insert.dxf.name) for insert in inserts]
-
-    def test_each_piece_is_one_block_inserted_once(self):
-        self.make("tshirt", "-o", "out/pattern.dxf")
-        _, blocks = self.blocks()
-        self.assertEqual(len(blocks), 4)
-        self.assertEqual(len({block.name for block in blocks}), 4)
-        for block in blocks:
-            (cut,) = pattern.block_lines(block, "1")
-            self.assertTrue(cut[1], "the boundary is not closed")
 
     def test_for_a_cutter_each_line_is_there_once_in_model_space(self):
         self.make("tshirt", "-o", "out/pattern.dxf", "--style", "cutter", "--allowance", "0")
@@ -118,15 +96,6 @@ class Layers(pattern.PatternTest):
         circles = [circle for circle in block.query("CIRCLE") if circle.dxf.layer == "13"]
         self.assertEqual({tuple(circle.dxf.center)[:2] for circle in circles}, set(marks(block, "13")))
         self.assertEqual(len(circles), 2)
-
-    def test_the_header_says_the_unit_as_programs_read_it(self):
-        for unit in pattern.MILLIMETRES:
-            for options in ((), ("--allowance", "0")):
-                self.make("quarter_sphere", "-o", "out/pattern.dxf", *options, unit=unit)
-                document, _ = self.blocks()
-                inches = unit == "inch"
-                self.assertEqual(document.header["$INSUNITS"], 1 if inches else 4)
-                self.assertEqual(document.header["$MEASUREMENT"], 0 if inches else 1)
 
     def test_colours_of_layers_can_be_read_on_black_and_on_white(self):
         self.make("tshirt", "-o", "out/pattern.dxf")
@@ -222,8 +191,7 @@ class Layers(pattern.PatternTest):
         self.assertTrue(any(abs(angle - 45) < 0.01 for angle in angles), angles)
 
     def test_a_hole_is_a_cutout_smaller_by_the_allowance(self):
-        with open(self.path("ring.obj"), "w", encoding="ascii") as file:
-            file.write(ring())
+        self.write("ring.obj", command.obj(*command.ring()))
         run = self.run_command("pattern", "ring.obj", "-o", "out/pattern.dxf", "--unit", "cm", "--allowance", "4", "-q",
                                "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)

@@ -9,6 +9,7 @@ import unittest
 import numpy as np
 
 import pattern_files as pattern
+from pattern_files import command
 
 
 def bezier(panel, edge):
@@ -63,7 +64,7 @@ class GarmentCode(pattern.PatternTest):
         for sides in document["pattern"]["stitches"]:
             edges = [panels[side["panel"]]["edges"][side["edge"]] for side in sides]
             lengths = [pattern.bezier_length(bezier(panels[side["panel"]], edge)) for side, edge in zip(sides, edges)]
-            self.assertLess(abs(lengths[0] - lengths[1]), tolerance * lengths[0])
+            self.assertLess(abs(lengths[0] - lengths[1]), tolerance * lengths[0] + 1e-13)  # of slivers
             self.assertEqual(edges[0]["label"], edges[1]["label"])
             total = totals.setdefault(edges[0]["label"], [0.0, 0.0])
             for k in (0, 1):
@@ -113,10 +114,7 @@ class GarmentCode(pattern.PatternTest):
         turn = rotation((20.0, -50.0, 130.0))
         corners = [(0, 0), (30, 0), (30, 20), (10, 25), (0, 20)]
         in_space = [turn @ (x, y, 0) + (5, -7, 11) for x, y in corners]
-        with open(self.path("flat.obj"), "w", encoding="ascii") as file:
-            for point in in_space:
-                file.write("v " + " ".join(repr(float(value)) for value in point) + "\n")
-            file.write("f 1 2 3\nf 1 3 4\nf 1 4 5\n")
+        self.write("flat.obj", command.obj([point.tolist() for point in in_space], [(0, 1, 2), (0, 2, 3), (0, 3, 4)]))
         run = self.run_command("pattern", "flat.obj", "-o", "out/pattern.json", "--unit", "cm", "-q", "--output", "out")
         self.assertEqual(run.returncode, 0, run.stderr)
         (panel,) = self.read()["pattern"]["panels"].values()
@@ -126,14 +124,7 @@ class GarmentCode(pattern.PatternTest):
             self.assertLess(min(np.linalg.norm(point - other) for other in placed), 1e-8)
 
     def test_a_piece_with_a_hole_is_refused_by_name(self):
-        with open(self.path("ring.obj"), "w", encoding="ascii") as file:
-            for radius in (1, 2, 3):
-                for k in range(12):
-                    file.write(f"v {radius * math.cos(k * math.pi / 6)!r} {radius * math.sin(k * math.pi / 6)!r} 0\n")
-            for inner in (0, 12):
-                for k in range(12):
-                    a, b = inner + k + 1, inner + (k + 1) % 12 + 1
-                    file.write(f"f {a} {a + 12} {b + 12}\nf {a} {b + 12} {b}\n")
+        self.write("ring.obj", command.obj(*command.ring()))
         run = self.run_command("pattern", "ring.obj", "-o", "out/pattern.json", "--unit", "cm", "-q", "--output", "out",
                                "--piece", "washer")
         self.assertEqual(run.returncode, 3)

@@ -155,7 +155,7 @@ class Lay(pattern.PatternTest):
             self.assertEqual(run.returncode, 2, options)
 
     def test_more_pieces_than_can_be_laid_are_refused_before_they_are_counted_out(self):
-        surface, curves = (pattern.read_polydata(os.path.join(pattern.DATA, name))
+        surface, curves = (pattern.read_file(os.path.join(pattern.DATA, name))
                            for name in ("tshirt.vtp", "tshirt_curves.vtp"))
         result = sf.flatten_polydata(surface, curves)
         for quantity in (1001, 1_000_000):

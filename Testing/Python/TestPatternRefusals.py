@@ -9,6 +9,7 @@ import unittest
 from ezdxf.lldxf.encoding import decode_dxf_unicode
 
 import pattern_files as pattern
+from pattern_files import command
 
 # Quotes, tags, an entity, accents, right to left, an astral letter, control characters, a CJK name.
 NAMES = (
@@ -103,8 +104,7 @@ class Refusals(pattern.PatternTest):
             self.assertIn(word, message)
 
     def test_a_folder_that_cannot_be_made_is_refused(self):
-        with open(self.path("out"), "w", encoding="ascii") as file:
-            file.write("in the way")
+        self.write("out", "in the way")
         run = self.run_command(*self.arguments("-o", "out/pattern.svg", "--unit", "cm"))
         self.assertEqual(run.returncode, 3)
         self.assertIn("out", run.stderr)
@@ -118,19 +118,9 @@ class Refusals(pattern.PatternTest):
 
     def write_plate(self, unit):
         """A plate of 100 x 80 mm with a fish-eye dart and a hole's curve in its middle."""
-        lines = []
-        for j in range(9):
-            for i in range(11):
-                lines.append(f"v {10 * i / pattern.MILLIMETRES[unit]!r} {10 * j / pattern.MILLIMETRES[unit]!r} 0")
-        for j in range(8):
-            for i in range(10):
-                a = 11 * j + i + 1
-                lines += [f"f {a} {a + 1} {a + 12}", f"f {a} {a + 12} {a + 11}"]
-        with open(self.path("plate.obj"), "w", encoding="ascii") as file:
-            file.write("\n".join(lines) + "\n")
-        with open(self.path("fish.txt"), "w", encoding="ascii") as file:
-            file.write("dart fish " + " ".join(str(44 + i) for i in range(3, 8)) + "\n")
-        return "plate.obj", "fish.txt"
+        side = 10 / pattern.MILLIMETRES[unit]
+        return (self.write("plate.obj", command.obj(*command.grid(10, 8, lambda i, j: (side * i, side * j, 0.0)))),
+                self.write("fish.txt", "dart fish " + " ".join(str(44 + i) for i in range(3, 8)) + "\n"))
 
     def test_formats_that_fail_leave_the_others_and_are_named(self):
         every = [word for name in ("pattern.svg", "pattern.dxf", "pattern.plt", "walk.csv") for word in ("-o", "out/" + name)]
@@ -146,8 +136,7 @@ class Refusals(pattern.PatternTest):
                 with self.subTest(unit=unit, asked=asked):
                     run = self.run_command("pattern", *plate, *every, *asked, "--unit", unit, "--output", "out")
                     self.assertEqual(run.returncode, 3 if failed else 0, run.stderr)
-                    with open(self.path("out", "report.json"), encoding="utf-8") as file:
-                        report = json.load(file)
+                    report = self.report("out")
                     self.assertEqual((report["exit_code"], report["status"]), (run.returncode, "Ok"))
                     errors = [line for line in run.stderr.splitlines() if line.startswith("wirewarp: error: ")]
                     self.assertEqual(errors, ["wirewarp: error: " + text for text in report["unwritten"]])
@@ -163,8 +152,7 @@ class Refusals(pattern.PatternTest):
 
     def test_in_a_batch_a_format_that_fails_leaves_the_others(self):
         plate = self.write_plate("mm")
-        with open(self.path("list.txt"), "w", encoding="ascii") as file:
-            file.write(" ".join(plate) + "\nplate.obj\n")
+        self.write("list.txt", " ".join(plate) + "\nplate.obj\n")
         run = self.run_command("batch", "list.txt", "--unit", "mm", "--output", "out", "pattern", "-o", "pattern.svg", "-o",
                                "pattern.json")
         self.assertEqual(run.returncode, 3)
@@ -181,15 +169,13 @@ class Refusals(pattern.PatternTest):
     def test_allowances_that_meet_across_a_gap_are_told_and_both_loops_drawn(self):
         corners = ((0, 0), (100, 0), (100, 45), (80, 45), (80, 20), (20, 20), (20, 80), (80, 80), (80, 55), (100, 55),
                    (100, 100), (0, 100))
-        faces = ((2, 3, 4), (2, 4, 5), (1, 2, 5), (1, 5, 6), (12, 1, 6), (12, 6, 7), (12, 7, 8), (8, 9, 10),
-                 (8, 10, 11), (8, 11, 12))
+        faces = ((1, 2, 3), (1, 3, 4), (0, 1, 4), (0, 4, 5), (11, 0, 5), (11, 5, 6), (11, 6, 7), (7, 8, 9), (7, 9, 10),
+                 (7, 10, 11))
         for unit in ("mm", "cm", "m"):
             for allowance, met in (("4.9", False), ("5.1", True), ("6", True), ("40", True), ("0", False)):
                 with self.subTest(unit=unit, allowance=allowance):
-                    with open(self.path("c.obj"), "w", encoding="ascii") as file:
-                        for x, y in corners:
-                            file.write(f"v {x / pattern.MILLIMETRES[unit]!r} {y / pattern.MILLIMETRES[unit]!r} 0\n")
-                        file.writelines("f %d %d %d\n" % face for face in faces)
+                    size = pattern.MILLIMETRES[unit]
+                    self.write("c.obj", command.obj([(x / size, y / size, 0.0) for x, y in corners], faces))
                     run = self.run_command("pattern", "c.obj", "-o", "out/pattern.svg", "-o", "out/pattern.dxf", "--unit", unit, "--allowance", allowance,
                                            "--output", "out")
                     self.assertEqual(run.returncode, 0, run.stderr)
@@ -222,8 +208,7 @@ class Refusals(pattern.PatternTest):
                 root = pattern.svg_root(self.path("out", "pattern.svg"))
                 self.assertEqual(pattern.pieces_of(root)[0].get("data-name"), shown)
                 self.assertEqual(root.find(pattern.SVG + "title").text, shown)
-                with open(self.path("out", "pattern.dxf"), "rb") as file:
-                    self.assertLess(max(file.read()), 128)
+                self.assertLess(max(self.content("pattern.dxf")), 128)
                 document, audit = pattern.read_dxf(self.path("out", "pattern.dxf"))
                 self.assertEqual(audit, [])
                 block = document.blocks.get(document.modelspace().query("INSERT")[0].dxf.name)
@@ -248,8 +233,7 @@ class Refusals(pattern.PatternTest):
         self.assertEqual(root.find(pattern.SVG + "title").text, "caf\ufffd \ufffd\ufffd")
 
     def test_names_of_curves_that_are_no_text_are_replaced_in_every_format(self):
-        with open(self.path("curves.txt"), "wb") as file:
-            file.write(b"seam \xc4rmel 16 17 18 19 20\n")
+        self.write("curves.txt", b"seam \xc4rmel 16 17 18 19 20\n")
         run = self.run_command(
             "pattern", os.path.join(pattern.DATA, "quarter_sphere.vtp"), "curves.txt", "--output", "out",
             "-o", "out/pattern.svg", "-o", "out/pattern.pdf", "-o", "out/pattern.dxf", "--unit", "m", "--paper", "A0", "--allowance", "10")

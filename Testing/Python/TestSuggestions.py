@@ -10,18 +10,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 
 import surfaceflattening as sf
 from page import Page
-from surfaces import grid
-
-
-def dome(columns=14, rows=14, height=0.5):
-    """Its own mirror image, triangles and all."""
-    points, triangles = grid(columns, rows)
-    for k in range(0, len(triangles), 2):
-        if (k // 2 % columns + k // 2 // columns) % 2:
-            a, b, c, d = *triangles[k], triangles[k + 1][2]
-            triangles[k:k + 2] = [(a, b, d), (b, c, d)]
-    x, y = 2 * points[:, 0] / points[:, 0].max() - 1, 2 * points[:, 1] / points[:, 1].max() - 1
-    return np.column_stack([x, y, height * (1 - x * x) * (1 - y * y)]), triangles
+from surfaces import dome, grid
 
 
 class Suggestions(unittest.TestCase):

@@ -10,13 +10,9 @@ import surfaceflattening as sf
 from surfaces import grid, points_of, polylines_of, quarter_sphere
 
 
-def cylinder(radius=2.0, rows=9, columns=33):
+def cylinder(radius=2.0):
     """Half of one along y, over [0, pi] of its angle."""
-    angle, y = (values.ravel() for values in np.meshgrid(np.linspace(0, np.pi, columns), np.linspace(0, 3, rows)))
-    points = np.column_stack([radius * np.cos(angle), y, radius * np.sin(angle)])
-    first = (np.arange(rows - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
-    quads = np.column_stack([first, first + 1, first + columns + 1, first + columns])
-    return points, np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    return grid(32, 8, lambda i, j: (radius * np.cos(np.pi * i / 32), 3 * j / 8, radius * np.sin(np.pi * i / 32)))
 
 
 def length_of(curve):

@@ -2,12 +2,16 @@
 """Threads and processes flatten at the same time, and each gets what one alone would."""
 
 import concurrent.futures
-import multiprocessing
+import os
+import pathlib
+import shutil
 import signal
+import subprocess
+import sys
+import tempfile
 import threading
 import time
 import unittest
-import warnings
 
 import numpy as np
 
@@ -30,6 +34,12 @@ def curved_grid(size):
 def closed():
     return sf.flatten([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
                       [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+
+
+def run(program, **environment):
+    """In a process of its own, which has no screen."""
+    return subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, timeout=120,
+                          env={**os.environ, "DISPLAY": "", **environment})
 
 
 class Threads(unittest.TestCase):
@@ -103,20 +113,53 @@ class Threads(unittest.TestCase):
 
 
 class Processes(unittest.TestCase):
-    def test_results_and_errors_come_back(self):
-        context = multiprocessing.get_context("spawn")
-        with concurrent.futures.ProcessPoolExecutor(2, context) as pool:
-            runs = {name: pool.submit(flatten, name) for name in NAMES[:2]}
-            refused = pool.submit(closed)
-            for name, run in runs.items():
-                self.assertTrue(run.result() == flatten(name))
-            self.assertEqual(refused.exception().name, "ClosedSurface")
+    def test_without_numpy_it_is_named(self):
+        ended = run("import sys; sys.modules['numpy'] = None; import surfaceflattening")
+        self.assertEqual(ended.returncode, 1)
+        self.assertRegex(ended.stderr.splitlines()[-1], "^(ModuleNotFound|Import)Error: .*numpy")
 
-    def test_warnings_are_given_where_the_call_is(self):
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
-            flatten("wetsuit_upper_front")
-        self.assertEqual(caught[0].filename, __file__)
+    def test_a_fork_after_threads_flattens(self):
+        ended = run("""
+import os
+import numpy as np
+import surfaceflattening as sf
+x, y = (a.ravel() for a in np.meshgrid(np.linspace(0, 1, 60), np.linspace(0, 1, 60)))
+first = (np.arange(59)[:, None] * 60 + np.arange(59)).ravel()
+points, triangles = np.column_stack([x, y, x * x * y]), np.concatenate([
+    np.column_stack([first, first + 1, first + 61]), np.column_stack([first, first + 61, first + 60])])
+before = sf.flatten(points, triangles)
+child = os.fork()
+if child == 0:
+    os._exit(0 if sf.flatten(points, triangles) == before else 1)
+print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), sf.flatten(points, triangles) == before)
+""")
+        self.assertEqual(ended.stdout, "0 True\n", ended.stderr)
+
+    def test_two_versions_in_one_process_work_beside_each_other(self):
+        with tempfile.TemporaryDirectory() as folder:
+            other = pathlib.Path(folder) / "surfaceflattening"
+            shutil.copytree(os.path.dirname(sf.__file__), other, ignore=shutil.ignore_patterns("vtk*", "__pycache__"))
+            version = other / "_version.py"
+            version.write_text("BUILT_WITH_VTK = BUILT_FOR = ''\n__version__ = '0.0'\n", "utf-8")
+            ended = run("""
+import os
+import sys
+import surfaceflattening as first
+for name in [name for name in sys.modules if name.split(".")[0] == "surfaceflattening"]:
+    del sys.modules[name]
+sys.path.insert(0, os.environ["OTHER"])
+import surfaceflattening as second
+assert first.__version__ != second.__version__ == "0.0" and first._flatten._core is not second._flatten._core
+points, triangles = [[0, 0, 0], [1, 0, 0], [1, 1, 1]], [[0, 1, 2]]
+assert (first.flatten(points, triangles).positions == second.flatten(points, triangles).positions).all()
+sizes = [{size: sf.flatten(points, triangles) for size in "AB"} for sf in (first, second)]
+print(len(first.grade(sizes[0]).rules), len(second.grade(sizes[1]).rules))
+try:
+    first.resew(sizes[1]["A"])
+except first.FlatteningError as error:
+    print(error)
+""", OTHER=folder)
+        self.assertRegex(ended.stdout, "^3 3\nflattening is Flattening; it must be what flatten", ended.stderr)
 
 
 if __name__ == "__main__":

@@ -1,22 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests of patterns share: the lengths that the files must have, and readers that did not write them."""
 
-import json
 import math
 import os
 import re
 import subprocess
-import tempfile
-import unittest
 from collections import namedtuple
 from xml.etree import ElementTree
 
 import ezdxf
 import numpy as np
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-EXECUTABLE = os.environ["WIREWARP"]
-DATA = os.path.join(os.environ["FLATTENING_SOURCE"], "Data")
+from surfaces import DATA, command, read_file
+
 MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -25,33 +21,14 @@ Wire = namedtuple("Wire", "name kind piece edges points")
 ACCESSORY, KEY, DART, SEAM, BOUNDARY = 0, 1, 2, 3, -1
 
 
-class PatternTest(unittest.TestCase):
-    """Each test runs in a folder of its own."""
-
-    def setUp(self):
-        self._folder = tempfile.TemporaryDirectory(prefix="pattern test ")
-        self.folder = self._folder.name
-        self.addCleanup(self._folder.cleanup)
-
-    def path(self, *names):
-        return os.path.join(self.folder, *names)
-
+class PatternTest(command.CommandTest):
     def content(self, name):
         """Bytes of a file of the folder `out`."""
         with open(self.path("out", name), "rb") as file:
             return file.read()
 
     def run_command(self, *arguments):
-        environment = dict(os.environ, SOURCE_DATE_EPOCH="1000000000")
-        return subprocess.run(
-            [EXECUTABLE, *arguments],
-            cwd=self.folder,
-            env=environment,
-            capture_output=True,
-            text=True,
-            timeout=300,
-            check=False,
-        )
+        return super().run_command(*arguments, env=dict(os.environ, SOURCE_DATE_EPOCH="1000000000"))
 
     def make(self, piece, *options, unit="cm", curves=None):
         """Flattens a piece of Data into `out` with the given patterns."""
@@ -65,7 +42,7 @@ class PatternTest(unittest.TestCase):
 
     def notes(self):
         """What report.json says of the pieces of the pattern."""
-        return json.loads(self.content("report.json"))["pattern_notes"]
+        return self.report("out")["pattern_notes"]
 
     def make_raw(self, piece, *options, **more):
         """The same with an edge of the pattern for each edge of the mesh."""
@@ -85,17 +62,10 @@ def bezier_length(control):
     return total
 
 
-def read_polydata(path):
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(path)
-    reader.Update()
-    return reader.GetOutput()
-
-
 def wires_in_space(folder, unit):
     """The wires of wires.vtp, measured on the cut surface of cut.vtp."""
-    wires = read_polydata(os.path.join(folder, "wires.vtp"))
-    surface = read_polydata(os.path.join(folder, "cut.vtp"))
+    wires = read_file(os.path.join(folder, "wires.vtp"))
+    surface = read_file(os.path.join(folder, "cut.vtp"))
     data = wires.GetCellData()
     result = []
     for cell in range(wires.GetNumberOfCells()):
@@ -188,16 +158,13 @@ def read_dxf(path):
     """The document and what the audit finds in it.
 
     ezdxf 0.18 forgets the owner of the SEQEND that ends an R12 polyline in a block, and then complains of
-    it, in files of its own as well (test_the_audit_complains_of_its_own_files_too): these are left out.
+    it, in files of its own as well: these are left out.
     """
     document = ezdxf.readfile(path)
     audit = document.audit()
     found = [entry.message for entry in audit.errors + audit.fixes]
-    return document, [message for message in found if not is_forgotten_owner(message)]
-
-
-def is_forgotten_owner(message):
-    return re.fullmatch(r"Deleted SEQEND\(#\w+\) entity with invalid owner handle #None\.", message)
+    forgotten = re.compile(r"Deleted SEQEND\(#\w+\) entity with invalid owner handle #None\.")
+    return document, [message for message in found if not forgotten.fullmatch(message)]
 
 
 def block_lines(block, *layers):

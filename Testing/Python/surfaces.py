@@ -2,13 +2,15 @@
 """Surfaces that the tests of the Python package share."""
 
 import os
+import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-SOURCE = os.environ["FLATTENING_SOURCE"]
-DATA = os.path.join(SOURCE, "Data")
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "Command"))
+import command  # noqa: E402  - it lies in another folder
+from command import DATA, SOURCE  # noqa: E402, F401
 
 
 def read_file(path):
@@ -39,41 +41,25 @@ def polylines_of(polydata):
 
 
 def quarter_sphere():
-    """The 90 degree lune of the unit sphere of the paper's Fig. 11: points, triangles, its arc."""
-    latitudes, longitudes = 8, 4
-    south = 1 + (latitudes - 1) * (longitudes + 1)
-
-    def at(i, j):
-        return 0 if j == 0 else south if j == latitudes else 1 + (j - 1) * (longitudes + 1) + i
-
-    points = np.zeros((south + 1, 3))
-    for j in range(latitudes + 1):
-        for i in range(longitudes + 1):
-            polar, azimuth = np.pi * j / latitudes, np.pi / 2 * i / longitudes
-            points[at(i, j)] = (np.cos(polar), np.sin(polar) * np.cos(azimuth),
-                                np.sin(polar) * np.sin(azimuth))
-    points[[0, south]] = [[1, 0, 0], [-1, 0, 0]]
-    triangles = []
-    for j in range(latitudes):
-        for i in range(longitudes):
-            for corners in ((at(i, j), at(i, j + 1), at(i + 1, j + 1)),
-                            (at(i, j), at(i + 1, j + 1), at(i + 1, j))):
-                if len(set(corners)) == 3:
-                    triangles.append(corners)
-    arc = [at(i, latitudes // 2) for i in range(longitudes + 1)]
-    return points, np.array(triangles), arc
+    """The paper's quarter-sphere (Fig. 11): points, triangles, its arc."""
+    points, triangles, arc = command.quarter_sphere()
+    return np.array(points), np.array(triangles), arc
 
 
-def grid(columns=4, rows=3):
-    """A plane grid of unit squares, each two triangles."""
-    points = np.array([[x, y, 0.0] for y in range(rows + 1) for x in range(columns + 1)])
-    triangles = []
-    for y in range(rows):
-        for x in range(columns):
-            a = y * (columns + 1) + x
-            b, c, d = a + 1, a + columns + 2, a + columns + 1
-            triangles += [(a, b, c), (a, c, d)]
-    return points, np.array(triangles)
+def grid(columns=4, rows=3, place=lambda i, j: (i, j, 0.0), **options):
+    """Squares, of a plane by default, each two triangles."""
+    points, triangles = command.grid(columns, rows, place, **options)
+    return np.array(points, float), np.array(triangles)
+
+
+def dome(*sides, **options):
+    points, triangles = command.dome(*sides, **options)
+    return np.array(points), np.array(triangles)
+
+
+def cap(*measures):
+    points, triangles = command.cap(*measures)
+    return np.array(points), np.array(triangles)
 
 
 def distances(positions):
