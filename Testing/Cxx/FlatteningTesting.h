@@ -333,6 +333,29 @@ inline void samePoints(Checks& check, vtkPolyData* a, vtkPolyData* b, const std:
     }
   }
 }
+
+/// Every array of `expected` but those of time has the same values in `data`.
+inline void sameArrays(
+  Checks& check, vtkFieldData* data, vtkFieldData* expected, const std::string& what)
+{
+  check.equal(data->GetNumberOfArrays(), expected->GetNumberOfArrays(), what + ": arrays");
+  for (int k = 0; k < expected->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* const before = expected->GetAbstractArray(k);
+    vtkAbstractArray* const after = data->GetAbstractArray(before->GetName());
+    check.that(after != nullptr, what + " has " + before->GetName());
+    if (!after || std::string(before->GetName()).rfind("Seconds", 0) == 0)
+    {
+      continue;
+    }
+    check.equal(after->GetNumberOfValues(), before->GetNumberOfValues(), before->GetName());
+    for (vtkIdType i = 0; i < before->GetNumberOfValues(); ++i)
+    {
+      check.that(
+        after->GetVariantValue(i) == before->GetVariantValue(i), what + ": " + before->GetName());
+    }
+  }
+}
 }
 
 #endif

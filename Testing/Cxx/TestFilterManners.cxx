@@ -6,7 +6,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
-#include "vtkFloatArray.h"
+#include "vtkLeastSquaresConformalFilter.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkSurfaceDevelopability.h"
 #include "vtkWireWarpingFilter.h"
@@ -105,9 +105,10 @@ void aLimitOfTheSystemIsNamed(Checks& check)
   }
 }
 
+template <class Filter>
 void anAbortedRunIsDoneAgain(Checks& check)
 {
-  vtkNew<vtkWireWarpingFilter> filter;
+  vtkNew<Filter> filter;
   const Messages messages(filter);
   filter->SetInputData(makeQuarterSphere());
   int runs = 0;
@@ -124,6 +125,11 @@ void anAbortedRunIsDoneAgain(Checks& check)
   filter->AddObserver(vtkCommand::ProgressEvent, &observer, &Observer::progress);
   filter->Update();
   check.equal(std::string(filter->GetStatusName()), "Cancelled", "status of the aborted run");
+  for (const int port : { 0, 1, 2 })
+  {
+    check.that(isEmpty(filter->GetOutput(port)), "outputs of the aborted run are empty");
+  }
+  check.equal(messages.errors.size() + messages.warnings.size(), std::size_t{ 0 }, "messages");
   abort = false;
   filter->Update();
   check.equal(std::string(filter->GetStatusName()), "Ok", "status of the next update");
@@ -199,7 +205,8 @@ int TestFilterManners(int, char*[])
   statusBeforeARunIsNotRun(check);
   refusalsSetTheErrorCode(check);
   aLimitOfTheSystemIsNamed(check);
-  anAbortedRunIsDoneAgain(check);
+  anAbortedRunIsDoneAgain<vtkWireWarpingFilter>(check);
+  anAbortedRunIsDoneAgain<vtkLeastSquaresConformalFilter>(check);
   normalsDoNotFollowIntoThePlane(check);
   aRunThatDoesNotConvergeIsMarked(check);
   developabilityIsAnArrayOfPoints(check);

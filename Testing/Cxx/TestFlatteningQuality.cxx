@@ -6,8 +6,6 @@
 #include "vtkIdTypeArray.h"
 #include "vtkWireWarpingFilter.h"
 
-#include <sstream>
-
 using namespace flatteningTesting;
 
 namespace
@@ -30,47 +28,6 @@ double cellValue(vtkPolyData* data, const char* name, vtkIdType cell)
   return data->GetCellData()->GetArray(name)->GetComponent(cell, 0);
 }
 
-// x stretched by 2, y by 1/4: a = 1/2, S = 2, s = 1/4 in every triangle.
-void aStretchIsMeasuredExactly(Checks& check)
-{
-  const auto grid = makeGrid(4, 4);
-  const auto flat = mapped(grid, [](double x, double y) {
-    return std::array<double, 2>{ 2.0 * x, 0.25 * y };
-  });
-  vtkNew<vtkFlatteningQuality> quality;
-  quality->SetInputData(grid);
-  quality->SetFlatData(flat);
-  quality->Update();
-  vtkPolyData* output = quality->GetOutput();
-  check.equal(output->GetNumberOfCells(), 32, "cells");
-  for (vtkIdType t = 0; t < output->GetNumberOfCells(); ++t)
-  {
-    check.near(cellValue(output, "AreaRatio", t), 0.5, 1e-14, "AreaRatio");
-    check.near(cellValue(output, "HomogeneityOfDistortion", t), 0.5, 1e-14, "Homogeneity");
-    check.near(cellValue(output, "AspectRatio", t), 0.125, 1e-14, "AspectRatio");
-    check.equal(cellValue(output, "Flipped", t), 0.0, "Flipped");
-  }
-  check.near(
-    number(quality->GetMeasures(), "GlobalHomogeneity"), 1.0, 1e-13, "E_h = min a / max a");
-  check.near(
-    number(quality->GetMeasures(), "GlobalAspectRatio"), 0.125, 1e-13, "E_r = min s / max S");
-  check.near(number(quality->GetMeasures(), "AreaError"), 0.5, 1e-14, "E_area");
-  check.near(
-    number(quality->GetMeasures(), "StrainP95"), std::log(4.0), 1e-13, "StrainP95 = -ln s");
-  check.near(
-    number(quality->GetMeasures(), "RigidEnergy"), 1.0 + 0.75 * 0.75, 1e-13, "RigidEnergy");
-  check.equal(number(quality->GetMeasures(), "CutLength"), 0.0, "CutLength");
-  // Half of the boundary edges are doubled (error 1), half quartered (error 3/4).
-  check.near(number(quality->GetMeasures(), "MaxEdgeLengthError"), 1.0, 1e-14,
-    "E_len_max over the boundary");
-  check.near(
-    number(quality->GetMeasures(), "EdgeLengthError"), 0.875, 1e-14, "E_len over the boundary");
-  check.equal(number(quality->GetMeasures(), "Mirrored"), 0.0, "Mirrored");
-  check.equal(number(quality->GetMeasures(), "Overlaps"), 0.0, "Overlaps");
-  check.equal(number(quality->GetMeasures(), "Triangles"), 32.0, "Triangles");
-  check.equal(number(quality->GetMeasures(), "Vertices"), 25.0, "Vertices");
-}
-
 void edgesChooseWhatCounts(Checks& check)
 {
   const auto grid = makeGrid(4, 4);
@@ -89,40 +46,10 @@ void edgesChooseWhatCounts(Checks& check)
   check.near(number(quality->GetMeasures(), "EdgeLengthError"), 0.75, 1e-14, "E_len along y");
 }
 
-void aMirroredMapIsSeenFromBehind(Checks& check)
+// A strip rolled over itself: its ends cross.
+void overlapsAreListed(Checks& check)
 {
-  const auto grid = makeGrid(3, 3);
   vtkNew<vtkFlatteningQuality> quality;
-  quality->SetInputData(grid);
-  quality->SetFlatData(mapped(grid, [](double x, double y) {
-    return std::array<double, 2>{ -x, y };
-  }));
-  quality->Update();
-  check.equal(number(quality->GetMeasures(), "Mirrored"), 1.0, "Mirrored");
-  check.equal(number(quality->GetMeasures(), "FlippedTriangles"), 0.0, "FlippedTriangles");
-  check.near(number(quality->GetMeasures(), "GlobalHomogeneity"), 1.0, 1e-14, "E_h");
-}
-
-// The inner point of a fan of four triangles pulled out over an edge: one flip. A strip rolled over
-// itself: its ends cross.
-void flipsAndOverlapsAreFound(Checks& check)
-{
-  const auto fan =
-    makePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0.5, 0 } },
-      { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 } });
-  vtkNew<vtkPolyData> flat;
-  flat->DeepCopy(fan);
-  flat->GetPoints()->SetPoint(4, 1.5, 0.5, 0.0);
-  vtkNew<vtkFlatteningQuality> quality;
-  const Messages messages(quality);
-  quality->SetInputData(fan);
-  quality->SetFlatData(flat);
-  quality->Update();
-  check.equal(number(quality->GetMeasures(), "FlippedTriangles"), 1.0, "FlippedTriangles");
-  check.equal(cellValue(quality->GetOutput(), "Flipped", 1), 1.0, "Flipped of cell 1");
-  check.that(number(quality->GetMeasures(), "GlobalHomogeneity") < 0.0, "E_h is negative");
-  check.equal(messages.warnings.size() + messages.errors.size(), std::size_t{ 0 }, "messages");
-
   const auto strip = makeGrid(24, 1);
   quality->SetInputData(strip);
   quality->SetFlatData(mapped(strip, [](double x, double y) {
@@ -130,24 +57,19 @@ void flipsAndOverlapsAreFound(Checks& check)
     return std::array<double, 2>{ (2.0 - y) * std::cos(angle), (2.0 - y) * std::sin(angle) };
   }));
   quality->Update();
-  check.equal(number(quality->GetMeasures(), "FlippedTriangles"), 0.0, "no flip in the roll");
-  check.that(number(quality->GetMeasures(), "Overlaps") > 0.0, "the roll overlaps itself");
-  auto* edges =
-    vtkIdTypeArray::SafeDownCast(quality->GetOutput()->GetFieldData()->GetArray("OverlapEdges"));
-  check.that(edges && edges->GetNumberOfComponents() == 4 &&
-      edges->GetNumberOfTuples() ==
-        static_cast<vtkIdType>(number(quality->GetMeasures(), "Overlaps")),
-    "a row of OverlapEdges for each");
-  check.equal(number(quality->GetMeasures(), "OverlapsComplete"), 1.0, "OverlapsComplete");
+  const auto rows = [&] {
+    auto* edges =
+      vtkIdTypeArray::SafeDownCast(quality->GetOutput()->GetFieldData()->GetArray("OverlapEdges"));
+    return edges && edges->GetNumberOfComponents() == 4 ? edges->GetNumberOfTuples() : 0;
+  };
   const double all = number(quality->GetMeasures(), "Overlaps");
-  check.that(all > 1.0, "more than one overlap");
+  check.that(all > 1.0, "the roll overlaps itself");
+  check.equal(static_cast<double>(rows()), all, "a row of OverlapEdges for each");
   quality->SetMaximumOverlaps(1);
   quality->Update();
   check.equal(
     number(quality->GetMeasures(), "Overlaps"), all, "MaximumOverlaps bounds the list alone");
-  edges =
-    vtkIdTypeArray::SafeDownCast(quality->GetOutput()->GetFieldData()->GetArray("OverlapEdges"));
-  check.equal(edges->GetNumberOfTuples(), vtkIdType{ 1 }, "rows of OverlapEdges");
+  check.equal(rows(), vtkIdType{ 1 }, "rows of OverlapEdges");
 }
 
 // The filter's own numbers come out again from its outputs: as texture coordinates and as two
@@ -286,20 +208,14 @@ void badInputIsRefused(Checks& check)
     check.contains(quality->GetStatusMessage(), c.words, c.what);
     check.that(isEmpty(quality->GetOutput()), std::string(c.what) + ": output is empty");
   }
-  vtkNew<vtkFlatteningQuality> quality;
-  std::ostringstream print;
-  quality->Print(print);
-  check.contains(print.str(), "MaximumOverlaps: 1000", "PrintSelf");
 }
 }
 
 int TestFlatteningQuality(int, char*[])
 {
   Checks check;
-  aStretchIsMeasuredExactly(check);
   edgesChooseWhatCounts(check);
-  aMirroredMapIsSeenFromBehind(check);
-  flipsAndOverlapsAreFound(check);
+  overlapsAreListed(check);
   theFiltersNumbersComeOutAgain(check);
   looseTrianglesAreLeftOut(check);
   badInputIsRefused(check);

@@ -5,8 +5,6 @@
 #include "vtkIdTypeArray.h"
 #include "vtkLeastSquaresConformalFilter.h"
 
-#include <sstream>
-
 using namespace flatteningTesting;
 
 namespace
@@ -27,29 +25,6 @@ void tableOneIsReproduced(Checks& check)
   check.near(number(filter, "GlobalHomogeneity"), 0.58187, 5e-6, "E_h");
 }
 
-// A cylinder sheet has a conformal map without any error: its unrolling, whatever the pins.
-void aCylinderUnrolls(Checks& check)
-{
-  const auto sheet = makeGrid(12, 6);
-  for (vtkIdType p = 0; p < sheet->GetNumberOfPoints(); ++p)
-  {
-    double point[3];
-    sheet->GetPoint(p, point);
-    // Every second row of a chordal cylinder would bend its diagonals; u runs around, v along.
-    sheet->GetPoints()->SetPoint(p, std::sin(2.0 * point[0]), std::cos(2.0 * point[0]), point[1]);
-  }
-  for (const int pin : { -1, 0 })
-  {
-    vtkNew<vtkLeastSquaresConformalFilter> filter;
-    filter->SetInputData(sheet);
-    filter->SetPins(pin, pin < 0 ? -1 : 17);
-    filter->Update();
-    check.near(number(filter, "AngleErrorMean"), 0.0, 1e-10, "E_ang");
-    check.near(number(filter, "MaxEdgeLengthError"), 0.0, 1e-10, "E_len_max");
-    check.near(number(filter, "AreaError"), 0.0, 1e-10, "E_area");
-  }
-}
-
 void dartsAreOpenedFirst(Checks& check)
 {
   const auto surface = makeQuarterSphere();
@@ -68,7 +43,7 @@ void dartsAreOpenedFirst(Checks& check)
   check.that(number(filter, "AreaError") < closedError, "a dart lowers E_area");
 }
 
-void propertiesArePrintedAndPinsChecked(Checks& check)
+void pinsAreChecked(Checks& check)
 {
   vtkNew<vtkLeastSquaresConformalFilter> filter;
   const Messages messages(filter);
@@ -82,13 +57,6 @@ void propertiesArePrintedAndPinsChecked(Checks& check)
   check.equal(filter->GetStatusCode(),
     static_cast<int>(vtkLeastSquaresConformalFilter::INVALID_OPTION), "status of one pin twice");
   check.equal(messages.errors.size(), std::size_t{ 2 }, "errors");
-  std::ostringstream print;
-  filter->Print(print);
-  for (const char* line :
-    { "Pins: 4 4", "AreaNormalized: On", "Arrange: On", "Spacing: 0.05", "Status: InvalidOption" })
-  {
-    check.contains(print.str(), line, "PrintSelf");
-  }
 }
 }
 
@@ -96,8 +64,7 @@ int TestLeastSquaresConformalFilter(int, char*[])
 {
   Checks check;
   tableOneIsReproduced(check);
-  aCylinderUnrolls(check);
   dartsAreOpenedFirst(check);
-  propertiesArePrintedAndPinsChecked(check);
+  pinsAreChecked(check);
   return check.result();
 }

@@ -15,27 +15,6 @@ using namespace flatteningTesting;
 
 namespace
 {
-/// Every array of `expected` has the same values in `data`.
-void sameArrays(Checks& check, vtkFieldData* data, vtkFieldData* expected, const std::string& what)
-{
-  check.equal(data->GetNumberOfArrays(), expected->GetNumberOfArrays(), what + ": arrays");
-  for (int k = 0; k < expected->GetNumberOfArrays(); ++k)
-  {
-    vtkAbstractArray* const before = expected->GetAbstractArray(k);
-    vtkAbstractArray* const after = data->GetAbstractArray(before->GetName());
-    check.that(after != nullptr, what + " has " + before->GetName());
-    if (!after || std::string(before->GetName()).rfind("Seconds", 0) == 0)
-    {
-      continue;
-    }
-    check.equal(after->GetNumberOfValues(), before->GetNumberOfValues(), before->GetName());
-    for (vtkIdType i = 0; i < before->GetNumberOfValues(); ++i)
-    {
-      check.that(after->GetVariantValue(i) == before->GetVariantValue(i), before->GetName());
-    }
-  }
-}
-
 void singlePrecisionRoundsThePointsAlone(Checks& check)
 {
   const auto surface = makeQuarterSphere();

@@ -247,32 +247,6 @@ void polygonsAreTriangulatedAndPointsJoined(Checks& check)
   check.near(number(filter, "AreaError"), 0.0, 1e-12, "a flat surface stays as it is: E_area");
   check.near(number(filter, "AngleErrorMean"), 0.0, 1e-12, "a flat surface stays as it is: E_ang");
 }
-
-// Triangles with points of their own, as STL has them, hang together by coordinates.
-void separateTrianglesAreJoined(Checks& check)
-{
-  const auto grid = makeGrid(3, 3);
-  std::vector<std::array<double, 3>> points;
-  std::vector<Cell> triangles;
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType t = 0; t < grid->GetNumberOfCells(); ++t)
-  {
-    grid->GetCellPoints(t, corners);
-    triangles.emplace_back();
-    for (vtkIdType k = 0; k < 3; ++k)
-    {
-      triangles.back().push_back(static_cast<vtkIdType>(points.size()));
-      points.emplace_back();
-      grid->GetPoint(corners->GetId(k), points.back().data());
-    }
-  }
-  vtkNew<vtkWireWarpingFilter> filter;
-  filter->SetInputData(makePolyData(points, triangles));
-  filter->Update();
-  check.equal(filter->GetOutput()->GetNumberOfPoints(), 16, "points of joined triangles");
-  check.equal(number(filter, "Triangles"), 18.0, "triangles of the one piece");
-}
-
 }
 
 int TestWireWarpingFilter(int, char*[])
@@ -282,6 +256,5 @@ int TestWireWarpingFilter(int, char*[])
   outputsAreAsDocumented(check);
   dataIsCarriedAndTheInputIsLeftAlone(check);
   polygonsAreTriangulatedAndPointsJoined(check);
-  separateTrianglesAreJoined(check);
   return check.result();
 }

@@ -5,7 +5,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkWireWarpingFilter.h"
 
-#include <set>
+#include <algorithm>
 
 using namespace flatteningTesting;
 
@@ -71,42 +71,23 @@ void compositeInputFlattensBlockByBlock(Checks& check)
   }
 }
 
-/// Remembers what a filter tells of its progress.
-class ProgressLog
+void progressRises(Checks& check, vtkPolyData* piece)
 {
-public:
-  explicit ProgressLog(vtkAlgorithm* algorithm)
-    : Algorithm(algorithm)
+  struct Log
   {
-    algorithm->AddObserver(vtkCommand::ProgressEvent, this, &ProgressLog::onProgress);
-  }
-  std::vector<double> fractions;
-  std::set<std::string> phases;
-
-private:
-  void onProgress()
-  {
-    this->fractions.push_back(this->Algorithm->GetProgress());
-    this->phases.insert(
-      this->Algorithm->GetProgressText() ? this->Algorithm->GetProgressText() : "");
-  }
-  vtkAlgorithm* Algorithm;
-};
-
-void progressRisesAndNamesItsPhases(Checks& check, vtkPolyData* piece)
-{
+    vtkAlgorithm* algorithm;
+    std::vector<double> fractions;
+    void listen() { this->fractions.push_back(this->algorithm->GetProgress()); }
+  };
   vtkNew<vtkWireWarpingFilter> filter;
   filter->SetInputData(piece);
-  const ProgressLog log(filter);
+  Log log{ filter, {} };
+  filter->AddObserver(vtkCommand::ProgressEvent, &log, &Log::listen);
   filter->Update();
-  // Without a name is only what the executive tells before the filter starts.
-  check.that(log.phases.size() - log.phases.count("") >= 3, "at least three phases are named");
-  for (std::size_t i = 0; i < log.fractions.size(); ++i)
-  {
-    check.that(log.fractions[i] >= 0.0 && log.fractions[i] <= 1.0, "progress is in [0, 1]");
-    check.that(i == 0 || log.fractions[i] >= log.fractions[i - 1], "progress never falls");
-  }
-  check.that(!log.fractions.empty() && log.fractions.back() == 1.0, "progress ends at 1");
+  check.that(std::is_sorted(log.fractions.begin(), log.fractions.end()), "progress never falls");
+  check.that(
+    log.fractions.size() > 3 && log.fractions.front() >= 0.0 && log.fractions.back() == 1.0,
+    "progress ends at 1");
 }
 }
 
@@ -114,6 +95,6 @@ int TestWireWarpingFilterPipeline(int, char*[])
 {
   Checks check;
   compositeInputFlattensBlockByBlock(check);
-  progressRisesAndNamesItsPhases(check, makePieceWithCurves());
+  progressRises(check, makePieceWithCurves());
   return check.result();
 }
