@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/ArcPolyline.h"
 
+#include "Shapes.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,8 +10,7 @@
 
 namespace
 {
-using namespace flattening;
-using namespace flattening::pattern;
+using namespace shapes;
 
 constexpr double tolerance = 0.03;
 
@@ -49,25 +50,19 @@ Points2 sampled(const std::vector<ArcVertex>& vertices, bool closed)
 
 double distanceTo(const Points2& line, const Point2& p)
 {
-  double least = 1e300;
-  for (std::size_t k = 0; k + 1 < line.size(); ++k)
-  {
-    const Point2 way = line[k + 1] - line[k];
-    const double s = std::clamp(way.dot(p - line[k]) / way.squaredNorm(), 0.0, 1.0);
-    least = std::min(least, (line[k] + s * way - p).norm());
-  }
-  return least;
+  Segments sides;
+  addSegments(line, false, sides);
+  return distance(p, sides);
 }
 }
 
 TEST(ArcPolyline, AStraightLineIsTwoVerticesAndACircleAFewArcs)
 {
   Points2 straight;
-  Points2 circle;
+  const Points2 circle = regular(400, 80.0);
   for (int k = 0; k < 400; ++k)
   {
     straight.emplace_back(k * 0.5, k * 0.25);
-    circle.emplace_back(80.0 * std::cos(k * pi / 200.0), 80.0 * std::sin(k * pi / 200.0));
   }
   EXPECT_EQ(arcPolyline(straight, false, tolerance).size(), 2U);
   const std::vector<ArcVertex> arcs = arcPolyline(circle, true, tolerance);
@@ -93,12 +88,7 @@ TEST(ArcPolyline, CornersAndChordsStayAsTheyAre)
   }
   std::rotate(square.begin(), square.begin() + 20, square.end());
   EXPECT_EQ(arcPolyline(square, true, tolerance).size(), 4U);
-  Points2 octagon;
-  for (int k = 0; k < 8; ++k)
-  {
-    octagon.emplace_back(80.0 * std::cos(k * pi / 4.0), 80.0 * std::sin(k * pi / 4.0));
-  }
-  const std::vector<ArcVertex> sides = arcPolyline(octagon, true, tolerance);
+  const std::vector<ArcVertex> sides = arcPolyline(regular(8, 80.0), true, tolerance);
   EXPECT_EQ(sides.size(), 8U);
   for (const ArcVertex& side : sides)
   {

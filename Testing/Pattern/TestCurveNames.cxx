@@ -2,6 +2,8 @@
 #include "Drawing/CurveNames.h"
 #include "Outlines/PatternText.h"
 
+#include "Shapes.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +11,7 @@
 #include <string>
 #include <vector>
 
-using namespace flattening;
-using namespace flattening::pattern;
+using namespace shapes;
 
 namespace
 {
@@ -28,8 +29,7 @@ PatternLine makeLine(LineKind kind, const Points2& points, const std::string& na
 PatternPiece makeSquare(const Points2& level)
 {
   PatternPiece piece;
-  piece.lines.push_back(makeLine(LineKind::SewLine,
-    { { 0.0, 0.0 }, { 200.0, 0.0 }, { 200.0, 200.0 }, { 0.0, 200.0 } }, "", true));
+  piece.lines.push_back(makeLine(LineKind::SewLine, rectangle(200.0, 200.0), "", true));
   piece.lines.push_back(
     makeLine(LineKind::Internal, { { 60.0, 0.0 }, { 60.0, 200.0 } }, "", false));
   piece.lines.push_back(makeLine(LineKind::Internal, level, "level line", false));
@@ -38,9 +38,7 @@ PatternPiece makeSquare(const Points2& level)
 
 Segments boundaryOf(const PatternPiece& piece)
 {
-  Segments boundary;
-  addSegments(piece.lines.front().points, true, boundary);
-  return boundary;
+  return sidesOf(piece.lines.front().points);
 }
 
 /// Least distance of the middle line of a text from the lines of a piece.
@@ -164,12 +162,7 @@ TEST(CurveNames, ATitleIsCutWhereThePieceHasNoRoomForItAndOtherwiseWhole)
 TEST(CurveNames, OfSmallPiecesLieOnNoOtherText)
 {
   PatternPiece piece;
-  Points2 corners;
-  for (int k = 0; k < 8; ++k)
-  {
-    const double angle = 2.0 * pi * k / 8;
-    corners.emplace_back(20.0 * std::cos(angle), 20.0 * std::sin(angle));
-  }
+  const Points2 corners = regular(8, 20.0);
   std::vector<JoinSide> joins;
   piece.lines.push_back(makeLine(LineKind::CutLine, corners, "", true));
   const Segments boundary = boundaryOf(piece);

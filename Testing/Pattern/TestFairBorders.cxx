@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Smooth borders of known shapes, measured by rules of their own.
 #include "FairShapes.h"
+#include "Shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +12,7 @@ using namespace fairshapes;
 
 PatternSource disc(int corners, double radius)
 {
-  Points2 points;
-  for (int k = 0; k < corners; ++k)
-  {
-    const double angle = 2.0 * pi * k / corners;
-    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-  }
-  return polygon(points);
+  return polygon(shapes::regular(corners, radius));
 }
 
 /// Two pieces that are sewn along a border of ten edges from (0, 0) on: these turn to the left in

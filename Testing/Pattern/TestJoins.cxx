@@ -4,6 +4,7 @@
 #include "Drawing/SeamWalk.h"
 #include "DrawnPieces.h"
 #include "Formats/PatternFile.h"
+#include "Shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -244,20 +245,11 @@ TEST(Joins, ADrawingForCuttersHasEachLineOnceAndNoPoints)
   Pattern pattern;
   std::string content;
   ASSERT_TRUE(makePatternFile(stripAndSquares(), options, pattern, content).ok());
-  const auto count = [&content](const std::string& what) {
-    std::size_t found = 0;
-    for (std::size_t at = content.find(what); at != std::string::npos;
-         at = content.find(what, at + 1))
-    {
-      ++found;
-    }
-    return found;
-  };
-  EXPECT_EQ(count("POLYLINE\r\n"), 3U); // the outlines alone
-  EXPECT_EQ(count("VERTEX\r\n"), 12U);
-  EXPECT_EQ(count("\r\nPOINT\r\n"), 0U);
-  EXPECT_EQ(count("BLOCK\r\n"), 0U);
-  EXPECT_EQ(count("INSERT\r\n"), 0U);
+  EXPECT_EQ(shapes::countOf(content, "POLYLINE\r\n"), 3U); // the outlines alone
+  EXPECT_EQ(shapes::countOf(content, "VERTEX\r\n"), 12U);
+  EXPECT_EQ(shapes::countOf(content, "\r\nPOINT\r\n"), 0U);
+  EXPECT_EQ(shapes::countOf(content, "BLOCK\r\n"), 0U);
+  EXPECT_EQ(shapes::countOf(content, "INSERT\r\n"), 0U);
   EXPECT_NE(content.find("$INSUNITS\r\n 70\r\n4\r\n"), std::string::npos);
   EXPECT_NE(content.find("TEXT\r\n  5"), std::string::npos);
 }
@@ -281,11 +273,10 @@ TEST(Joins, ALaserFollowsARoundByFewArcs)
 {
   // A disc of 200 edges, whose cut line is one of 10 mm more.
   PatternSource source;
-  source.positions = { Point2(100.0, 100.0) };
+  source.positions = shapes::regular(200, 90.0, Point2(100.0, 100.0));
+  source.positions.insert(source.positions.begin(), Point2(100.0, 100.0));
   for (int k = 0; k < 200; ++k)
   {
-    const double a = 2.0 * pi * k / 200.0;
-    source.positions.emplace_back(100.0 + 90.0 * std::cos(a), 100.0 + 90.0 * std::sin(a));
     source.triangles.push_back({ 0, 1 + k, 1 + (k + 1) % 200 });
   }
   source.pieceOfTriangle.assign(200, 0);

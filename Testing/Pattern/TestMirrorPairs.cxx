@@ -2,14 +2,15 @@
 // Shapes turned over, turned and moved, and shapes that are not quite that.
 #include "Outlines/MirrorPairs.h"
 
+#include "Shapes.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 namespace
 {
-using namespace flattening;
-using namespace flattening::pattern;
+using namespace shapes;
 
 /// A sleeve of sorts, without any symmetry, with a line in it.
 PieceShape sleeve()
@@ -25,11 +26,7 @@ PieceShape sleeve()
 PieceShape wheel(int corners, double spoke)
 {
   PieceShape shape;
-  for (int k = 0; k < corners; ++k)
-  {
-    const double angle = 2.0 * pi * k / corners;
-    shape.outline.emplace_back(100.0 * std::cos(angle), 100.0 * std::sin(angle));
-  }
+  shape.outline = regular(corners, 100.0);
   shape.lines = { { { 0.0, 0.0 }, { 80.0 * std::cos(spoke), 80.0 * std::sin(spoke) } } };
   return shape;
 }

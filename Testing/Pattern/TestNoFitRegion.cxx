@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Nesting/NoFitRegion.h"
-#include "Outlines/PlaneGeometry.h"
+
+#include "Shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -8,37 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace
-{
-using flattening::Point2;
-using flattening::Points2;
-using flattening::pattern::NoFitRegion;
-
-using flattening::pi;
-
-Points2 rectangle(double width, double height)
-{
-  return { Point2(0.0, 0.0), Point2(width, 0.0), Point2(width, height), Point2(0.0, height) };
-}
-
-Points2 circle(double radius, int corners)
-{
-  Points2 points;
-  for (int k = 0; k < corners; ++k)
-  {
-    const double angle = 2.0 * pi * k / corners;
-    points.emplace_back(radius + radius * std::cos(angle), radius + radius * std::sin(angle));
-  }
-  return points;
-}
-
-flattening::pattern::Segments sidesOf(const Points2& polygon)
-{
-  flattening::pattern::Segments sides;
-  flattening::pattern::addSegments(polygon, true, sides);
-  return sides;
-}
-}
+using namespace shapes;
 
 TEST(NoFitRegion, NoShapeSticksOutOfTheClothForBeingRounded)
 {
@@ -64,7 +35,7 @@ TEST(NoFitRegion, RoundShapesKeepTheirDistanceHoweverManyCornersTheyHave)
   for (const int corners : { 30, 400, 3000 })
   {
     NoFitRegion region;
-    const Points2 polygon = circle(60.0, corners);
+    const Points2 polygon = regular(corners, 60.0);
     const std::size_t shape = region.addShape(polygon, 5.0);
     const Point2 at = region.lowest({ { shape, Point2(7.0, 0.0) } }, shape, 200.0);
     Points2 moved;
@@ -75,7 +46,7 @@ TEST(NoFitRegion, RoundShapesKeepTheirDistanceHoweverManyCornersTheyHave)
     double least = 1e300;
     for (const Point2& p : moved)
     {
-      least = std::min(least, flattening::pattern::distance(p, sidesOf(polygon)));
+      least = std::min(least, distance(p, sidesOf(polygon)));
     }
     EXPECT_GE(least, 5.0 - 0.02) << corners;           // of the grid
     EXPECT_LE(least, 5.0 + 4 * 0.4 + 0.05) << corners; // of both outlines, widened and cut

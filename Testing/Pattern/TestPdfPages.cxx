@@ -36,6 +36,15 @@ PagePlan planOf(const Pattern& pattern, PaperSize paper)
   EXPECT_TRUE(status.ok()) << status.message;
   return plan;
 }
+
+/// Of a place on the sheet.
+bool isOnAPage(const PagePlan& plan, const Point2& at)
+{
+  return std::any_of(plan.pages.begin(), plan.pages.end(), [&](const Tile& tile) {
+    const Point2 low(tile.column * plan.step.x(), tile.row * plan.step.y());
+    return (at - low).minCoeff() >= -1e-9 && (low + plan.printable - at).minCoeff() >= -1e-9;
+  });
+}
 }
 
 TEST(PdfPages, TilesAreNamedLikeCellsOfATable)
@@ -59,11 +68,7 @@ TEST(PdfPages, EveryPointOfEveryLineIsOnAPage)
       {
         const std::size_t k = static_cast<std::size_t>(step / 1000);
         const Point2 q = corners[k] + (step % 1000) / 1000.0 * (corners[(k + 1) % 4] - corners[k]);
-        const Point2 at = plan.layout.place(pattern, p, q);
-        EXPECT_TRUE(std::any_of(plan.pages.begin(), plan.pages.end(), [&](const Tile& tile) {
-          const Point2 low(tile.column * plan.step.x(), tile.row * plan.step.y());
-          return (at - low).minCoeff() >= -1e-9 && (low + plan.printable - at).minCoeff() >= -1e-9;
-        }));
+        EXPECT_TRUE(isOnAPage(plan, plan.layout.place(pattern, p, q)));
       }
     }
   }
@@ -130,12 +135,7 @@ TEST(PdfPages, ASheetBeyondTheLimitOfPdfIsDivided)
   EXPECT_EQ(plan.pages.size(), 6U); // of 5.05 m each
   for (const double at : { 0.0, 14e3, 29e3 })
   {
-    const Point2 place = plan.layout.place(pattern, 0, { at, 700.0 });
-    EXPECT_TRUE(std::any_of(plan.pages.begin(), plan.pages.end(), [&](const Tile& tile) {
-      const Point2 low(tile.column * plan.step.x(), tile.row * plan.step.y());
-      return (place - low).minCoeff() >= -1e-9 &&
-        (low + plan.printable - place).minCoeff() >= -1e-9;
-    }));
+    EXPECT_TRUE(isOnAPage(plan, plan.layout.place(pattern, 0, { at, 700.0 })));
   }
 }
 

@@ -3,7 +3,7 @@
 #include "Drawing/SeamAllowance.h"
 
 #include "Outlines/Outline.h"
-#include "Outlines/PlaneGeometry.h"
+#include "Shapes.h"
 
 #include <clipper.hpp>
 #include <gtest/gtest.h>
@@ -13,17 +13,11 @@
 
 namespace
 {
-using namespace flattening;
-using namespace flattening::pattern;
+using namespace shapes;
 
 AllowancePolygon uniform(const Points2& points, double allowance)
 {
   return { points, std::vector<double>(points.size(), allowance) };
-}
-
-Points2 rectangle(double width, double height)
-{
-  return { { 0.0, 0.0 }, { width, 0.0 }, { width, height }, { 0.0, height } };
 }
 
 /// A star-shaped polygon with convex and concave corners.
@@ -131,8 +125,7 @@ TEST(SeamAllowance, NoPointOfTheCutLineIsFartherThanTheMitreLimitAllows)
 {
   const double limit = 1.5;
   const Points2 spike{ { 0.0, 0.0 }, { 100.0, -3.0 }, { 100.0, 3.0 } };
-  Segments sides;
-  addSegments(spike, true, sides);
+  const Segments sides = sidesOf(spike);
   for (const Points2& border : widen({ uniform(spike, 10.0) }, limit))
   {
     for (const Point2& p : border)

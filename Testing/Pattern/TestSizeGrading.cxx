@@ -2,6 +2,8 @@
 // Sizes of rectangles, whose corners go by half of what their sides differ.
 #include "Grading/GradeFiles.h"
 
+#include "Shapes.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,14 +14,14 @@ namespace
 {
 using namespace flattening;
 using namespace flattening::pattern;
+using shapes::countOf;
 
 /// A rectangle in two triangles, turned by an angle and put elsewhere.
 PatternSize rectangle(const std::string& name, double width, double height, double turn = 0.0)
 {
   PatternSize size;
   size.name = name;
-  for (const Point2& p :
-    { Point2(0.0, 0.0), Point2(width, 0.0), Point2(width, height), Point2(0.0, height) })
+  for (const Point2& p : shapes::rectangle(width, height))
   {
     size.source.positions.emplace_back(3.0 + std::cos(turn) * p.x() - std::sin(turn) * p.y(),
       -7.0 + std::sin(turn) * p.x() + std::cos(turn) * p.y());
@@ -28,16 +30,6 @@ PatternSize rectangle(const std::string& name, double width, double height, doub
   size.source.pieceOfTriangle = { 0, 0 };
   size.source.wires = { { { 0, 1, 2, 3, 0 }, WireType::Boundary, none, 0, "boundary" } };
   return size;
-}
-
-std::size_t countOf(const std::string& text, const std::string& what)
-{
-  std::size_t count = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
-  {
-    ++count;
-  }
-  return count;
 }
 }
 
