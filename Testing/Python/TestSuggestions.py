@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """suggest() proposes curves that flatten() takes."""
 
+import functools
 import time
 import unittest
 import warnings
@@ -13,10 +14,15 @@ from page import Page
 from surfaces import dome, grid
 
 
+@functools.cache
+def proposed():
+    return sf.suggest(*dome(), bound=0.05, max_work=3)
+
+
 class Suggestions(unittest.TestCase):
     def test_flatten_takes_what_is_proposed(self):
         points, triangles = dome()
-        suggestion = sf.suggest(points, triangles, bound=0.05)
+        suggestion = proposed()
         self.assertTrue(suggestion.bound_met)
         self.assertTrue(suggestion.cuts)
         strain = [piece["strain_p95"] for piece in suggestion.flattening.report["pieces"]]
@@ -37,7 +43,7 @@ class Suggestions(unittest.TestCase):
     def test_flatten_polydata_takes_what_is_proposed_for_a_mesh(self):
         points, triangles = dome()
         mesh = sf.make_surface(points, triangles)
-        suggestion = sf.suggest_polydata(mesh, bound=0.05)
+        suggestion = sf.suggest_polydata(mesh, bound=0.05, max_work=3)
         curves = [cut.curve for cut in suggestion.cuts]
         self.assertTrue(curves)
         again = sf.flatten_polydata(mesh, curves)
@@ -53,8 +59,7 @@ class Suggestions(unittest.TestCase):
                 self.assertEqual(kept.flattening.report["curves"][0]["name"], "waist")
 
     def test_it_is_printed_in_a_line_and_shown_as_a_table(self):
-        points, triangles = dome()
-        suggestion = sf.suggest(points, triangles, bound=0.05)
+        suggestion = proposed()
         self.assertRegex(repr(suggestion), r"^<Suggestion: \d+ curves? \(.*\), bound met; <Flattening: .*>>$")
         self.assertLess(len(repr(suggestion)), 250)
         for cut in suggestion.cuts:
