@@ -158,7 +158,7 @@ TEST(Errors, OfTrianglesTooThinToBeSplit)
   EXPECT_GT(2 * helped, failures) << "a larger snap distance seldom is a way out";
 }
 
-TEST(Errors, OfOptionsAndCancelledRuns)
+TEST(Errors, OfOptions)
 {
   const Surface surface = cushion(4, 4, 0.2);
   FlatteningOptions options;
@@ -177,11 +177,6 @@ TEST(Errors, OfOptionsAndCancelledRuns)
     options.isometric.angleWeight = value;
     EXPECT_EQ(flatten(surface, options), StatusCode::InvalidOption);
   }
-  Execution execution;
-  execution.cancel = [] { return true; };
-  const FlatteningResult result = flattenSurface(surface.mesh, {}, {}, execution);
-  EXPECT_EQ(result.status.code, StatusCode::Cancelled);
-  EXPECT_TRUE(result.positions.empty());
 }
 
 TEST(Errors, BrokenPromisesKeepAResult)

@@ -355,21 +355,6 @@ TEST(WireReport, ACurveAcrossADartGoesOnOnBothItsSides)
   }
 }
 
-TEST(WireReport, EachPieceHasItsOwnBankOfASeam)
-{
-  Surface surface = cushion(6, 4, 0.2);
-  surface.curves = { columnCurve(6, 4, 3, CurveType::Seam) };
-  const CutSurface cut = cutSurface(surface.mesh, surface.curves);
-  const std::vector<Wire> banks = wiresOf(traceWires(surface.mesh, cut, surface.curves), 0);
-  ASSERT_EQ(banks.size(), 2U);
-  EXPECT_NE(banks[0].piece, banks[1].piece);
-  for (const Wire& bank : banks)
-  {
-    EXPECT_EQ(bank.vertices.size(), 5U);
-    EXPECT_EQ(bank.type, CurveType::Seam);
-  }
-}
-
 TEST(WireReport, MeasuresTheWorstEdgeNotTheMean)
 {
   Surface surface = flatPatch(2, 1);
