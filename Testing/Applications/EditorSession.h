@@ -17,13 +17,16 @@
 #include <vtkRenderWindow.h>
 #include <vtkRendererCollection.h>
 #include <vtkStringArray.h>
+#include <vtkXMLPolyDataWriter.h>
 
 #include <QApplication>
+#include <QDir>
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QMenuBar>
 #include <QProgressDialog>
 #include <QTableWidget>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 #include <QToolBar>
@@ -31,11 +34,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <map>
+#include <memory>
 #include <random>
 #include <sstream>
 
@@ -83,18 +88,71 @@ inline figures::PolyData tutorialLines(vtkPolyData* surface)
     wirewarp::readCurves(FLATTENING_TUTORIAL, wirewarp::dataSetOf(surface)).curves);
 }
 
+inline std::string textOf(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return { std::istreambuf_iterator<char>(file), {} };
+}
+
+/// Does something with the dialog that is open after some milliseconds.
+template <class Dialog>
+void onDialog(int milliseconds, const std::function<void(Dialog*)>& act)
+{
+  QTimer::singleShot(milliseconds, [act] {
+    auto* const dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    act(dialog);
+  });
+}
+
+inline vtkSmartPointer<vtkPoints> pointsAt(const std::vector<std::array<double, 3>>& places)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  for (const std::array<double, 3>& place : places)
+  {
+    points->InsertNextPoint(place.data());
+  }
+  return points;
+}
+
+inline vtkSmartPointer<vtkPoints> pointsAt(
+  vtkPolyData* surface, std::initializer_list<vtkIdType> vertices)
+{
+  std::vector<std::array<double, 3>> places;
+  for (const vtkIdType id : vertices)
+  {
+    surface->GetPoint(id, places.emplace_back().data());
+  }
+  return pointsAt(places);
+}
+
+inline QPoint pixelOf(vtkRenderer* renderer, const QWidget* view, const double point[3])
+{
+  renderer->SetWorldPoint(point[0], point[1], point[2], 1.0);
+  renderer->WorldToDisplay();
+  const double* const display = renderer->GetDisplayPoint();
+  return { static_cast<int>(std::lround(display[0])),
+    view->height() - 1 - static_cast<int>(std::lround(display[1])) };
+}
+
 class PatternEditor : public testing::Test
 {
 protected:
   void SetUp() override { this->open(); }
 
-  void open()
+  /// A window without anything.
+  void show()
   {
     this->window = std::make_unique<EditorWindow>();
     this->window->resize(1400, 900);
     this->window->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(this->window.get()));
     QApplication::setActiveWindow(this->window.get());
+  }
+  void open()
+  {
+    this->show();
     ASSERT_TRUE(this->window->openSurface(shirt)) << this->window->message().toStdString();
     this->surface = wirewarp::polyDataOf(wirewarp::readSurface(shirt).surface);
     QApplication::processEvents();
@@ -102,12 +160,7 @@ protected:
 
   QPoint pixelOf(const double point[3]) const
   {
-    vtkRenderer* const renderer = this->window->space();
-    renderer->SetWorldPoint(point[0], point[1], point[2], 1.0);
-    renderer->WorldToDisplay();
-    const double* const display = renderer->GetDisplayPoint();
-    return { static_cast<int>(std::lround(display[0])),
-      this->window->spaceWidget()->height() - 1 - static_cast<int>(std::lround(display[1])) };
+    return session::pixelOf(this->window->space(), this->window->spaceWidget(), point);
   }
   QPoint vertex(vtkIdType id) const { return this->pixelOf(this->surface->GetPoint(id)); }
   QPoint node(int curve, int id) const
@@ -118,10 +171,10 @@ protected:
   }
   /// Without the X server's pointer, whose moves arrive when the server finds time, in the middle
   /// of a drag as well.
-  void send(
-    QEvent::Type type, const QPoint& place, Qt::MouseButton button, Qt::MouseButtons buttons)
+  void send(QEvent::Type type, const QPoint& place, Qt::MouseButton button,
+    Qt::MouseButtons buttons, QVTKOpenGLStereoWidget* in = nullptr)
   {
-    QVTKOpenGLStereoWidget* const view = this->window->spaceWidget();
+    QVTKOpenGLStereoWidget* const view = in ? in : this->window->spaceWidget();
     QMouseEvent event(type, place, view->mapToGlobal(place), button, buttons, Qt::NoModifier);
     QApplication::sendEvent(view->embeddedOpenGLWindow(), &event);
   }
@@ -197,27 +250,35 @@ protected:
     QTest::keyClicks(field, QString::fromStdString(name));
     QTest::keyClick(field, Qt::Key_Return);
   }
+  /// Draws a curve by clicks; a section by a user who turns its ends to the front first.
+  void draw(const std::vector<vtkIdType>& vertices, bool section = false)
+  {
+    this->push(Hand::NEW_CURVE);
+    if (section)
+    {
+      this->push(Hand::SECTION);
+    }
+    for (const vtkIdType id : vertices)
+    {
+      section ? this->clickSeen(id) : this->click(this->vertex(id));
+    }
+    this->click({ 5, 5 }, Qt::RightButton);
+  }
+
   void drawTutorial()
   {
     for (const TutorialCurve& curve : tutorialCurves())
     {
-      this->push(Hand::NEW_CURVE);
-      this->push(Hand::SECTION);
-      for (const vtkIdType id : curve.vertices)
-      {
-        this->clickSeen(id);
-      }
-      this->click({ 5, 5 }, Qt::RightButton);
+      this->draw(curve.vertices, true);
       this->push(Hand::MAKE_ACCESSORY + curve.type);
       this->rename(curve.name);
     }
   }
+
   /// Answers the dialog for a file that comes next.
   void choose(const std::string& path)
   {
-    QTimer::singleShot(500, [path] {
-      auto* const dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-      ASSERT_NE(dialog, nullptr);
+    onDialog<QFileDialog>(500, [path](QFileDialog* dialog) {
       dialog->findChild<QLineEdit*>()->setText(QString::fromStdString(path));
       QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_Return);
     });
@@ -226,9 +287,7 @@ protected:
   void fillCurveOptions(
     const QString& curve, const std::function<void(QDialog*, QTableWidget*, int)>& fill)
   {
-    QTimer::singleShot(300, [curve, fill] {
-      auto* const dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-      ASSERT_NE(dialog, nullptr);
+    onDialog<QDialog>(300, [curve, fill](QDialog* dialog) {
       auto* const table = dialog->findChild<QTableWidget*>("CurveOptions");
       ASSERT_NE(table, nullptr);
       int row = 0;
@@ -255,6 +314,25 @@ protected:
       EXPECT_TRUE(this->window->savePicture(folder + ("/" + name) + ".png"));
     }
   }
+  /// In a folder that goes with the test.
+  std::string file(const std::string& name)
+  {
+    if (!this->files)
+    {
+      this->files = std::make_unique<QTemporaryDir>(QDir::tempPath() + "/pattern editor, XXXXXX");
+    }
+    return this->files->filePath(QString::fromStdString(name)).toStdString();
+  }
+  std::string write(vtkPolyData* data, const std::string& name)
+  {
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    std::string path = this->file(name);
+    writer->SetFileName(path.c_str());
+    writer->SetInputData(data);
+    writer->Write();
+    return path;
+  }
+
   double measure(const char* name) const
   {
     return this->window->flattening().result().number(name);
@@ -262,5 +340,8 @@ protected:
 
   std::unique_ptr<EditorWindow> window;
   figures::PolyData surface;
+
+private:
+  std::unique_ptr<QTemporaryDir> files;
 };
 }

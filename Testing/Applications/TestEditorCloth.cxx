@@ -1,49 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cloth in the window: chosen in its box, read at the mouse.
-#include "EditorWindow.h"
+#include "EditorSession.h"
 
-#include <QVTKOpenGLStereoWidget.h>
-#include <QVTKOpenGLWindow.h>
 #include <vtkActor2DCollection.h>
 #include <vtkCell.h>
-#include <vtkCellData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkRenderWindow.h>
 #include <vtkTextActor.h>
 
-#include <QApplication>
-#include <QMouseEvent>
-#include <QTest>
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstdlib>
-#include <string>
+using namespace session;
 
 namespace
 {
-class EditorCloth : public testing::Test
+class EditorCloth : public PatternEditor
 {
 protected:
   void SetUp() override
   {
-    this->window.resize(1400, 900);
-    this->window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&this->window));
-    QApplication::setActiveWindow(&this->window);
-    ASSERT_TRUE(this->window.openSurface(FLATTENING_DATA "/shirt_front.vtp"));
+    this->PatternEditor::SetUp();
     this->wait();
   }
-
   void wait()
   {
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !this->window.isWaiting(); }, 20000));
+    this->waitForPieces();
     QApplication::processEvents();
   }
-  vtkPolyData* flat() { return this->window.planeView().shown().flat; }
+  vtkPolyData* flat() { return this->window->planeView().shown().flat; }
   double value(const char* array, vtkIdType cell)
   {
     return this->flat()->GetCellData()->GetArray(array)->GetTuple1(cell);
@@ -51,7 +31,7 @@ protected:
 
   void choose(const QString& material)
   {
-    QComboBox* const box = this->window.cloth()->materials();
+    QComboBox* const box = this->window->cloth()->materials();
     QTest::mouseClick(box, Qt::LeftButton); // opens it
     QApplication::processEvents();
     box->hidePopup();
@@ -67,7 +47,7 @@ protected:
   {
     // A message of more lines makes the view smaller, which VTK hears from the X server later.
     ASSERT_TRUE(QTest::qWaitFor([this] {
-      QVTKOpenGLStereoWidget* const view = this->window.planeWidget();
+      QVTKOpenGLStereoWidget* const view = this->window->planeWidget();
       const int* const size = view->renderWindow()->GetSize();
       const double ratio = view->devicePixelRatioF();
       return size[0] == std::lround(ratio * view->width()) &&
@@ -82,19 +62,12 @@ protected:
         middle[i] += corners->GetPoint(k)[i] / 3.0;
       }
     }
-    vtkRenderer* const plane = this->window.plane();
-    plane->SetWorldPoint(middle[0], middle[1], middle[2], 1.0);
-    plane->WorldToDisplay();
-    const double* const display = plane->GetDisplayPoint();
-    this->moveTo({ static_cast<int>(std::lround(display[0])),
-      this->window.planeWidget()->height() - 1 - static_cast<int>(std::lround(display[1])) });
+    this->moveInPlane(
+      session::pixelOf(this->window->plane(), this->window->planeWidget(), middle.data()));
   }
-  void moveTo(const QPoint& place)
+  void moveInPlane(const QPoint& place)
   {
-    QVTKOpenGLStereoWidget* const view = this->window.planeWidget();
-    QMouseEvent event(QEvent::MouseMove, place, view->mapToGlobal(place), Qt::NoButton,
-      Qt::NoButton, Qt::NoModifier);
-    QApplication::sendEvent(view->embeddedOpenGLWindow(), &event);
+    this->send(QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton, this->window->planeWidget());
   }
   /// A triangle large enough to be met by whole pixels.
   vtkIdType largestCell()
@@ -112,12 +85,12 @@ protected:
     }
     return largest;
   }
-  bool says(const QString& words) { return this->window.readout().contains(words); }
+  bool says(const QString& words) { return this->window->readout().contains(words); }
 
   /// Whether the view of the plane has such a prop, and words in it.
   bool shows(const char* type, const std::string& words = "")
   {
-    vtkActor2DCollection* const props = this->window.plane()->GetActors2D();
+    vtkActor2DCollection* const props = this->window->plane()->GetActors2D();
     props->InitTraversal();
     while (vtkActor2D* const prop = props->GetNextActor2D())
     {
@@ -129,8 +102,6 @@ protected:
     }
     return false;
   }
-
-  editor::EditorWindow window;
 };
 
 QString percent(double strain)
@@ -145,24 +116,24 @@ TEST_F(EditorCloth, TheMouseReadsTheMeasuresOfTheFlatPiece)
   this->pointAt(cell);
   EXPECT_TRUE(
     this->says(QString::asprintf("cell %.0f of piece 0", this->value("vtkOriginalCellIds", cell))))
-    << this->window.readout().toStdString();
+    << this->window->readout().toStdString();
   EXPECT_TRUE(this->says(
     QString::asprintf("homogeneity %.3f", this->value("HomogeneityOfDistortion", cell))));
   EXPECT_FALSE(this->says("warp"));
-  this->moveTo({ 1, 1 });
-  EXPECT_EQ(this->window.readout(), "");
+  this->moveInPlane({ 1, 1 });
+  EXPECT_EQ(this->window->readout(), "");
 }
 
 TEST_F(EditorCloth, TheMouseReadsThreadsShearAndTheLockingAngle)
 {
   this->choose("woven-carbon");
   ASSERT_TRUE(this->flat()->GetCellData()->HasArray("StrainWarp"));
-  EXPECT_TRUE(this->window.message().contains("beyond the limits"))
-    << this->window.message().toStdString();
+  EXPECT_TRUE(this->window->message().contains("beyond the limits"))
+    << this->window->message().toStdString();
   const vtkIdType cell = this->largestCell();
   this->pointAt(cell);
   EXPECT_TRUE(this->says("warp " + percent(this->value("StrainWarp", cell))))
-    << this->window.readout().toStdString();
+    << this->window->readout().toStdString();
   EXPECT_TRUE(this->says("weft " + percent(this->value("StrainWeft", cell))));
   const double shear = this->value("ShearAngle", cell);
   EXPECT_TRUE(this->says(QString::asprintf("shear %+.1f", shear)));
@@ -170,38 +141,35 @@ TEST_F(EditorCloth, TheMouseReadsThreadsShearAndTheLockingAngle)
   EXPECT_TRUE(this->says("limit at 40")); // 50 degrees off the right angle
   this->choose("none");
   EXPECT_FALSE(this->flat()->GetCellData()->HasArray("StrainWarp"));
-  EXPECT_EQ(this->window.message(), "");
+  EXPECT_EQ(this->window->message(), "");
 }
 
 TEST_F(EditorCloth, AGrainThatIsNoneIsSaid)
 {
   this->choose("jersey");
-  QLineEdit* const grain = this->window.cloth()->grainField();
+  QLineEdit* const grain = this->window->cloth()->grainField();
   grain->setText("hem");
   emit grain->editingFinished();
   this->wait();
-  EXPECT_TRUE(this->window.message().contains("\"hem\" is not a curve of the piece"))
-    << this->window.message().toStdString();
+  EXPECT_TRUE(this->window->message().contains("\"hem\" is not a curve of the piece"))
+    << this->window->message().toStdString();
   grain->setText("45");
   emit grain->editingFinished();
   this->wait();
-  EXPECT_FALSE(this->window.message().contains("\"hem\"")) << this->window.message().toStdString();
-  EXPECT_NEAR(this->window.flattening().result().number("GrainAngle"), 45.0, 1e-6);
+  EXPECT_FALSE(this->window->message().contains("\"hem\""))
+    << this->window->message().toStdString();
+  EXPECT_NEAR(this->window->flattening().result().number("GrainAngle"), 45.0, 1e-6);
 }
 
 TEST_F(EditorCloth, MapsOfThreadsHaveTheirScale)
 {
   this->choose("twill");
-  QApplication::setActiveWindow(&this->window); // the list's popup was it
-  this->window.setFocus();                      // off the list, which takes keys itself
-  QTest::keyClick(&this->window, Qt::Key_5);
+  QApplication::setActiveWindow(this->window.get()); // the list's popup was it
+  this->window->setFocus();                          // off the list, which takes keys itself
+  QTest::keyClick(this->window.get(), Qt::Key_5);
   QApplication::processEvents();
-  if (const char* const folder = std::getenv("PATTERN_EDITOR_PICTURES"))
-  {
-    this->pointAt(this->largestCell());
-    QApplication::processEvents();
-    EXPECT_TRUE(this->window.savePicture(std::string(folder) + "/cloth.png"));
-  }
+  this->pointAt(this->largestCell());
+  this->picture("cloth");
   EXPECT_TRUE(this->shows("vtkScalarBarActor"));
   EXPECT_TRUE(this->shows("vtkTextActor", "largest stretch"));
   // Without a material there is none to show.

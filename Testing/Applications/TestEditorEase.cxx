@@ -28,13 +28,7 @@ protected:
   /// A seam from side to side, which makes two pieces.
   void drawSeam()
   {
-    this->push(Hand::NEW_CURVE);
-    this->push(Hand::SECTION);
-    for (const vtkIdType id : { 401, 6, 12 })
-    {
-      this->clickSeen(id);
-    }
-    this->click({ 5, 5 }, Qt::RightButton);
+    this->draw({ 401, 6, 12 }, true);
     this->push(Hand::MAKE_SEAM);
     this->rename("yoke");
     this->waitForPieces();
@@ -101,12 +95,9 @@ TEST_F(EditorEase, ASeamIsLongerInThePieceThatIsChosenAndSoItIsExported)
   EXPECT_NEAR(after[0] / before[0], 1.0, 1e-6);
   EXPECT_NEAR(after[1] / before[1], 1.03, 1e-6);
 
-  const std::string path = testing::TempDir() + "eased.json";
+  const std::string path = this->file("eased.json");
   ASSERT_TRUE(this->window->savePattern(path)) << this->window->message().toStdString();
-  std::ifstream file(path);
-  const std::string text{ std::istreambuf_iterator<char>(file), {} };
-  EXPECT_NE(text.find("yoke"), std::string::npos);
-  std::remove(path.c_str());
+  EXPECT_NE(textOf(path).find("yoke"), std::string::npos);
 
   // The fields show it; in the other piece, and then in none.
   this->fillCurveOptions("yoke", [](QDialog*, QTableWidget* table, int row) {
@@ -132,7 +123,7 @@ TEST_F(EditorEase, AnEaseIsSavedWithItsCurveAndCanBeUndone)
   this->ease("+3%", "2");
   const std::array<double, 2> eased = this->lengths();
   ASSERT_NEAR(eased[1] / eased[0], 1.03, 1e-6);
-  const std::string path = testing::TempDir() + "eased_curves.vtp";
+  const std::string path = this->file("eased_curves.vtp");
   ASSERT_TRUE(this->window->saveCurves(path)) << this->window->message().toStdString();
 
   QTest::keyClick(this->window.get(), Qt::Key_Z, Qt::ControlModifier);
@@ -164,7 +155,6 @@ TEST_F(EditorEase, AnEaseIsSavedWithItsCurveAndCanBeUndone)
   {
     EXPECT_NEAR(others.at(piece), eased.at(piece), 1e-9 * eased.at(piece)) << piece;
   }
-  std::remove(path.c_str());
 }
 
 TEST_F(EditorEase, WhatCannotBeIsSaid)

@@ -96,16 +96,10 @@ TEST_F(PatternEditor, AnArrayOfTheSurfaceCanSayWhereDistortionMatters)
     array->SetValue(5, number);
     weighted->GetCellData()->AddArray(array);
   }
-  const std::string path = testing::TempDir() + "weighted.vtp";
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(weighted);
-  writer->SetFileName(path.c_str());
-  ASSERT_EQ(writer->Write(), 1);
-  ASSERT_TRUE(this->window->openSurface(path)) << this->window->message().toStdString();
+  ASSERT_TRUE(this->window->openSurface(this->write(weighted, "weighted.vtp")))
+    << this->window->message().toStdString();
   const auto ask = [&](const QString& name) {
-    QTimer::singleShot(300, [name] {
-      auto* const dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
-      ASSERT_NE(dialog, nullptr);
+    onDialog<QInputDialog>(300, [name](QInputDialog* dialog) {
       EXPECT_EQ(dialog->comboBoxItems(), QStringList({ "everywhere alike", "Seen", "Infinite" }));
       dialog->setTextValue(name);
       dialog->accept();
@@ -123,8 +117,7 @@ TEST_F(PatternEditor, AnArrayOfTheSurfaceCanSayWhereDistortionMatters)
 
 TEST_F(PatternEditor, ADamagedSurfaceIsHealedWhenItIsOpened)
 {
-  const QTemporaryDir folder;
-  const std::string path = folder.filePath("doubled.obj").toStdString();
+  const std::string path = this->file("doubled.obj");
   std::ofstream(path) << "v 0 0 0\nv 9 0 0\nv 9 9 1\nv 0 9 0\nf 1 2 3\nf 1 3 4\nf 4 3 1\n";
   ASSERT_TRUE(this->window->openSurface(path)) << this->window->message().toStdString();
   EXPECT_EQ(this->window->message(), "1 triangle with the corners of another was taken out (2)");
@@ -134,8 +127,8 @@ TEST_F(PatternEditor, ADamagedSurfaceIsHealedWhenItIsOpened)
 
 TEST_F(PatternEditor, TheUnitIsKeptWithCurvesAndSurface)
 {
-  const std::string lines = testing::TempDir() + "unit_curves.vtp";
-  const std::string saved = testing::TempDir() + "unit_surface.vtp";
+  const std::string lines = this->file("unit_curves.vtp");
+  const std::string saved = this->file("unit_surface.vtp");
   for (const char* const unit : { "m", "inch", "mm", "cm" })
   {
     this->window->unit()->setCurrentText(unit);
@@ -175,7 +168,7 @@ TEST_F(PatternEditor, TheUnitIsKeptWithCurvesAndSurface)
 
 TEST_F(PatternEditor, OptionsOfThePatternAreKeptWithTheCurves)
 {
-  const std::string lines = testing::TempDir() + "option_curves.vtp";
+  const std::string lines = this->file("option_curves.vtp");
   ASSERT_TRUE(this->window->curves()->SetCurves(tutorialLines(this->surface)));
   vtkPatternWriter* pattern = this->window->pattern();
   pattern->SetAllowance(12.5);
@@ -238,12 +231,11 @@ TEST_F(PatternEditor, PatternsAndPicturesAreWritten)
   this->drawTutorial();
   for (const char* extension : { ".pdf", ".svg", ".dxf", ".png" })
   {
-    const std::string path = testing::TempDir() + "editor_pattern" + extension;
+    const std::string path = this->file(std::string("editor_pattern") + extension);
     const bool picture = std::string(extension) == ".png";
     EXPECT_TRUE(picture ? this->window->savePicture(path) : this->window->savePattern(path))
       << this->window->message().toStdString();
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
-    EXPECT_GT(file.tellg(), 2000) << extension;
+    EXPECT_GT(textOf(path).size(), 2000U) << extension;
     if (picture)
     {
       // Both views are in it, with all the colours of a surface.
@@ -260,20 +252,16 @@ TEST_F(PatternEditor, PatternsAndPicturesAreWritten)
         EXPECT_GT(colors.size(), 10U);
       }
     }
-    std::remove(path.c_str());
   }
 }
 
 TEST_F(PatternEditor, PatternsShowWhatTheirOptionsAskFor)
 {
   this->drawTutorial();
-  const std::string path = testing::TempDir() + "editor_options.svg";
+  const std::string path = this->file("editor_options.svg");
   const auto exported = [&] {
     EXPECT_TRUE(this->window->savePattern(path)) << this->window->message().toStdString();
-    std::ifstream file(path);
-    const std::string text{ std::istreambuf_iterator<char>(file), {} };
-    std::remove(path.c_str());
-    return text;
+    return textOf(path);
   };
   const std::string plain = exported();
   const std::regex spline(" d=\"M[^\"]*C");
@@ -286,9 +274,7 @@ TEST_F(PatternEditor, PatternsShowWhatTheirOptionsAskFor)
     << this->window->message().toStdString();
   pattern->SetFairTolerance(usual);
   const auto answer = [&](bool yes) {
-    QTimer::singleShot(300, [yes] {
-      auto* const dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-      ASSERT_NE(dialog, nullptr);
+    onDialog<QDialog>(300, [yes](QDialog* dialog) {
       dialog->findChild<QDoubleSpinBox*>("Allowance")->setValue(12.5);
       dialog->findChild<QDoubleSpinBox*>("FairTolerance")->setValue(0.0);
       dialog->findChild<QCheckBox*>("NotchCorners")->setChecked(true);
@@ -312,9 +298,7 @@ TEST_F(PatternEditor, PatternsShowWhatTheirOptionsAskFor)
   EXPECT_NE(asked.find("XL"), std::string::npos);
 
   // The fields show what is set.
-  QTimer::singleShot(300, [] {
-    auto* const dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-    ASSERT_NE(dialog, nullptr);
+  onDialog<QDialog>(300, [](QDialog* dialog) {
     EXPECT_EQ(dialog->findChild<QDoubleSpinBox*>("Allowance")->value(), 12.5);
     EXPECT_EQ(dialog->findChild<QComboBox*>("Paper")->currentText(), "A0");
     dialog->findChild<QDoubleSpinBox*>("NotchSpacing")->setValue(0.01);
@@ -365,7 +349,7 @@ TEST_F(PatternEditor, OneCurveCanHaveOptionsOfItsOwn)
 
 TEST_F(PatternEditor, ASavedSurfaceIsTheOneThatWasOpened)
 {
-  const std::string path = testing::TempDir() + "saved_surface.vtp";
+  const std::string path = this->file("saved_surface.vtp");
   ASSERT_TRUE(this->window->saveSurface(path)) << this->window->message().toStdString();
   EXPECT_TRUE(this->window->message().contains("saved_surface.vtp"));
   const figures::PolyData saved = wirewarp::polyDataOf(wirewarp::readSurface(path).surface);
@@ -378,7 +362,6 @@ TEST_F(PatternEditor, ASavedSurfaceIsTheOneThatWasOpened)
       ASSERT_EQ(saved->GetPoint(k)[axis], this->surface->GetPoint(k)[axis]) << k;
     }
   }
-  std::remove(path.c_str());
   EXPECT_FALSE(this->window->saveSurface("/no such folder/surface.vtp"));
   EXPECT_TRUE(this->window->message().contains("/no such folder"));
   EXPECT_FALSE(EditorWindow().saveSurface(path)); // nothing is open
@@ -387,12 +370,8 @@ TEST_F(PatternEditor, ASavedSurfaceIsTheOneThatWasOpened)
 // What the menus lead to, from a window without anything to a pattern on paper.
 TEST_F(PatternEditor, ANewUserGetsFromAMeshToAPdfByTheMenus)
 {
-  const std::string path = testing::TempDir() + "first.pdf";
-  this->window = std::make_unique<EditorWindow>();
-  this->window->resize(1400, 900);
-  this->window->show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(this->window.get()));
-  QApplication::setActiveWindow(this->window.get());
+  const std::string path = this->file("first.pdf");
+  this->show();
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   this->picture("empty");
   this->choose(FLATTENING_DATA "/wetsuit_upper_front.vtp");
@@ -415,10 +394,8 @@ TEST_F(PatternEditor, ANewUserGetsFromAMeshToAPdfByTheMenus)
   this->choose(path);
   QTest::keyClick(this->window.get(), Qt::Key_E, Qt::ControlModifier);
   EXPECT_TRUE(this->window->message().contains("saved")) << this->window->message().toStdString();
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  EXPECT_GT(file.tellg(), 2000);
+  EXPECT_GT(textOf(path).size(), 2000U);
   this->picture("exported");
-  std::remove(path.c_str());
 }
 
 TEST_F(PatternEditor, FilesThatCannotBeReadOrWrittenAreNamed)
@@ -436,8 +413,7 @@ TEST_F(PatternEditor, FilesThatCannotBeReadOrWrittenAreNamed)
 
 TEST_F(PatternEditor, SeamsAreTakenFromTheFacesOfAnObjFile)
 {
-  const QTemporaryDir folder;
-  const std::string file = folder.filePath("labels.obj").toStdString();
+  const std::string file = this->file("labels.obj");
   std::ofstream text(file); // a strip of quads
   for (int i = 0; i < 5; ++i)
   {
@@ -474,8 +450,8 @@ TEST_F(PatternEditor, SeamsAreTakenFromTheFacesOfAnObjFile)
 
 TEST_F(PatternEditor, OfADrawingArcsAreReadAndTheRestIsNamed)
 {
-  const std::string surfaceFile = testing::TempDir() + "square.obj";
-  const std::string path = testing::TempDir() + "drawing.dxf";
+  const std::string surfaceFile = this->file("square.obj");
+  const std::string path = this->file("drawing.dxf");
   std::ofstream(surfaceFile) << "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nf 1 2 3\nf 1 3 4\n";
   const std::string arc = "0\nARC\n8\nkey hem\n10\n5\n20\n4\n40\n3\n50\n10\n51\n190\n";
   for (const bool hatched : { false, true })
@@ -492,8 +468,6 @@ TEST_F(PatternEditor, OfADrawingArcsAreReadAndTheRestIsNamed)
       << this->window->message().toStdString();
     EXPECT_EQ(this->window->message().isEmpty(), !hatched);
   }
-  std::remove(path.c_str());
-  std::remove(surfaceFile.c_str());
 }
 
 TEST_F(PatternEditor, WhatCannotBeDoneYetCannotBePressed)
@@ -521,19 +495,13 @@ TEST_F(PatternEditor, WhatCannotBeDoneYetCannotBePressed)
   EXPECT_TRUE(isEnabled(*this->window, "Propose cuts"));
   EXPECT_TRUE(isEnabled(*this->window, "Export pattern"));
   EXPECT_FALSE(isEnabled(*this->window, "Offset by")); // of no curve
-  this->push(Hand::NEW_CURVE);
-  this->clickSeen(tutorialCurves()[0].vertices[0]);
-  this->clickSeen(tutorialCurves()[0].vertices[1]);
-  this->click({ 5, 5 }, Qt::RightButton);
+  this->draw({ 401, 6 });
   EXPECT_TRUE(isEnabled(*this->window, "Offset by"));
 }
 
 TEST_F(PatternEditor, ThePanelOffersWhatTheBarOffers)
 {
-  this->push(Hand::NEW_CURVE);
-  this->clickSeen(tutorialCurves()[0].vertices[0]);
-  this->clickSeen(tutorialCurves()[0].vertices[1]);
-  this->click({ 5, 5 }, Qt::RightButton);
+  this->draw({ 401, 6 });
   editor::CurvePanel* const panel = this->window->panel();
   const auto expectTheSame = [&] {
     EXPECT_EQ(panel->mirrored()->isEnabled(), this->window->action(Hand::MIRROR)->isEnabled());

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Numbers and pieces of PatternEditor while the curves are already others.
 #include "EditorSession.h"
+#include "Sheet.h"
 #include "StraightCorners.h"
 
-#include <vtkPoints.h>
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <QLabel>
 
@@ -21,63 +20,11 @@ constexpr int squares = 300; // 180,000 triangles: no draft of them comes at onc
 class EditorPieces : public PatternEditor
 {
 protected:
-  void SetUp() override
-  {
-    this->PatternEditor::SetUp();
-    std::filesystem::remove_all(this->folder);
-    std::filesystem::create_directories(this->folder);
-  }
-  void TearDown() override { std::filesystem::remove_all(this->folder); }
-
-  static double bulge(double x, double y) { return 0.1 * std::sin(3.0 * x) * std::sin(3.0 * y); }
-
-  /// A sheet whose pieces take a while.
-  std::string writeSheet()
-  {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    vtkNew<vtkCellArray> triangles;
-    for (int j = 0; j <= squares; ++j)
-    {
-      for (int i = 0; i <= squares; ++i)
-      {
-        const double x = static_cast<double>(i) / squares;
-        const double y = static_cast<double>(j) / squares;
-        points->InsertNextPoint(x, y, bulge(x, y));
-      }
-    }
-    for (int j = 0; j < squares; ++j)
-    {
-      for (int i = 0; i < squares; ++i)
-      {
-        const vtkIdType a = j * (squares + 1) + i;
-        const vtkIdType b = a + squares + 1;
-        triangles->InsertNextCell({ a, a + 1, b + 1 });
-        triangles->InsertNextCell({ a, b + 1, b });
-      }
-    }
-    vtkNew<vtkPolyData> sheet;
-    sheet->SetPoints(points);
-    sheet->SetPolys(triangles);
-    return this->write(sheet, "sheet.vtp");
-  }
-  std::string write(vtkPolyData* data, const char* name)
-  {
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    std::string path = this->folder + name;
-    writer->SetFileName(path.c_str());
-    writer->SetInputData(data);
-    writer->Write();
-    return path;
-  }
-
   void addCurve(double x)
   {
-    vtkNew<vtkPoints> nodes;
-    nodes->SetDataTypeToDouble();
-    nodes->InsertNextPoint(x, 0.2, bulge(x, 0.2));
-    nodes->InsertNextPoint(x, 0.8, bulge(x, 0.8));
-    ASSERT_TRUE(this->window->curves()->AddCurve(nodes)) << this->window->curves()->GetMessage();
+    ASSERT_TRUE(this->window->curves()->AddCurve(
+      pointsAt({ { x, 0.2, sheets::bulge(x, 0.2) }, { x, 0.8, sheets::bulge(x, 0.8) } })))
+      << this->window->curves()->GetMessage();
   }
 
   bool areGrey() const { return !this->window->measures()->isEnabled(); }
@@ -88,15 +35,12 @@ protected:
     actors->InitTraversal();
     return actors->GetNextActor()->GetProperty()->GetOpacity();
   }
-
-  const std::string folder = testing::TempDir() + "editor pieces, " +
-    testing::UnitTest::GetInstance()->current_test_info()->name() + "/";
 };
 }
 
 TEST_F(EditorPieces, NumbersOfEarlierCurvesAreGreyUntilThoseOfTheNewOnesAreThere)
 {
-  ASSERT_TRUE(this->window->openSurface(this->writeSheet()));
+  ASSERT_TRUE(this->window->openSurface(this->write(sheets::sheet(squares), "sheet.vtp")));
   EXPECT_TRUE(this->words().isEmpty());
   ASSERT_TRUE(QTest::qWaitFor(
     [this] { return this->words().contains("flattening") || !this->window->isWaiting(); }, 60000));
@@ -142,16 +86,12 @@ TEST_F(EditorPieces, OfWhatIsRejectedThereAreNoNumbersAndNoPattern)
   EXPECT_TRUE(this->window->message().contains("closed")) << this->window->message().toStdString();
   EXPECT_EQ(this->words(), "");
   vtkFeatureCurveEditor* const curves = this->window->curves();
-  vtkNew<vtkPoints> nodes;
-  nodes->SetDataTypeToDouble();
-  nodes->InsertNextPoint(0.0, 0.0, 10.0);
-  nodes->InsertNextPoint(10.0, 0.0, 0.0);
-  nodes->InsertNextPoint(0.0, 0.0, -10.0);
-  ASSERT_TRUE(curves->AddCurve(nodes));
+  ASSERT_TRUE(
+    curves->AddCurve(pointsAt({ { 0.0, 0.0, 10.0 }, { 10.0, 0.0, 0.0 }, { 0.0, 0.0, -10.0 } })));
   ASSERT_TRUE(curves->SetCurveType(0, 2));
   this->waitForPieces();
   EXPECT_FALSE(this->areGrey());
-  const std::string pattern = this->folder + "pattern.svg";
+  const std::string pattern = this->file("pattern.svg");
   EXPECT_TRUE(this->window->savePattern(pattern)) << this->window->message().toStdString();
   EXPECT_TRUE(std::filesystem::remove(pattern));
 
@@ -171,13 +111,8 @@ TEST_F(EditorPieces, OfWhatIsRejectedThereAreNoNumbersAndNoPattern)
 TEST_F(EditorPieces, AKeyWithACornerThatIsToBeStraightIsNamedWhateverBecomesOfItsPiece)
 {
   vtkFeatureCurveEditor* const curves = this->window->curves();
-  vtkNew<vtkPoints> nodes;
-  nodes->SetDataTypeToDouble();
-  for (const vtkIdType id : { 401, 6, 5 }) // to the middle of the front and up to the neck
-  {
-    nodes->InsertNextPoint(this->surface->GetPoint(id));
-  }
-  ASSERT_TRUE(curves->AddCurve(nodes));
+  // To the middle of the front and up to the neck.
+  ASSERT_TRUE(curves->AddCurve(pointsAt(this->surface, { 401, 6, 5 })));
   ASSERT_TRUE(curves->SetCurveType(0, 1));
   ASSERT_TRUE(curves->SetCurveKeyShape(0, 1));
   int broken = 0;
@@ -204,8 +139,7 @@ TEST_F(EditorPieces, AKeyWithACornerThatIsToBeStraightIsNamedWhateverBecomesOfIt
   EXPECT_EQ(editor::cornersOfStraightKeys(curves), "");
   EXPECT_EQ(this->window->message(), "");
   // A curve without a corner has none, and a closed one is none that can be straight.
-  nodes->SetPoint(1, this->surface->GetPoint(12));
-  ASSERT_TRUE(curves->AddCurve(nodes));
+  ASSERT_TRUE(curves->AddCurve(pointsAt(this->surface, { 401, 12, 5 })));
   ASSERT_TRUE(curves->SetCurveType(2, 1));
   ASSERT_TRUE(curves->SetCurveClosed(2, true));
   ASSERT_TRUE(curves->SetCurveKeyShape(2, 1));

@@ -2,8 +2,6 @@
 // What PatternEditor does so that no curve is lost: marks, the journal, and files too large.
 #include "EditorSession.h"
 
-#include <vtkPoints.h>
-
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
@@ -42,11 +40,8 @@ namespace
 /// A curve over the surface between two of its points, and what follows a change.
 void addLine(EditorWindow* window, vtkIdType from, vtkIdType to)
 {
-  vtkNew<vtkPoints> nodes;
-  nodes->SetDataTypeToDouble();
-  nodes->InsertNextPoint(window->surface()->GetPoint(from));
-  nodes->InsertNextPoint(window->surface()->GetPoint(to));
-  ASSERT_TRUE(window->curves()->AddCurve(nodes)) << window->curves()->GetMessage();
+  ASSERT_TRUE(window->curves()->AddCurve(pointsAt(window->surface(), { from, to })))
+    << window->curves()->GetMessage();
   QApplication::processEvents();
 }
 
@@ -71,9 +66,7 @@ QStringList journals()
 /// Presses a button of the next question. \param asked gets what it says
 void answer(QMessageBox::StandardButton button, QString& asked)
 {
-  QTimer::singleShot(300, [button, &asked] {
-    auto* const box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-    ASSERT_NE(box, nullptr);
+  onDialog<QMessageBox>(300, [button, &asked](QMessageBox* box) {
     asked = box->text();
     box->button(button)->click();
   });
@@ -82,7 +75,7 @@ void answer(QMessageBox::StandardButton button, QString& asked)
 
 TEST_F(PatternEditor, WhatIsNotSavedIsMarkedInTheTitle)
 {
-  const std::string path = testing::TempDir() + "marked.vtp";
+  const std::string path = this->file("marked.vtp");
   EXPECT_TRUE(this->window->windowTitle().startsWith("shirt_front[*]"));
   EXPECT_FALSE(this->window->isWindowModified());
   addLine(this->window.get(), 6, 7);
@@ -98,7 +91,6 @@ TEST_F(PatternEditor, WhatIsNotSavedIsMarkedInTheTitle)
   addLine(this->window.get(), 6, 7);
   ASSERT_TRUE(this->window->openSurface(FLATTENING_DATA "/quarter_sphere.vtp"));
   EXPECT_FALSE(this->window->isWindowModified());
-  std::remove(path.c_str());
 }
 
 TEST_F(PatternEditor, WhatASlotThrowsIsAMessageAndTheCurvesStay)
@@ -139,7 +131,7 @@ TEST_F(PatternEditor, WhatASlotThrowsIsAMessageAndTheCurvesStay)
 
 TEST_F(PatternEditor, UnsavedCurvesAreOnTheDiskBeforeTheyReplaceEarlierOnes)
 {
-  const std::string path = testing::TempDir() + "synced.vtp";
+  const std::string path = this->file("synced.vtp");
   for (int k = 0; k < 3; ++k)
   {
     addLine(this->window.get(), 6, 7 + k);
@@ -151,7 +143,6 @@ TEST_F(PatternEditor, UnsavedCurvesAreOnTheDiskBeforeTheyReplaceEarlierOnes)
     QTest::qWait(1500); // until the journal has it
     EXPECT_GE(filesSynced, 1);
   }
-  std::remove(path.c_str());
 }
 
 TEST_F(PatternEditor, AFileTooLargeForTheMemoryIsAMessageAndTheCurvesStay)
@@ -162,7 +153,7 @@ TEST_F(PatternEditor, AFileTooLargeForTheMemoryIsAMessageAndTheCurvesStay)
   ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
   for (const char* name : { "huge.obj", "huge.off", "huge.ply" })
   {
-    const std::string path = testing::TempDir() + name;
+    const std::string path = this->file(name);
     std::ofstream(path) << "ply\nformat ascii 1.0\n";
     std::filesystem::resize_file(path, 3900000000); // of which the disk holds a block
     std::size_t pages = 0;
@@ -175,7 +166,6 @@ TEST_F(PatternEditor, AFileTooLargeForTheMemoryIsAMessageAndTheCurvesStay)
     EXPECT_TRUE(this->window->message().contains("memory ran out"))
       << this->window->message().toStdString();
     EXPECT_EQ(lengths(this->window.get()), drawn);
-    std::remove(path.c_str());
   }
 }
 
@@ -187,10 +177,7 @@ TEST_F(PatternEditor, AllProposalsThatAreAcceptedAtOnceAreUndoneAtOnce)
     editor::Proposal cut;
     cut.name = name;
     cut.type = 2;
-    cut.points = vtkSmartPointer<vtkPoints>::New();
-    cut.points->SetDataTypeToDouble();
-    cut.points->InsertNextPoint(this->surface->GetPoint(from));
-    cut.points->InsertNextPoint(this->surface->GetPoint(to));
+    cut.points = pointsAt(this->surface, { from, to });
     cut.length = 1.0;
     return cut;
   };
@@ -238,7 +225,7 @@ TEST_F(PatternEditor, CurvesOfAWindowThatEndedWithoutClosingAreOfferedOnTheSameS
   ASSERT_EQ(journals().size(), 1);
 
   // The same surface under another name.
-  const std::string copy = testing::TempDir() + "copy_of_shirt.vtp";
+  const std::string copy = this->file("copy_of_shirt.vtp");
   std::filesystem::copy_file(shirt, copy, std::filesystem::copy_options::overwrite_existing);
   QString asked;
   answer(QMessageBox::Yes, asked);
@@ -255,13 +242,11 @@ TEST_F(PatternEditor, CurvesOfAWindowThatEndedWithoutClosingAreOfferedOnTheSameS
   EXPECT_EQ(journals().size(), 1);
 
   // Saved, they are not kept any more, and not asked for again.
-  const std::string path = testing::TempDir() + "recovered.vtp";
+  const std::string path = this->file("recovered.vtp");
   ASSERT_TRUE(this->window->saveCurves(path));
   EXPECT_TRUE(journals().isEmpty());
   ASSERT_TRUE(this->window->openSurface(shirt));
   EXPECT_EQ(curves->GetNumberOfCurves(), 0);
-  std::remove(path.c_str());
-  std::remove(copy.c_str());
 }
 
 TEST_F(PatternEditor, CurvesThatAreDiscardedAreNotOfferedAgainAndAWindowThatClosesLeavesNone)

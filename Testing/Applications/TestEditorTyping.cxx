@@ -14,12 +14,6 @@ using namespace session;
 
 namespace
 {
-std::string textOf(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return { std::istreambuf_iterator<char>(file), {} };
-}
-
 class EditorTyping : public PatternEditor
 {
 protected:
@@ -28,19 +22,12 @@ protected:
     this->PatternEditor::SetUp();
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     QApplication::setQuitOnLastWindowClosed(false);
-    std::filesystem::remove_all(this->folder);
-    std::filesystem::create_directories(this->folder);
-    this->push(Hand::NEW_CURVE);
-    this->click(this->vertex(401));
-    this->click(this->vertex(6));
-    this->click({ 5, 5 }, Qt::RightButton);
+    this->draw({ 401, 6 });
   }
-  void TearDown() override { std::filesystem::remove_all(this->folder); }
-
   void saveAs(const std::string& name, Qt::Key key = Qt::Key_S)
   {
     QApplication::setActiveWindow(this->window.get());
-    this->choose(this->folder + name);
+    this->choose(this->file(name));
     QTest::keyClick(this->window.get(), key, Qt::ControlModifier);
   }
   /// Answers the question that comes next; without a button by Return.
@@ -60,14 +47,8 @@ protected:
     });
     timer->start(100);
   }
-  bool exists(const std::string& name) const
-  {
-    return std::filesystem::exists(this->folder + name);
-  }
+  bool exists(const std::string& name) { return std::filesystem::exists(this->file(name)); }
 
-  // Of each test its own, since tests run beside each other.
-  const std::string folder = testing::TempDir() + "saved names, " +
-    testing::UnitTest::GetInstance()->current_test_info()->name() + "/";
   bool asked = false;
 };
 }
@@ -84,7 +65,7 @@ TEST_F(EditorTyping, WhateverNameIsTypedTheCurvesCanBeOpenedAgain)
     this->saveAs(typed);
     ASSERT_TRUE(this->exists(written)) << this->window->message().toStdString();
     EXPECT_EQ(typed == std::string(written), this->exists(typed)) << typed;
-    ASSERT_TRUE(this->window->openCurves(this->folder + written))
+    ASSERT_TRUE(this->window->openCurves(this->file(written)))
       << this->window->message().toStdString();
     ASSERT_EQ(this->window->curves()->GetNumberOfCurves(), 1);
     ASSERT_EQ(this->window->curves()->GetNumberOfNodes(0), 2);
@@ -101,13 +82,10 @@ TEST_F(EditorTyping, WhateverNameIsTypedTheCurvesCanBeOpenedAgain)
 TEST_F(EditorTyping, AFileWhoseExtensionWasNotTypedIsNotReplacedUnasked)
 {
   this->saveAs("curves");
-  const std::string path = this->folder + "curves.vtp";
+  const std::string path = this->file("curves.vtp");
   const std::string first = textOf(path);
   ASSERT_FALSE(first.empty());
-  this->push(Hand::NEW_CURVE);
-  this->click(this->vertex(12));
-  this->click(this->vertex(6));
-  this->click({ 5, 5 }, Qt::RightButton);
+  this->draw({ 12, 6 });
   this->answer(QMessageBox::NoButton);
   this->saveAs("curves");
   EXPECT_TRUE(this->asked);
@@ -128,10 +106,7 @@ TEST_F(EditorTyping, WhatIsTypedForACurveIsKeptWhenAnotherIsChosen)
   };
   QLineEdit* const name = this->window->panel()->name();
   QLineEdit* const tolerance = this->window->panel()->tolerance()->findChild<QLineEdit*>();
-  this->push(Hand::NEW_CURVE);
-  this->click(this->vertex(12));
-  this->click(this->vertex(68));
-  this->click({ 5, 5 }, Qt::RightButton);
+  this->draw({ 12, 68 });
   ASSERT_EQ(curves->GetNumberOfCurves(), 2);
   this->window->panel()->onChoose(0);
   type(name, "bust");
@@ -162,16 +137,14 @@ TEST_F(EditorTyping, DialogsForFilesStartBesideTheSurfaceAndThenWhereTheLastFile
   std::vector<QString> folders;
   const auto look = [&](Qt::Key key, Qt::KeyboardModifiers also = Qt::NoModifier) {
     QApplication::setActiveWindow(this->window.get());
-    QTimer::singleShot(500, [&folders] {
-      auto* const dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-      ASSERT_NE(dialog, nullptr);
+    onDialog<QFileDialog>(500, [&folders](QFileDialog* dialog) {
       folders.push_back(dialog->directory().canonicalPath());
       dialog->reject();
     });
     QTest::keyClick(this->window.get(), key, Qt::ControlModifier | also);
   };
   const QString data = QDir(FLATTENING_DATA).canonicalPath();
-  const QString saved = QDir(QString::fromStdString(this->folder)).canonicalPath();
+  const QString saved = QDir(QString::fromStdString(this->file(""))).canonicalPath();
   ASSERT_NE(QDir::current().canonicalPath(), data);
   for (const Qt::Key key : { Qt::Key_S, Qt::Key_E, Qt::Key_P })
   {
@@ -258,17 +231,13 @@ TEST_F(EditorTyping, AMenuInTheMiddleOfADragEndsIt)
 
 TEST_F(EditorTyping, CurvesThatAreNotSavedAreLostOnlyByTheButtonThatSaysSo)
 {
-  const std::string path = this->folder + "kept.vtp";
+  const std::string path = this->file("kept.vtp");
   this->answer(QMessageBox::Cancel);
   EXPECT_FALSE(this->window->close());
   EXPECT_TRUE(this->asked);
   // Return is Save; without a name nothing is saved, and the window stays.
   this->answer(QMessageBox::NoButton);
-  QTimer::singleShot(1200, [] {
-    auto* const dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-    ASSERT_NE(dialog, nullptr);
-    dialog->reject();
-  });
+  onDialog<QFileDialog>(1200, [](QFileDialog* dialog) { dialog->reject(); });
   EXPECT_FALSE(this->window->close());
   EXPECT_TRUE(this->window->isVisible());
   this->answer(QMessageBox::NoButton);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The thread that flattens for the window, asked again and again while it works.
-#include "LiveFlattening.h"
+#include "Sheet.h"
 
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkIntArray.h>
 #include <vtkMath.h>
-#include <vtkPoints.h>
 
 #include <gtest/gtest.h>
 
@@ -18,45 +16,12 @@
 
 using editor::Care;
 using editor::LiveFlattening;
+using sheets::sheet;
 
 namespace
 {
 constexpr int large = 200; // squares on a side: 80,000 triangles
 constexpr int small = 20;
-
-double bulge(double x, double y)
-{
-  return 0.1 * std::sin(3.0 * x) * std::sin(3.0 * y);
-}
-
-figures::PolyData sheet(int squares)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> triangles;
-  for (int j = 0; j <= squares; ++j)
-  {
-    for (int i = 0; i <= squares; ++i)
-    {
-      const double x = static_cast<double>(i) / squares;
-      const double y = static_cast<double>(j) / squares;
-      points->InsertNextPoint(x, y, bulge(x, y));
-    }
-  }
-  const auto at = [squares](int i, int j) -> vtkIdType { return j * (squares + 1) + i; };
-  for (int j = 0; j < squares; ++j)
-  {
-    for (int i = 0; i < squares; ++i)
-    {
-      triangles->InsertNextCell({ at(i, j), at(i + 1, j), at(i + 1, j + 1) });
-      triangles->InsertNextCell({ at(i, j), at(i + 1, j + 1), at(i, j + 1) });
-    }
-  }
-  figures::PolyData data = figures::PolyData::New();
-  data->SetPoints(points);
-  data->SetPolys(triangles);
-  return data;
-}
 
 /// A curve across the sheet along a row of its vertices.
 figures::PolyData curveAlong(int squares, int row)
@@ -69,7 +34,7 @@ figures::PolyData curveAlong(int squares, int row)
   {
     const double x = static_cast<double>(i) / squares;
     const double y = static_cast<double>(row) / squares;
-    line->InsertCellPoint(points->InsertNextPoint(x, y, bulge(x, y)));
+    line->InsertCellPoint(points->InsertNextPoint(x, y, sheets::bulge(x, y)));
   }
   figures::PolyData data = figures::PolyData::New();
   data->SetPoints(points);

@@ -11,7 +11,6 @@
 
 #include <QInputDialog>
 #include <QStyle>
-#include <QTemporaryDir>
 #include <QToolBar>
 
 #include <memory>
@@ -27,7 +26,7 @@ TEST_F(PatternEditor, TheTutorialsCurvesDrawnByMouseSavedAndLoadedGiveItsReport)
   expected.setSurface(this->surface);
   ASSERT_TRUE(expected.run(tutorialLines(this->surface)));
 
-  const std::string path = testing::TempDir() + "drawn_curves.vtp";
+  const std::string path = this->file("drawn_curves.vtp");
   ASSERT_TRUE(this->window->saveCurves(path));
   for (const bool loaded : { false, true })
   {
@@ -56,13 +55,12 @@ TEST_F(PatternEditor, TheTutorialsCurvesDrawnByMouseSavedAndLoadedGiveItsReport)
   // They are as editable as before.
   this->drag(this->node(1, 1), this->node(1, 1) + QPoint(0, 40));
   EXPECT_TRUE(this->window->curves()->CanUndo());
-  std::remove(path.c_str());
 }
 
 TEST_F(PatternEditor, EditsAtRandomUndoneLeaveTheFirstState)
 {
   this->drawTutorial();
-  const std::string path = testing::TempDir() + "first_curves.vtp";
+  const std::string path = this->file("first_curves.vtp");
   ASSERT_TRUE(this->window->saveCurves(path));
   ASSERT_TRUE(this->window->openCurves(path));
   const auto state = [this] {
@@ -112,7 +110,6 @@ TEST_F(PatternEditor, EditsAtRandomUndoneLeaveTheFirstState)
   }
   EXPECT_GT(undone, 20);
   EXPECT_EQ(state(), first);
-  std::remove(path.c_str());
 }
 
 TEST_F(PatternEditor, NoKeyOfVTKsStylesEndsTheProgramOrDrawsOtherwise)
@@ -172,10 +169,7 @@ TEST_F(PatternEditor, ANewKeyDoesNotTurnThePieceOnTheScreen)
   this->waitForPieces();
   const double before = shown();
   const double laidBefore = laid();
-  this->push(Hand::NEW_CURVE);
-  this->click(this->vertex(401)); // across
-  this->click(this->vertex(12));
-  QTest::keyClick(this->window.get(), Qt::Key_Return);
+  this->draw({ 401, 12 }); // across
   this->push(Hand::MAKE_KEY);
   this->waitForPieces();
   EXPECT_GT(std::abs(std::sin(laid() - laidBefore)), 0.9); // the pattern lies by its grain
@@ -279,9 +273,7 @@ TEST_F(PatternEditor, TheBarHasIconsOfTheStylesSize)
 
 TEST_F(PatternEditor, ACommandIsFoundBySomeOfItsLetters)
 {
-  QTimer::singleShot(300, [] {
-    auto* const dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
-    ASSERT_NE(dialog, nullptr);
+  onDialog<QInputDialog>(300, [](QInputDialog* dialog) {
     dialog->setTextValue("STROKE");
     dialog->accept();
   });
@@ -342,10 +334,7 @@ TEST_F(PatternEditor, CurvesOfAnotherSurfaceAreSaidToBe)
 TEST_F(PatternEditor, AnOffsetRunsThroughTheClickedPlaceOrAtTheGivenDistance)
 {
   vtkFeatureCurveEditor* const curves = this->window->curves();
-  this->push(Hand::NEW_CURVE);
-  this->click(this->vertex(401));
-  this->click(this->vertex(12));
-  QTest::keyClick(this->window.get(), Qt::Key_Return);
+  this->draw({ 401, 12 });
   this->push(Hand::OFFSET);
   const vtkIdType place = 6;
   this->click(this->vertex(place));
@@ -359,9 +348,7 @@ TEST_F(PatternEditor, AnOffsetRunsThroughTheClickedPlaceOrAtTheGivenDistance)
   ASSERT_EQ(curves->GetNumberOfCurves(), 1);
 
   this->window->hand()->Choose(0, -1);
-  QTimer::singleShot(300, [] {
-    auto* const dialog = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
-    ASSERT_NE(dialog, nullptr);
+  onDialog<QInputDialog>(300, [](QInputDialog* dialog) {
     dialog->setDoubleValue(1.5);
     dialog->accept();
   });
@@ -434,10 +421,7 @@ int main(int argc, char* argv[])
 
 TEST_F(PatternEditor, ACurveInTheMiddleIsNotJoinedToTheOutlineByALineThatLooksLikeACut)
 {
-  this->push(Hand::NEW_CURVE);
-  this->click(this->vertex(6));
-  this->click(this->vertex(7));
-  this->click({ 5, 5 }, Qt::RightButton);
+  this->draw({ 6, 7 });
   this->waitForPieces();
   const auto lengthOf = [](vtkPolyData* lines, bool blackOnly) {
     double length = 0.0;

@@ -123,6 +123,17 @@ protected:
     }
     this->press("Return");
   }
+  /// Keeps what the widget says last.
+  void listen(std::string& said)
+  {
+    vtkNew<vtkCallbackCommand> listener;
+    listener->SetClientData(&said);
+    listener->SetCallback([](vtkObject*, unsigned long, void* client, void* words) {
+      *static_cast<std::string*>(client) = static_cast<const char*>(words);
+    });
+    this->widget->AddObserver(vtkCommand::WarningEvent, listener);
+  }
+
   /// What stands at the mouse.
   std::string label() const
   {
@@ -359,12 +370,7 @@ TEST_F(FeatureCurveWidget, ChosenCurvesGetTypesSplitJoinAndGo)
 TEST_F(FeatureCurveWidget, ACurveOfOneNodeIsNotKeptAndThatIsSaid)
 {
   std::string said;
-  vtkNew<vtkCallbackCommand> listener;
-  listener->SetClientData(&said);
-  listener->SetCallback([](vtkObject*, unsigned long, void* client, void* words) {
-    *static_cast<std::string*>(client) = static_cast<const char*>(words);
-  });
-  this->widget->AddObserver(vtkCommand::WarningEvent, listener);
+  this->listen(said);
   this->draw({ this->vertex(401), this->vertex(6) });
   EXPECT_EQ(said, "");
   this->draw({ this->vertex(12) });
@@ -488,12 +494,7 @@ TEST_F(FeatureCurveWidget, WhatIsChosenElsewhereIsNotDrawnOn)
 TEST_F(FeatureCurveWidget, AClickThatMeetsNothingIsSaid)
 {
   std::string said;
-  vtkNew<vtkCallbackCommand> listener;
-  listener->SetClientData(&said);
-  listener->SetCallback([](vtkObject*, unsigned long, void* client, void* words) {
-    *static_cast<std::string*>(client) = static_cast<const char*>(words);
-  });
-  this->widget->AddObserver(vtkCommand::WarningEvent, listener);
+  this->listen(said);
   const Pixel beside{ 4, 4 };
   const auto expectSaid = [&](const char* words) {
     said.clear();
@@ -539,12 +540,7 @@ TEST_F(FeatureCurveWidget, AMirroredCurveLiesOnBothHalvesOfTheShirt)
 TEST_F(FeatureCurveWidget, AMirrorOfWhatIsNotSymmetricIsSaid)
 {
   std::string said;
-  vtkNew<vtkCallbackCommand> listener;
-  listener->SetClientData(&said);
-  listener->SetCallback([](vtkObject*, unsigned long, void* client, void* words) {
-    *static_cast<std::string*>(client) = static_cast<const char*>(words);
-  });
-  this->widget->AddObserver(vtkCommand::WarningEvent, listener);
+  this->listen(said);
   this->draw({ this->vertex(401), this->vertex(6) });
   this->press("m");
   ASSERT_TRUE(this->editor->GetCurveMirrored(0));
@@ -592,18 +588,15 @@ TEST_F(FeatureCurveWidget, KeysChooseHowACurveRuns)
 
 TEST_F(FeatureCurveWidget, WhatItDrawsIsAPropOfItsRendererWhileItIsEnabled)
 {
-  int enabled = 0;
-  int disabled = 0;
-  vtkNew<vtkCallbackCommand> count;
-  count->SetCallback(
-    [](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
-  count->SetClientData(&enabled);
-  this->widget->AddObserver(vtkCommand::EnableEvent, count);
-  vtkNew<vtkCallbackCommand> countOff;
-  countOff->SetCallback(
-    [](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
-  countOff->SetClientData(&disabled);
-  this->widget->AddObserver(vtkCommand::DisableEvent, countOff);
+  std::array<int, 2> counts{}; // enabled, disabled
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    vtkNew<vtkCallbackCommand> count;
+    count->SetCallback(
+      [](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
+    count->SetClientData(&counts[k]);
+    this->widget->AddObserver(k == 0 ? vtkCommand::EnableEvent : vtkCommand::DisableEvent, count);
+  }
   vtkNew<vtkFeatureCurveRepresentation> own;
   vtkNew<vtkRenderer> above;
   this->window->AddRenderer(above);
@@ -619,8 +612,7 @@ TEST_F(FeatureCurveWidget, WhatItDrawsIsAPropOfItsRendererWhileItIsEnabled)
   }
   this->widget->SetEnabled(0);
   EXPECT_FALSE(above->HasViewProp(own));
-  EXPECT_EQ(enabled, 2);
-  EXPECT_EQ(disabled, 3);
+  EXPECT_EQ(counts, (std::array<int, 2>{ 2, 3 }));
 
   EXPECT_EQ(own->GetBounds(), nullptr);
   vtkNew<vtkPoints> ends;
