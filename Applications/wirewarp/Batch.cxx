@@ -34,7 +34,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* batchName = "batch.json";
 
 /// The next name off the front of a line; empty at its end or at a comment.
-std::string takeEntry(std::string_view& rest, const std::string& path, std::size_t line)
+std::string takeEntry(std::string_view& rest, const LineReader& lines)
 {
   rest.remove_prefix(std::min(rest.find_first_not_of(" \t\v\f"), rest.size()));
   if (rest.empty() || rest.front() == '#')
@@ -44,7 +44,7 @@ std::string takeEntry(std::string_view& rest, const std::string& path, std::size
   const std::optional<std::string> name = takeName(rest);
   if (!name || name->empty())
   {
-    throw InputError(path, line, "a name in quotes has no end or is empty; write \"a name\"");
+    lines.refuse("a name in quotes has no end or is empty; write \"a name\"");
   }
   return *name;
 }
@@ -166,7 +166,7 @@ std::string textOf(const Json& json, int indent)
 std::vector<BatchEntry> readBatch(const std::string& path)
 {
   const std::string text = readWholeFile(path);
-  LineReader lines(text);
+  LineReader lines(path, text);
   std::set<std::string> taken{ batchName };
   std::vector<BatchEntry> entries;
   std::string line;
@@ -174,21 +174,19 @@ std::vector<BatchEntry> readBatch(const std::string& path)
   {
     std::string_view rest(line);
     BatchEntry entry;
-    entry.surface = takeEntry(rest, path, lines.number());
+    entry.surface = takeEntry(rest, lines);
     if (entry.surface.empty())
     {
       continue;
     }
-    for (std::string name = takeEntry(rest, path, lines.number()); !name.empty();
-         name = takeEntry(rest, path, lines.number()))
+    for (std::string name = takeEntry(rest, lines); !name.empty(); name = takeEntry(rest, lines))
     {
       entry.curves.push_back(std::move(name));
     }
     const std::string stem = std::filesystem::u8path(entry.surface).stem().string();
     if (stem.empty() || stem == "." || stem == "..") // its folder would be none of its own
     {
-      throw InputError(
-        path, lines.number(), inQuotes(entry.surface) + " is not the name of a file");
+      lines.refuse(inQuotes(entry.surface) + " is not the name of a file");
     }
     entry.folder = stem;
     for (int copy = 2; !taken.insert(entry.folder).second; ++copy)

@@ -2,7 +2,6 @@
 #include "WorkerProcesses.h"
 
 #ifndef _WIN32
-#include "DieWithParent.h"
 #include "GuardedProcess.h"
 
 #include <fcntl.h>

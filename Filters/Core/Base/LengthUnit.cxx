@@ -14,10 +14,15 @@ struct KnownUnit
   Unit unit;
   const char* name;
   double millimetres;
+  std::array<const char*, 4> otherNames;
 };
 
-constexpr std::array<KnownUnit, 4> knownUnits{ { { Unit::Centimetre, "cm", 10.0 },
-  { Unit::Millimetre, "mm", 1.0 }, { Unit::Metre, "m", 1000.0 }, { Unit::Inch, "inch", 25.4 } } };
+constexpr std::array<KnownUnit, 4> knownUnits{ {
+  { Unit::Centimetre, "cm", 10.0, { "centimeter", "centimeters", "centimetre", "centimetres" } },
+  { Unit::Millimetre, "mm", 1.0, { "millimeter", "millimeters", "millimetre", "millimetres" } },
+  { Unit::Metre, "m", 1000.0, { "meter", "meters", "metre", "metres" } },
+  { Unit::Inch, "inch", 25.4, { "in", "inches", "in", "inches" } },
+} };
 
 const KnownUnit& known(Unit unit)
 {
@@ -41,8 +46,12 @@ Unit unitNamed(std::string name)
 {
   std::transform(name.begin(), name.end(), name.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto found = std::find_if(knownUnits.begin(), knownUnits.end(),
-    [&name](const KnownUnit& candidate) { return name == candidate.name; });
+  const auto found =
+    std::find_if(knownUnits.begin(), knownUnits.end(), [&name](const KnownUnit& candidate) {
+      const auto& others = candidate.otherNames;
+      return name == candidate.name ||
+        std::find(others.begin(), others.end(), name) != others.end();
+    });
   return found == knownUnits.end() ? Unit::Unspecified : found->unit;
 }
 }

@@ -21,6 +21,7 @@ double millimetresPer(Unit unit);
 /// "mm", "cm", "m", "inch"; "cm" where unspecified.
 const char* unitName(Unit unit);
 
-/// The unit of a name, in capital letters or not; Unspecified where it is none of these.
+/// The unit of a name, also a long one as "Inches" or "millimetre", in letters of any case;
+/// Unspecified where it is another one.
 Unit unitNamed(std::string name);
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BorderWays.h"
 
+#include "InputError.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace wirewarp
 {
@@ -35,32 +38,26 @@ BorderWays::BorderWays(const DataSet& surface)
 }
 
 //------------------------------------------------------------------------------
-std::optional<std::vector<std::int64_t>> BorderWays::through(
-  const std::vector<std::int64_t>& points, std::string& fault) const
+std::vector<std::int64_t> BorderWays::through(const std::vector<std::int64_t>& points) const
 {
   for (const std::int64_t point : points)
   {
     const auto found = this->Places.find(point);
     if (found == this->Places.end())
     {
-      fault = "vertex " + std::to_string(point) +
-        " is not on the boundary of the surface; name vertices of it, or make the curve accessory";
-      return std::nullopt;
+      throw InputError("vertex " + std::to_string(point) +
+        " is not on the boundary of the surface; name vertices of it, or make the curve accessory");
     }
     if (!found->second.unique)
     {
-      fault = "the boundary comes through vertex " + std::to_string(point) +
-        " more than once; end the edge beside it";
-      return std::nullopt;
+      throw InputError("the boundary comes through vertex " + std::to_string(point) +
+        " more than once; end the edge beside it");
     }
   }
   std::vector<std::int64_t> way{ points.front() };
   for (std::size_t k = 0; k + 1 < points.size(); ++k)
   {
-    if (!this->add(points[k], points[k + 1], way, fault))
-    {
-      return std::nullopt;
-    }
+    this->add(points[k], points[k + 1], way);
   }
   return way;
 }
@@ -88,16 +85,14 @@ std::int64_t BorderWays::nearest(const Point3& place, double& distance) const
 }
 
 //------------------------------------------------------------------------------
-bool BorderWays::add(
-  std::int64_t from, std::int64_t to, std::vector<std::int64_t>& way, std::string& fault) const
+void BorderWays::add(std::int64_t from, std::int64_t to, std::vector<std::int64_t>& way) const
 {
   const Place& start = this->Places.at(from);
   const Place& end = this->Places.at(to);
   const std::string both = "vertices " + std::to_string(from) + " and " + std::to_string(to);
   if (start.loop != end.loop)
   {
-    fault = both + " are on different boundaries; make an edge of each";
-    return false;
+    throw InputError(both + " are on different boundaries; make an edge of each");
   }
   const std::vector<std::int64_t>& points = this->Loops[start.loop].points;
   const std::vector<double>& arc = this->Arc[start.loop];
@@ -106,9 +101,8 @@ bool BorderWays::add(
   forward += forward > 0.0 ? 0.0 : length; // to the same point: all the way round
   if (from != to && std::abs(2.0 * forward - length) < alike * length)
   {
-    fault = "both ways along the boundary between " + both +
-      " are of one length; name a vertex between them as well";
-    return false;
+    throw InputError("both ways along the boundary between " + both +
+      " are of one length; name a vertex between them as well");
   }
   const std::size_t count = points.size();
   const std::size_t step = from == to || 2.0 * forward < length ? 1 : count - 1;
@@ -118,6 +112,5 @@ bool BorderWays::add(
     k = (k + step) % count;
     way.push_back(points[k]);
   } while (k != end.at);
-  return true;
 }
 }

@@ -5,8 +5,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
-#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -19,10 +17,8 @@ public:
   explicit BorderWays(const DataSet& surface);
 
   /// The points from each of some points on the boundary to the next, each time the shorter way
-  /// round; of a point and itself the whole loop. None where there is no such way: then `fault`
-  /// says why, and the remedy.
-  std::optional<std::vector<std::int64_t>> through(
-    const std::vector<std::int64_t>& points, std::string& fault) const;
+  /// round; of a point and itself the whole loop. Throws InputError where there is no such way.
+  std::vector<std::int64_t> through(const std::vector<std::int64_t>& points) const;
 
   /// The point of the boundary that is nearest to a place, -1 where there is no boundary.
   std::int64_t nearest(const Point3& place, double& distance) const;
@@ -35,8 +31,7 @@ private:
     bool unique = true;
   };
 
-  bool add(
-    std::int64_t from, std::int64_t to, std::vector<std::int64_t>& way, std::string& fault) const;
+  void add(std::int64_t from, std::int64_t to, std::vector<std::int64_t>& way) const;
 
   std::shared_ptr<const Points3> Points; ///< of the surface
   std::vector<BoundaryLoop> Loops;

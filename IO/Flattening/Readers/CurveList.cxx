@@ -44,10 +44,8 @@ bool isEdgeWord(std::string_view word)
 //------------------------------------------------------------------------------
 CurveTitle curveTitle(std::string_view text)
 {
-  constexpr std::string_view blanks = " \t";
   constexpr std::string_view dividers = " \t-_:";
-  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
-  text = text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+  text = trimmed(text);
   const auto kind = curveKindOf(text.substr(0, text.find_first_of(dividers)));
   if (!kind)
   {

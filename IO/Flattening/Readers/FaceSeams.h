@@ -24,6 +24,16 @@ struct FaceLabels
   std::vector<std::size_t> corners;
 };
 
+/// What a file holds of a surface.
+struct SurfaceContents
+{
+  DataSet surface;        ///< of .vtp and .vtk with the polylines among its cells
+  DataSet curves;         ///< of .obj, over the same points
+  std::string unit = {};  ///< that the file states, as in Units.h; empty: none
+  FaceLabels labels = {}; ///< of the faces of .obj
+  bool doubled = false;   ///< the format doubles points along texture seams, which are to be joined
+};
+
 enum class SeamSource
 {
   None,

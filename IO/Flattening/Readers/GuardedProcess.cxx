@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GuardedProcess.h"
 
-#include "DieWithParent.h"
 #include "TextFile.h"
 
 #include <fcntl.h>
@@ -10,6 +9,9 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -207,6 +209,18 @@ bool unframe(std::string& bytes)
   bytes.resize(length);
   return bytes.size() == size;
 }
+}
+
+//------------------------------------------------------------------------------
+void dieWithParent(int parent)
+{
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+  if (getppid() != parent) // it was faster
+  {
+    std::_Exit(EXIT_FAILURE);
+  }
 }
 
 //------------------------------------------------------------------------------

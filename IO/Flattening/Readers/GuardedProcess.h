@@ -36,6 +36,11 @@ struct ProcessAnswer
 /// Message for a process that the system could not start, by its errno, with a remedy.
 std::string noProcess(int error);
 
+/// Ends the calling process, a child, as soon as its parent has ended, even by SIGKILL. Where the
+/// system knows no such thing, it ends when it next reads from or writes to its parent.
+/// \param parent its id, taken before the fork
+void dieWithParent(int parent);
+
 /// Runs a program that calls answerGuarded(), so that neither a crash nor an endless loop nor a
 /// hunger for memory reaches this one. It is waited for, and dies with its parent. What it prints
 /// is lost. A program of its own, and not a copy of this process: in a process of many threads a

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReadCsvCurves.h"
 
-#include "BorderWays.h"
-#include "CurveList.h"
-#include "CurveWords.h"
+#include "CurveBuilder.h"
 #include "InputError.h"
 #include "TextFile.h"
-
-#include <Eigen/Geometry>
+#include "TriangleList.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -29,14 +24,6 @@ constexpr std::size_t nowhere = std::string_view::npos;
 /// How far the points of an edge may be from vertices of the boundary, as a fraction of the size of
 /// the surface: coordinates may be rounded.
 constexpr double edgeTolerance = 1e-5;
-
-std::string_view trimmed(std::string_view text)
-{
-  constexpr std::string_view blanks = " \t";
-  const std::size_t begin = text.find_first_not_of(blanks);
-  return begin == nowhere ? std::string_view()
-                          : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
-}
 
 /// The fields of a line; none where quotes are not closed, or go on behind their end.
 std::optional<std::vector<std::string>> fieldsOf(std::string_view line, char divider)
@@ -100,31 +87,23 @@ struct RowTitle
 
 struct CsvReader
 {
-  CsvReader(const std::string& file, const std::string& text, const DataSet& owner)
-    : path(file)
-    , lines(text, false)
-    , surface(owner)
-    , named(owner)
-  {
-  }
-
-  const std::string& path;
   LineReader lines;
   const DataSet& surface;
-  CurveWords named;
-  std::optional<BorderWays> ways = std::nullopt; ///< made where an edge asks for them
+  CurveBuilder builder;
   char divider = ',';
   std::array<std::size_t, 5> column{}; ///< of name, type, x, y, z
+  RowTitle title = {};
+  Points3 points = {};                ///< of the curve
+  std::vector<std::int64_t> ids = {}; ///< of an edge
 
-  Points3 points;
-  CurveList curves;
-  std::vector<std::int64_t> ids;
-  RowTitle title;
-
-  [[noreturn]] void refuse(const std::string& text) const
+  CsvReader(const std::string& path, const std::string& text, const DataSet& owner)
+    : lines(path, text, false)
+    , surface(owner)
+    , builder(this->lines, owner, false)
   {
-    throw InputError(this->path, this->lines.number(), text);
   }
+
+  [[noreturn]] void refuse(const std::string& text) const { this->lines.refuse(text); }
 
   std::vector<std::string> fields(std::string_view line) const
   {
@@ -145,10 +124,7 @@ struct CsvReader
       this->divider = dividers.find(candidate) != nowhere ? candidate : this->divider;
     }
     static constexpr std::array<std::string_view, 5> names{ "name", "type", "x", "y", "z" };
-    std::string lower = line;
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-      [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const std::vector<std::string> head = this->fields(lower);
+    const std::vector<std::string> head = this->fields(lowered(line));
     for (std::size_t k = 0; k < names.size(); ++k)
     {
       const auto found = std::find(head.begin(), head.end(), names[k]);
@@ -186,7 +162,7 @@ struct CsvReader
     {
       this->refuse("the point has no curve; give it the name of one");
     }
-    if (type.empty() && !this->ids.empty() && name == this->title.field)
+    if (type.empty() && this->size() > 0 && name == this->title.field)
     {
       return this->title;
     }
@@ -197,36 +173,16 @@ struct CsvReader
       return { name, isEdge ? CurveTitle{ {}, std::string(trimmed(rest)) } : curveTitle(name),
         isEdge };
     }
-    const bool isEdge = isEdgeWord(type);
-    const auto kind = isEdge ? CurveKind() : curveKindOf(type);
-    if (!kind)
-    {
-      this->refuse(
-        "unknown curve type " + inQuotes(type) + "; use " + curveKindWords + ", or edge");
-    }
-    return { name, { *kind, name }, isEdge };
+    const RowType type_of_row = rowType(type, this->lines);
+    return { name, { type_of_row.kind, name }, type_of_row.isEdge };
   }
 
   /// The vertex of the boundary at a point of an edge.
   std::int64_t borderVertex(const Point3& x)
   {
-    if (!this->ways)
-    {
-      this->ways.emplace(this->surface);
-    }
     double distance = 0.0;
-    const std::int64_t vertex = this->ways->nearest(x, distance);
-    if (vertex < 0)
-    {
-      this->refuse("edge " + inQuotes(this->title.curve.name) +
-        ": the surface has no boundary; make the curve accessory");
-    }
-    Eigen::AlignedBox3d box;
-    for (const Point3& point : *this->surface.points)
-    {
-      box.extend(point);
-    }
-    if (!(distance <= edgeTolerance * box.diagonal().norm()))
+    const std::int64_t vertex = this->builder.borderVertex(x, this->title.curve.name, distance);
+    if (!(distance <= edgeTolerance * boxOf(*this->surface.points).diagonal().norm()))
     {
       std::ostringstream text;
       text << "edge " << inQuotes(this->title.curve.name) << ": the point is " << distance
@@ -238,64 +194,26 @@ struct CsvReader
     return vertex;
   }
 
-  /// Replaces vertices of the surface by points at the way along the boundary through them.
-  void followBorder()
-  {
-    std::string fault;
-    const std::optional<std::vector<std::int64_t>> way = this->ways->through(this->ids, fault);
-    if (!way)
-    {
-      this->refuse("edge " + inQuotes(this->title.curve.name) + " above this line: " + fault);
-    }
-    std::map<std::int64_t, std::int64_t> pointOf;
-    this->ids.clear();
-    for (const std::int64_t vertex : *way)
-    {
-      const auto [known, isNew] =
-        pointOf.emplace(vertex, static_cast<std::int64_t>(this->points.size()));
-      if (isNew)
-      {
-        this->points.push_back((*this->surface.points)[static_cast<std::size_t>(vertex)]);
-      }
-      this->ids.push_back(known->second);
-    }
-  }
+  /// Points of the curve so far.
+  std::size_t size() const { return this->points.size() + this->ids.size(); }
 
   void endCurve()
   {
-    if (this->ids.size() == 1)
+    if (this->size() == 1)
     {
       this->refuse("curve " + inQuotes(this->title.curve.name) +
         " has one point only above this line; it needs two");
     }
-    if (!this->ids.empty())
+    if (this->title.isEdge && !this->ids.empty())
     {
-      if (this->title.isEdge)
-      {
-        this->followBorder();
-      }
-      this->curves.add(this->ids, this->title.curve);
-      for (const std::int64_t id : this->ids)
-      {
-        this->named.keep(this->title.curve.name, { this->points[static_cast<std::size_t>(id)] });
-      }
+      this->builder.addIds(this->title.curve, true, this->ids);
     }
+    else if (!this->points.empty())
+    {
+      this->builder.addLine(this->title.curve, this->points);
+    }
+    this->points.clear();
     this->ids.clear();
-  }
-
-  /// Words in the column x.
-  void readWords(const std::string& words)
-  {
-    std::string fault;
-    for (const CurveWords::Line& line : this->named.lines(words, this->title.isEdge, fault))
-    {
-      this->curves.add(line.points, this->points, this->title.curve);
-      this->named.keep(this->title.curve.name, line.points);
-    }
-    if (!fault.empty())
-    {
-      this->refuse("curve " + inQuotes(this->title.curve.name) + ": " + fault);
-    }
   }
 
   void readRow(const std::string& line)
@@ -308,10 +226,10 @@ struct CsvReader
       this->title = std::move(next);
     }
     const std::string words = this->field(row, 2);
-    if (CurveWords::areWords(words))
+    if (CurveBuilder::areWords(words))
     {
       this->endCurve();
-      this->readWords(words);
+      this->builder.addWords(this->title.curve, this->title.isEdge, words);
       return;
     }
     Point3 x;
@@ -328,7 +246,6 @@ struct CsvReader
       this->ids.push_back(this->borderVertex(x));
       return;
     }
-    this->ids.push_back(static_cast<std::int64_t>(this->points.size()));
     this->points.push_back(x);
   }
 };
@@ -359,10 +276,10 @@ DataSet readCsvCurves(const std::string& path, const DataSet& surface)
     }
   }
   reader.endCurve();
-  if (reader.curves.empty())
+  if (reader.builder.empty())
   {
     throw InputError(path, "has no curve; write name,type,x,y,z and one point on each line below");
   }
-  return reader.curves.over(std::make_shared<const Points3>(std::move(reader.points)));
+  return reader.builder.take();
 }
 }

@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReadCurves.h"
 
-#include "BorderWays.h"
-#include "BoundaryLoops.h"
-#include "CurveList.h"
-#include "CurveWords.h"
+#include "CurveBuilder.h"
 #include "InputError.h"
 #include "ReadCsvCurves.h"
 #include "ReadDxfCurves.h"
 #include "ReadObj.h"
 #include "ReadVtk.h"
 #include "TextFile.h"
-#include "TriangleList.h"
 #include "Units.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,192 +40,107 @@ std::string_view withoutComment(std::string_view line)
   return line;
 }
 
-struct CurveReader
+/// A point of a curve in text: a vertex of the surface by its id, or x,y,z.
+struct TextPoint
 {
-  std::string path;
-  LineReader lines;
+  const LineReader& lines;
   const DataSet& surface;
-  CurveWords named;
-  std::optional<BorderWays> ways = std::nullopt; ///< made where an edge needs them
-  std::shared_ptr<Points3> points = nullptr;     ///< those of the surface and new ones, if any
+  CurveBuilder& builder;
+  const std::string& curve;
+  bool isEdge;
 
-  [[noreturn]] void refuse(const std::string& text) const
+  std::int64_t operator()(std::string_view word) const
   {
-    throw InputError(this->path, this->lines.number(), text);
-  }
-
-  /// The point of the surface with an id, or a new one at coordinates.
-  std::int64_t pointOf(std::string_view word, const std::string& name, bool isEdge)
-  {
-    long long id = 0;
     if (word.find(',') != std::string_view::npos)
     {
-      return this->pointAt(word, name, isEdge);
+      double distance = 0.0;
+      return this->isEdge ? this->builder.borderVertex(this->placeOf(word), this->curve, distance)
+                          : this->builder.newPoint(this->placeOf(word));
     }
+    long long id = 0;
     if (!parseInteger(word, id))
     {
-      this->refuse(inQuotes(word) +
+      this->lines.refuse(inQuotes(word) +
         " is not a vertex id; write TYPE NAME v0 v1 ... with whole numbers, or points as x,y,z");
     }
     const auto count = static_cast<long long>(this->surface.points->size());
     if (id < 0 || id >= count)
     {
-      this->refuse("curve " + inQuotes(name) + ": vertex id " + std::to_string(id) +
+      this->lines.refuse("curve " + inQuotes(this->curve) + ": vertex id " + std::to_string(id) +
         " is out of range; the surface has " + std::to_string(count) +
         " vertices and ids count from 0");
     }
     return id;
   }
 
-  std::int64_t pointAt(std::string_view word, const std::string& name, bool isEdge)
+private:
+  Point3 placeOf(std::string_view word) const
   {
-    Point3 x = Point3::Zero();
+    Point3 place = Point3::Zero();
     std::string_view rest = word;
     bool read = true;
     for (Eigen::Index k = 0; k < 3 && read; ++k)
     {
       const std::size_t comma = rest.find(',');
-      read = parseNumber(rest.substr(0, comma), x[k]) && (comma == rest.npos) == (k == 2);
+      read = parseNumber(rest.substr(0, comma), place[k]) && (comma == rest.npos) == (k == 2);
       rest.remove_prefix(std::min(rest.size(), comma == rest.npos ? rest.size() : comma + 1));
     }
     if (!read)
     {
-      this->refuse(inQuotes(word) + " is not a point; write x,y,z without blanks");
+      this->lines.refuse(inQuotes(word) + " is not a point; write x,y,z without blanks");
     }
-    if (!isEdge)
-    {
-      this->newPoints().push_back(x);
-      return static_cast<std::int64_t>(this->points->size()) - 1;
-    }
-    double distance = 0.0;
-    const std::int64_t vertex = this->borders().nearest(x, distance);
-    if (vertex < 0)
-    {
-      this->refuse(
-        "edge " + inQuotes(name) + ": the surface has no boundary; make the curve accessory");
-    }
-    return vertex;
-  }
-
-  Points3& newPoints()
-  {
-    if (!this->points)
-    {
-      this->points = std::make_shared<Points3>(*this->surface.points);
-    }
-    return *this->points;
-  }
-
-  std::vector<std::int64_t> readIds(std::string_view rest, const std::string& name, bool isEdge)
-  {
-    std::vector<std::int64_t> ids;
-    for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest))
-    {
-      ids.push_back(this->pointOf(word, name, isEdge));
-    }
-    if (ids.size() < 2)
-    {
-      this->refuse("curve " + inQuotes(name) + " needs two vertices; the file may be truncated");
-    }
-    return ids;
-  }
-
-  /// Curves that words give.
-  void readWords(std::string_view words, const CurveTitle& title, bool isEdge, CurveList& curves)
-  {
-    std::string fault;
-    for (const CurveWords::Line& line : this->named.lines(words, isEdge, fault))
-    {
-      line.vertices.empty() ? curves.add(line.points, this->newPoints(), title)
-                            : curves.add(line.vertices, title);
-      this->named.keep(title.name, line.points);
-    }
-    if (!fault.empty())
-    {
-      this->refuse("curve " + inQuotes(title.name) + ": " + fault);
-    }
-  }
-
-  /// Makes the curve known for words of others.
-  void keep(const std::string& name, const std::vector<std::int64_t>& ids)
-  {
-    const Points3& places = this->points ? *this->points : *this->surface.points;
-    Points3 line;
-    for (const std::int64_t id : ids)
-    {
-      line.push_back(places[static_cast<std::size_t>(id)]);
-    }
-    this->named.keep(name, line);
-  }
-
-  BorderWays& borders()
-  {
-    if (!this->ways)
-    {
-      this->ways.emplace(this->surface);
-    }
-    return *this->ways;
-  }
-
-  std::vector<std::int64_t> alongBorder(
-    const std::vector<std::int64_t>& ids, const std::string& name)
-  {
-    std::string fault;
-    const std::optional<std::vector<std::int64_t>> way = this->borders().through(ids, fault);
-    if (!way)
-    {
-      this->refuse("edge " + inQuotes(name) + ": " + fault);
-    }
-    return *way;
+    return place;
   }
 };
 
 DataSet readCurveText(const std::string& path, const DataSet& surface)
 {
   const std::string text = readWholeFile(path);
-  CurveList curves;
-  CurveReader reader{ path, LineReader(text), surface, CurveWords(surface) };
+  LineReader lines(path, text);
+  CurveBuilder builder(lines, surface, true);
   std::string line;
-  while (reader.lines.next(line))
+  while (lines.next(line))
   {
     std::string_view rest = withoutComment(line);
-    const std::string_view word = takeWord(rest);
-    if (word.empty())
+    const std::string_view type = takeWord(rest);
+    if (type.empty())
     {
       continue;
     }
-    const bool isEdge = isEdgeWord(word);
-    const auto kind = isEdge ? CurveKind() : curveKindOf(word);
-    if (!kind)
-    {
-      reader.refuse(
-        "unknown curve type " + inQuotes(word) + "; use " + curveKindWords + ", or edge");
-    }
+    const RowType row = rowType(type, lines);
     const std::optional<std::string> name = takeName(rest);
     if (!name)
     {
-      reader.refuse("the quotes of the name are not closed; write TYPE \"NAME\" v0 v1 ...");
+      lines.refuse("the quotes of the name are not closed; write TYPE \"NAME\" v0 v1 ...");
     }
-    if (name->find_first_not_of(" \t") == std::string::npos)
+    if (trimmed(*name).empty())
     {
-      reader.refuse("the curve has no name; write TYPE NAME v0 v1 ...");
+      lines.refuse("the curve has no name; write TYPE NAME v0 v1 ...");
     }
-    if (CurveWords::areWords(rest))
+    const CurveTitle title{ row.kind, *name };
+    if (CurveBuilder::areWords(rest))
     {
-      reader.readWords(rest, { *kind, *name }, isEdge, curves);
+      builder.addWords(title, row.isEdge, rest);
       continue;
     }
-    std::vector<std::int64_t> ids = reader.readIds(rest, *name, isEdge);
-    ids = isEdge ? reader.alongBorder(ids, *name) : ids;
-    curves.add(ids, { *kind, *name });
-    reader.keep(*name, ids);
+    const TextPoint idOf{ lines, surface, builder, *name, row.isEdge };
+    std::vector<std::int64_t> ids;
+    for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest))
+    {
+      ids.push_back(idOf(word));
+    }
+    if (ids.size() < 2)
+    {
+      lines.refuse("curve " + inQuotes(*name) + " needs two vertices; the file may be truncated");
+    }
+    builder.addIds(title, row.isEdge, ids);
   }
-  return curves.over(reader.points ? reader.points : surface.points);
+  return builder.take();
 }
 
 DataSet readObjCurves(const std::string& path)
 {
-  ObjContents contents = readObj(path);
+  SurfaceContents contents = readObj(path);
   if (contents.curves.lines.size() == 0)
   {
     throw InputError(path, "has no line element ('l'); save the feature curves as lines");

@@ -3,6 +3,7 @@
 
 #include "InputError.h"
 #include "TextFile.h"
+#include "TriangleList.h"
 
 #include "Base/Types.h"
 
@@ -23,37 +24,69 @@ namespace wirewarp
 {
 namespace
 {
-/// A point of a drawing.
-using DxfPlace = Point3;
-
 /// An entity of the section ENTITIES, or a VERTEX of one, with its groups in the order of the file.
 /// Group codes: AutoCAD's "DXF Reference".
 struct DxfEntity
 {
   std::string kind; ///< of group 0
   std::string layer = "0";
-  std::string handle;                                     ///< empty where the file has none
-  std::size_t line = 0;                                   ///< of its kind, counted from 1
-  std::vector<std::pair<int, double>> numbers;            ///< groups 10 to 79 and 210 to 239
-  std::vector<std::pair<DxfPlace, double>> vertices = {}; ///< of a POLYLINE, with their bulges
+  std::string handle;                                   ///< empty where the file has none
+  std::size_t line = 0;                                 ///< of its kind, counted from 1
+  std::vector<std::pair<int, double>> numbers;          ///< groups 10 to 79 and 210 to 239
+  std::vector<std::pair<Point3, double>> vertices = {}; ///< of a POLYLINE, with their bulges
 
-  double number(int code, double otherwise) const;
-  std::vector<double> all(int code) const;
+  std::vector<double> all(int code) const
+  {
+    std::vector<double> values;
+    for (const auto& [other, value] : this->numbers)
+    {
+      values.insert(values.end(), other == code ? 1 : 0, value);
+    }
+    return values;
+  }
+  double number(int code, double otherwise) const
+  {
+    const std::vector<double> values = this->all(code);
+    return values.empty() ? otherwise : values.front();
+  }
   /// Points of the groups code, code + 10 and code + 20.
-  std::vector<DxfPlace> places(int code) const;
-  bool hasFlag(long long flag) const; ///< of group 70
+  Points3 places(int code) const
+  {
+    Points3 places;
+    for (const auto& [other, value] : this->numbers)
+    {
+      if (other == code)
+      {
+        places.emplace_back(value, 0.0, 0.0);
+      }
+      else if ((other == code + 10 || other == code + 20) && !places.empty())
+      {
+        places.back()[other / 10 - 1] = value;
+      }
+    }
+    return places;
+  }
+  /// Of group 70.
+  bool hasFlag(long long flag) const
+  {
+    const double flags = this->number(70, 0.0);
+    return std::abs(flags) < 1e9 && (static_cast<long long>(flags) & flag) != 0;
+  }
 };
 
-/// An entity as a chain of points.
+/// An entity as a chain of points in the coordinates of the drawing. Arcs (bulges included) and
+/// splines become chords that leave them by at most 1e-4 of the size of the entity. A spline is
+/// computed by de Boor's algorithm from its control points, knots and weights. Entities of a plane
+/// go from the coordinates of their extrusion (groups 210 to 230) to those of the drawing by the
+/// "arbitrary axis algorithm" of the reference. What makes one throws InputError without the file
+/// where the entity is defective.
 struct DxfCourse
 {
-  std::vector<DxfPlace> places; ///< each once
+  Points3 places; ///< each once
   bool closed = false;
-  std::string fault; ///< why there are no places, where that is a defect of the file
 };
 
-using Places = std::vector<DxfPlace>;
-using Function = std::function<DxfPlace(double)>;
+using Function = std::function<Point3(double)>;
 
 /// How far chords leave a curve, as a fraction of the size of its entity.
 constexpr double fineness = 1e-4;
@@ -62,22 +95,14 @@ constexpr int mostHalvings = 10;
 
 const double turn = 8.0 * std::atan(1.0);
 
-double sizeOf(const Places& places)
+double sizeOf(const Points3& places)
 {
-  Eigen::AlignedBox3d box;
-  for (const DxfPlace& place : places)
-  {
-    box.extend(place);
-  }
-  return box.diagonal().norm();
+  return boxOf(places).diagonal().norm();
 }
 
-double distanceToChord(const DxfPlace& place, const DxfPlace& from, const DxfPlace& to)
+double distanceToChord(const Point3& place, const Point3& from, const Point3& to)
 {
-  const DxfPlace chord = to - from;
-  const double square = chord.squaredNorm();
-  const double t = square > 0.0 ? (place - from).dot(chord) / square : 0.0;
-  return (from + std::clamp(t, 0.0, 1.0) * chord - place).norm();
+  return (from + flattening::fractionAlong(from, to, place) * (to - from) - place).norm();
 }
 
 /// Chords of a function over an interval.
@@ -85,13 +110,13 @@ struct Chords
 {
   const Function& function;
   double tolerance;
-  Places& places;
+  Points3& places;
 
   /// Appends the chords behind `from`.
-  void add(double begin, const DxfPlace& from, double end, const DxfPlace& to, int halvings)
+  void add(double begin, const Point3& from, double end, const Point3& to, int halvings)
   {
     const auto at = [&](double t) { return this->function(begin + t * (end - begin)); };
-    const DxfPlace middle = at(0.5);
+    const Point3 middle = at(0.5);
     if (halvings < mostHalvings &&
       (distanceToChord(at(0.25), from, to) > this->tolerance ||
         distanceToChord(middle, from, to) > this->tolerance ||
@@ -109,7 +134,7 @@ struct Chords
 /// Appends the chords of a function from one end of an interval to the other, divided
 /// so that no part turns so far that its quarters could lie on one chord.
 void addChords(
-  const Function& function, double begin, double end, int parts, double tolerance, Places& places)
+  const Function& function, double begin, double end, int parts, double tolerance, Points3& places)
 {
   Chords chords{ function, tolerance, places };
   const auto at = [&](int k) { return begin + (end - begin) * k / parts; };
@@ -127,46 +152,37 @@ int quarters(double angle)
 /// The axes of the plane of an entity: of places in it, "object coordinates".
 struct Plane
 {
-  DxfPlace x = DxfPlace::UnitX();
-  DxfPlace y = DxfPlace::UnitY();
-  DxfPlace z = DxfPlace::UnitZ();
+  Point3 x = Point3::UnitX();
+  Point3 y = Point3::UnitY();
+  Point3 z = Point3::UnitZ();
 
   explicit Plane(const DxfEntity& entity)
   {
-    DxfPlace normal{ entity.number(210, 0.0), entity.number(220, 0.0), entity.number(230, 1.0) };
+    Point3 normal{ entity.number(210, 0.0), entity.number(220, 0.0), entity.number(230, 1.0) };
     if (!(normal.norm() > 0.0))
     {
       return;
     }
     normal.normalize();
     constexpr double nearZ = 1.0 / 64.0; // "arbitrary axis algorithm"
-    const DxfPlace pole = std::abs(normal[0]) < nearZ && std::abs(normal[1]) < nearZ
-      ? DxfPlace(DxfPlace::UnitY())
-      : DxfPlace(DxfPlace::UnitZ());
+    const Point3 pole = std::abs(normal[0]) < nearZ && std::abs(normal[1]) < nearZ
+      ? Point3(Point3::UnitY())
+      : Point3(Point3::UnitZ());
     this->z = normal;
     this->x = pole.cross(this->z).normalized();
     this->y = this->z.cross(this->x).normalized();
   }
 
-  DxfPlace inSpace(const DxfPlace& place) const
+  Point3 inSpace(const Point3& place) const
   {
     return place[0] * this->x + place[1] * this->y + place[2] * this->z;
   }
 };
 
-Places inSpace(const Plane& plane, Places places)
-{
-  for (DxfPlace& place : places)
-  {
-    place = plane.inSpace(place);
-  }
-  return places;
-}
-
 /// Appends the way from one vertex of a polyline to the next. \param bulge the tangent of a quarter
 /// of the angle of the arc, which turns left where it is positive.
 void addSegment(
-  const DxfPlace& from, const DxfPlace& to, double bulge, double tolerance, Places& places)
+  const Point3& from, const Point3& to, double bulge, double tolerance, Points3& places)
 {
   const double angle = 4.0 * std::atan(bulge);
   const Eigen::Vector2d chord = (to - from).head<2>();
@@ -179,7 +195,7 @@ void addSegment(
   const Eigen::Vector2d arm = -0.5 * chord - side * Eigen::Vector2d(-chord.y(), chord.x());
   const Eigen::Vector2d center = from.head<2>() - arm;
   const auto arc = [&](double t) {
-    DxfPlace place = from + t * (to - from);
+    Point3 place = from + t * (to - from);
     place.head<2>() = center + Eigen::Rotation2Dd(t * angle) * arm;
     return place;
   };
@@ -188,29 +204,29 @@ void addSegment(
 }
 
 /// A closed course names its first place once.
-DxfCourse closedOrOpen(Places places, bool closed)
+DxfCourse closedOrOpen(Points3 places, bool closed)
 {
   if (closed && places.size() > 1 &&
     (places.front() - places.back()).norm() <= 1e-9 * sizeOf(places))
   {
     places.pop_back();
   }
-  return { std::move(places), closed, {} };
+  return { std::move(places), closed };
 }
 
 DxfCourse bulgedCourse(
-  const std::vector<std::pair<DxfPlace, double>>& vertices, bool closed, const Plane& plane)
+  const std::vector<std::pair<Point3, double>>& vertices, bool closed, const Plane& plane)
 {
   if (vertices.empty())
   {
     return {};
   }
-  Places corners;
+  Points3 corners;
   for (const auto& [place, bulge] : vertices)
   {
     corners.push_back(place);
   }
-  Places places{ corners.front() };
+  Points3 places{ corners.front() };
   const double tolerance = fineness * sizeOf(corners);
   for (std::size_t k = 0; k + 1 < corners.size(); ++k)
   {
@@ -220,18 +236,22 @@ DxfCourse bulgedCourse(
   {
     addSegment(corners.back(), corners.front(), vertices.back().second, tolerance, places);
   }
-  return closedOrOpen(inSpace(plane, std::move(places)), closed);
+  for (Point3& place : places)
+  {
+    place = plane.inSpace(place);
+  }
+  return closedOrOpen(std::move(places), closed);
 }
 
 DxfCourse lightPolyline(const DxfEntity& entity)
 {
-  std::vector<std::pair<DxfPlace, double>> vertices;
+  std::vector<std::pair<Point3, double>> vertices;
   const double elevation = entity.number(38, 0.0);
   for (const auto& [code, value] : entity.numbers)
   {
     if (code == 10)
     {
-      vertices.emplace_back(DxfPlace(value, 0.0, elevation), 0.0);
+      vertices.emplace_back(Point3(value, 0.0, elevation), 0.0);
     }
     else if (code == 20 && !vertices.empty())
     {
@@ -251,7 +271,7 @@ DxfCourse polyline(const DxfEntity& entity)
   {
     return bulgedCourse(entity.vertices, entity.hasFlag(1), Plane(DxfEntity()));
   }
-  std::vector<std::pair<DxfPlace, double>> vertices = entity.vertices;
+  std::vector<std::pair<Point3, double>> vertices = entity.vertices;
   const double elevation = entity.number(30, 0.0);
   for (auto& [place, bulge] : vertices)
   {
@@ -261,19 +281,19 @@ DxfCourse polyline(const DxfEntity& entity)
 }
 
 /// Of the curve center + cos(t) x + sin(t) y.
-DxfCourse ellipticArc(const DxfPlace& center, const DxfPlace& x, const DxfPlace& y, double begin,
+DxfCourse ellipticArc(const Point3& center, const Point3& x, const Point3& y, double begin,
   double end, const DxfEntity& entity)
 {
   const double size = 2.0 * std::max(x.norm(), y.norm());
   if (!(size > 0.0))
   {
-    return { {}, false, "has no radius; draw it again" };
+    throw InputError("has no radius; draw it again");
   }
   const double whole = std::fmod(end - begin, turn);
   const double angle = whole <= 1e-9 ? whole + turn : whole;
   const bool closed = entity.kind == "CIRCLE" || std::abs(angle - turn) < 1e-6;
-  const auto arc = [&](double t) -> DxfPlace { return center + std::cos(t) * x + std::sin(t) * y; };
-  Places places{ arc(begin) };
+  const auto arc = [&](double t) -> Point3 { return center + std::cos(t) * x + std::sin(t) * y; };
+  Points3 places{ arc(begin) };
   addChords(arc, begin, begin + (closed ? turn : angle), quarters(angle), fineness * size, places);
   return closedOrOpen(std::move(places), closed);
 }
@@ -281,11 +301,11 @@ DxfCourse ellipticArc(const DxfPlace& center, const DxfPlace& x, const DxfPlace&
 DxfCourse circularArc(const DxfEntity& entity)
 {
   const Plane plane(entity);
-  const Places centers = entity.places(10);
+  const Points3 centers = entity.places(10);
   const double radius = entity.number(40, 0.0);
   if (centers.empty())
   {
-    return { {}, false, "has no center; draw it again" };
+    throw InputError("has no center; draw it again");
   }
   const bool whole = entity.kind == "CIRCLE";
   const double degree = turn / 360.0;
@@ -297,11 +317,11 @@ DxfCourse circularArc(const DxfEntity& entity)
 DxfCourse ellipse(const DxfEntity& entity)
 {
   const Plane plane(entity);
-  const Places centers = entity.places(10);
-  const Places axes = entity.places(11);
+  const Points3 centers = entity.places(10);
+  const Points3 axes = entity.places(11);
   if (centers.empty() || axes.empty())
   {
-    return { {}, false, "has no center or no axis; draw it again" };
+    throw InputError("has no center or no axis; draw it again");
   }
   return ellipticArc(centers.front(), axes.front(),
     entity.number(40, 1.0) * plane.z.cross(axes.front()), entity.number(41, 0.0),
@@ -316,7 +336,7 @@ struct Spline
   std::vector<std::array<double, 4>> points; ///< times their weights, and the weights
 
   /// De Boor's algorithm in the span of knots `span` to `span` + 1.
-  DxfPlace at(double t, std::size_t span) const
+  Point3 at(double t, std::size_t span) const
   {
     const auto begin = this->points.begin() + static_cast<std::ptrdiff_t>(span - this->degree);
     std::vector<std::array<double, 4>> work(
@@ -341,20 +361,19 @@ struct Spline
 
 DxfCourse spline(const DxfEntity& entity)
 {
-  const Places controls = entity.places(10);
+  const Points3 controls = entity.places(10);
   const std::vector<double> weights = entity.all(41);
   const double degree = entity.number(71, 3.0);
   const std::size_t most = 25; // far above what programs draw
   if (controls.empty())
   {
-    return { {}, false, "has no control points; save it as a spline of control points" };
+    throw InputError("has no control points; save it as a spline of control points");
   }
   if (!(degree >= 1.0 && degree <= static_cast<double>(most)) ||
     controls.size() <= static_cast<std::size_t>(degree))
   {
-    return { {}, false,
-      "has " + std::to_string(controls.size()) +
-        " control points, too few for its degree; draw it " + "again" };
+    throw InputError("has " + std::to_string(controls.size()) +
+      " control points, too few for its degree; draw it again");
   }
   Spline curve;
   curve.degree = static_cast<std::size_t>(degree);
@@ -365,15 +384,15 @@ DxfCourse spline(const DxfEntity& entity)
     (!weights.empty() && weights.size() != controls.size()) ||
     std::any_of(weights.begin(), weights.end(), [](double weight) { return !(weight > 0.0); }))
   {
-    return { {}, false, "has knots or weights that do not fit its control points; draw it again" };
+    throw InputError("has knots or weights that do not fit its control points; draw it again");
   }
   for (std::size_t k = 0; k < controls.size(); ++k)
   {
     const double weight = weights.empty() ? 1.0 : weights[k];
-    const DxfPlace& place = controls[k];
+    const Point3& place = controls[k];
     curve.points.push_back({ weight * place[0], weight * place[1], weight * place[2], weight });
   }
-  Places places;
+  Points3 places;
   for (std::size_t span = curve.degree; span < controls.size(); ++span)
   {
     const double begin = curve.knots[span];
@@ -397,85 +416,24 @@ DxfCourse spline(const DxfEntity& entity)
 
 DxfCourse line(const DxfEntity& entity)
 {
-  Places places = entity.places(10);
-  const Places ends = entity.places(11);
+  Points3 places = entity.places(10);
+  const Points3 ends = entity.places(11);
   places.insert(places.end(), ends.begin(), ends.end());
-  return { std::move(places), false, {} };
+  return { std::move(places), false };
 }
 
 using CourseFunction = DxfCourse (*)(const DxfEntity&);
 
+/// What makes a course of an entity; null where it is no curve.
 CourseFunction functionOf(const DxfEntity& entity)
 {
-  static constexpr std::array<std::pair<const char*, CourseFunction>, 7> functions{
-    { { "LINE", line }, { "LWPOLYLINE", lightPolyline }, { "POLYLINE", polyline },
-      { "ARC", circularArc }, { "CIRCLE", circularArc }, { "ELLIPSE", ellipse },
-      { "SPLINE", spline } }
-  };
-  const auto* const found = std::find_if(functions.begin(), functions.end(),
-    [&](const auto& function) { return entity.kind == function.first; });
-  return found == functions.end() ? nullptr : found->second;
-}
-
-double DxfEntity::number(int code, double otherwise) const
-{
-  const auto found = std::find_if(this->numbers.begin(), this->numbers.end(),
-    [code](const auto& group) { return group.first == code; });
-  return found == this->numbers.end() ? otherwise : found->second;
-}
-
-std::vector<double> DxfEntity::all(int code) const
-{
-  std::vector<double> values;
-  for (const auto& [other, value] : this->numbers)
-  {
-    if (other == code)
-    {
-      values.push_back(value);
-    }
-  }
-  return values;
-}
-
-std::vector<DxfPlace> DxfEntity::places(int code) const
-{
-  std::vector<DxfPlace> places;
-  for (const auto& [other, value] : this->numbers)
-  {
-    if (other == code)
-    {
-      places.emplace_back(value, 0.0, 0.0);
-    }
-    else if ((other == code + 10 || other == code + 20) && !places.empty())
-    {
-      places.back()[other / 10 - 1] = value;
-    }
-  }
-  return places;
-}
-
-bool DxfEntity::hasFlag(long long flag) const
-{
-  const double flags = this->number(70, 0.0);
-  return std::abs(flags) < 1e9 && (static_cast<long long>(flags) & flag) != 0;
-}
-
-/// Whether courseOf() knows a kind of entity.
-bool isDxfCurve(const DxfEntity& entity)
-{
+  static const std::map<std::string, CourseFunction> functions{ { "LINE", line },
+    { "LWPOLYLINE", lightPolyline }, { "POLYLINE", polyline }, { "ARC", circularArc },
+    { "CIRCLE", circularArc }, { "ELLIPSE", ellipse }, { "SPLINE", spline } };
+  const auto found = functions.find(entity.kind);
   // 16 and 64: meshes of polygons
-  return functionOf(entity) &&
-    !(entity.kind == "POLYLINE" && (entity.hasFlag(16) || entity.hasFlag(64)));
-}
-
-/// The course of a LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE or SPLINE in the coordinates of
-/// the drawing. Arcs (bulges included) and splines become chords that leave them by at most 1e-4 of
-/// the size of the entity. A spline is computed by de Boor's algorithm from its control points,
-/// knots and weights. Entities of a plane go from the coordinates of their extrusion (groups 210 to
-/// 230) to those of the drawing by the "arbitrary axis algorithm" of the reference.
-DxfCourse courseOf(const DxfEntity& entity)
-{
-  return isDxfCurve(entity) ? functionOf(entity)(entity) : DxfCourse();
+  const bool isMesh = entity.kind == "POLYLINE" && (entity.hasFlag(16) || entity.hasFlag(64));
+  return found == functions.end() || isMesh ? nullptr : found->second;
 }
 
 constexpr const char* curveEntities = "LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE or SPLINE";
@@ -498,7 +456,7 @@ struct DxfReader
 {
   DxfReader(const std::string& file, const std::string& text)
     : path(file)
-    , lines(text, false)
+    , lines(file, text, false)
   {
   }
 
@@ -514,34 +472,34 @@ struct DxfReader
   bool inEntities = false;
   std::map<std::string, std::vector<std::string>> unread; ///< places of entities, by their kinds
 
-  [[noreturn]] void refuse(const std::string& text) const
-  {
-    throw InputError(this->path, this->lines.number(), text);
-  }
-
   double number(const std::string& value) const
   {
     double result = 0.0;
     if (!parseNumber(wordOf(value), result) || !std::isfinite(result))
     {
-      this->refuse(inQuotes(value) + " is not a number; save the DXF file as text again");
+      this->lines.refuse(inQuotes(value) + " is not a number; save the DXF file as text again");
     }
     return result;
   }
 
   void addCurve(const DxfEntity& source)
   {
-    const DxfCourse course = courseOf(source);
-    if (!course.fault.empty())
+    DxfCourse course;
+    try
     {
-      throw InputError(this->path, source.line, "the " + source.kind + " " + course.fault);
+      course = functionOf(source)(source);
+    }
+    catch (const InputError& error)
+    {
+      throw InputError(
+        this->path, source.line, "the " + source.kind + " " + std::string(error.what()));
     }
     if (course.places.size() < 2)
     {
       return;
     }
     std::vector<std::int64_t> ids;
-    for (const DxfPlace& place : course.places)
+    for (const Point3& place : course.places)
     {
       const auto [known, added] =
         this->pointAt.emplace(std::array<double, 3>{ place.x(), place.y(), place.z() },
@@ -575,7 +533,7 @@ struct DxfReader
     }
     if (this->entity.kind == "VERTEX" && this->inPolyline)
     {
-      const std::vector<DxfPlace> places = this->entity.places(10);
+      const Points3 places = this->entity.places(10);
       // 16: a point of the frame of a spline, beside the points on the spline.
       if (!places.empty() && !this->entity.hasFlag(16))
       {
@@ -587,12 +545,12 @@ struct DxfReader
       this->addCurve(this->polyline);
       this->inPolyline = false;
     }
-    else if (this->entity.kind == "POLYLINE" && isDxfCurve(this->entity))
+    else if (this->entity.kind == "POLYLINE" && functionOf(this->entity))
     {
       this->inPolyline = true;
       this->polyline = this->entity;
     }
-    else if (isDxfCurve(this->entity))
+    else if (functionOf(this->entity))
     {
       this->addCurve(this->entity);
     }
@@ -628,7 +586,7 @@ struct DxfReader
       long long group = 0;
       if (!parseInteger(wordOf(code), group))
       {
-        this->refuse(
+        this->lines.refuse(
           inQuotes(code) + " is not a group code; the file may be binary DXF or be damaged");
       }
       if (group == 0)

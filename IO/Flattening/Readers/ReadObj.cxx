@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -22,41 +21,13 @@ struct ObjReader
 {
   std::string path;
   LineReader lines;
-  Points3 points = {};
+  FilePoints points = {};
   std::vector<std::int64_t> ids = {};
-  InvalidPoints invalid = {};
   FaceLabels labels = {};
   std::map<std::string, std::size_t> numbers = { { std::string(), 0 } }; ///< of names
   std::size_t object = 0;
   std::size_t group = 0;
   std::size_t material = 0;
-
-  [[noreturn]] void refuse(const std::string& text) const
-  {
-    throw InputError(this->path, this->lines.number(), text);
-  }
-
-  void readPoint(std::string_view rest)
-  {
-    Point3 x;
-    for (double& coordinate : x)
-    {
-      const std::string_view word = takeWord(rest);
-      if (word.empty())
-      {
-        this->refuse("a vertex needs three coordinates; the file may be truncated");
-      }
-      if (!parseNumber(word, coordinate))
-      {
-        this->refuse(inQuotes(word) + " is not a coordinate; write a decimal number");
-      }
-    }
-    if (!x.allFinite())
-    {
-      this->invalid.add(this->points.size(), this->lines.number());
-    }
-    this->points.push_back(x);
-  }
 
   void readTexture(std::string_view rest)
   {
@@ -71,8 +42,7 @@ struct ObjReader
   /// The number of a name, with the blanks around it left out.
   std::size_t numberOf(std::string_view name)
   {
-    const std::size_t begin = std::min(name.find_first_not_of(" \t"), name.size());
-    std::string text(name.substr(begin, name.find_last_not_of(" \t") + 1 - begin));
+    std::string text(trimmed(name));
     std::replace(text.begin(), text.end(), '\0', ' '); // VTK ends a text there when it writes it
     const auto [entry, isNew] = this->numbers.emplace(text, this->labels.names.size());
     if (isNew)
@@ -116,24 +86,24 @@ struct ObjReader
       long long id = 0;
       if (!parseInteger(word.substr(0, word.find('/')), id))
       {
-        this->refuse(inQuotes(word) + " is not a vertex id; write v, v/vt, v//vn or v/vt/vn");
+        this->lines.refuse(inQuotes(word) + " is not a vertex id; write v, v/vt, v//vn or v/vt/vn");
       }
-      const auto count = static_cast<std::int64_t>(this->points.size());
+      const std::int64_t count = this->points.size();
       if (id == 0 || id > count || id < -count)
       {
-        this->refuse("vertex id " + std::to_string(id) + " is out of range; " +
+        this->lines.refuse("vertex id " + std::to_string(id) + " is out of range; " +
           std::to_string(count) +
           " vertices stand above this line and ids count from 1, or from -1 backwards");
       }
       this->ids.push_back(static_cast<std::int64_t>(id > 0 ? id - 1 : count + id));
-      this->invalid.check(this->path, this->ids.back());
+      this->points.check(this->path, this->ids.back());
     }
   }
 };
 }
 
 //------------------------------------------------------------------------------
-ObjContents readObj(const std::string& path)
+SurfaceContents readObj(const std::string& path)
 {
   const std::string text = readWholeFile(path);
   DataSet surface;
@@ -141,7 +111,7 @@ ObjContents readObj(const std::string& path)
   CurveTitle title;
   std::string unit;
 
-  ObjReader reader{ path, LineReader(text) };
+  ObjReader reader{ path, LineReader(path, text) };
   std::string line;
   while (reader.lines.next(line))
   {
@@ -149,14 +119,14 @@ ObjContents readObj(const std::string& path)
     const std::string_view keyword = takeWord(rest);
     if (keyword == "v")
     {
-      reader.readPoint(rest);
+      reader.points.add(takePoint(rest, reader.lines), reader.lines.number());
     }
     else if (keyword == "f")
     {
       reader.readIds(rest);
       if (reader.ids.size() < 3)
       {
-        reader.refuse("a face needs three vertices; the file may be truncated");
+        reader.lines.refuse("a face needs three vertices; the file may be truncated");
       }
       surface.faces.add(reader.ids);
       reader.labelFace(rest);
@@ -174,7 +144,7 @@ ObjContents readObj(const std::string& path)
       reader.readIds(rest);
       if (reader.ids.size() < 2)
       {
-        reader.refuse("a line needs two vertices; the file may be truncated");
+        reader.lines.refuse("a line needs two vertices; the file may be truncated");
       }
       curves.add(reader.ids, title);
     }
@@ -188,12 +158,12 @@ ObjContents readObj(const std::string& path)
       unit = unitInComment(line);
     }
   }
-  if (reader.points.empty())
+  if (reader.points.size() == 0)
   {
     throw InputError(path, "has no vertex ('v' line); it may be no OBJ file or be truncated");
   }
 
-  surface.points = std::make_shared<const Points3>(std::move(reader.points));
+  surface.points = reader.points.share();
   std::vector<std::string> names = pieceNames(reader.labels);
   if (!names.empty())
   {

@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -86,111 +85,86 @@ struct PlyHeader
   std::size_t lines = 0; ///< of the header
 };
 
-//------------------------------------------------------------------------------
-/// Reads the header of a PLY file. Throws InputError with file and line.
-class HeaderParser
+PlyEncoding encodingNamed(std::string_view name, const LineReader& lines)
 {
-public:
-  /// \param text of the whole file \param path for messages
-  HeaderParser(const std::string& path, std::string_view text)
-    : Path(path)
-    , Lines(text, false)
+  static constexpr std::array<std::string_view, 3> names{ "ascii", "binary_little_endian",
+    "binary_big_endian" };
+  const auto* const found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
   {
+    lines.refuse("unknown format " + inQuotes(name) +
+      "; use ascii, binary_little_endian or binary_big_endian");
   }
+  return static_cast<PlyEncoding>(found - names.begin());
+}
 
-  PlyHeader parse()
+/// \param rest of a line that begins with "property"
+PlyProperty takeProperty(std::string_view rest, const LineReader& lines)
+{
+  PlyProperty property;
+  std::string_view type = takeWord(rest);
+  const bool list = type == "list";
+  if (list)
   {
-    std::string line;
-    this->Lines.next(line);
-    std::string_view rest(line);
-    if (takeWord(rest) != "ply")
+    property.countType = scalarNamed(takeWord(rest));
+    type = takeWord(rest);
+  }
+  property.type = scalarNamed(type);
+  if (!property.type || (list && !property.countType))
+  {
+    lines.refuse("unknown property type; use one of PLY's, such as float, double, uchar, int");
+  }
+  property.name = takeWord(rest);
+  return property;
+}
+
+/// Reads the header of a PLY file. Throws InputError with file and line.
+/// \param text of the whole file
+PlyHeader readHeader(const std::string& path, std::string_view text)
+{
+  PlyHeader header;
+  LineReader lines(path, text, false);
+  std::string line;
+  lines.next(line);
+  std::string_view rest(line);
+  if (takeWord(rest) != "ply")
+  {
+    lines.refuse("is not a PLY file: its first line is not 'ply'");
+  }
+  while (lines.next(line))
+  {
+    rest = line;
+    const std::string_view keyword = takeWord(rest);
+    if (keyword == "end_header")
     {
-      this->refuse("is not a PLY file: its first line is not 'ply'");
+      header.data = lines.rest();
+      header.lines = lines.number();
+      return header;
     }
-    while (this->Lines.next(line))
+    if (keyword == "format")
     {
-      rest = line;
-      const std::string_view keyword = takeWord(rest);
-      if (keyword == "end_header")
+      header.encoding = encodingNamed(takeWord(rest), lines);
+    }
+    else if (keyword == "element")
+    {
+      PlyElement& element = header.elements.emplace_back();
+      element.name = takeWord(rest);
+      if (!parseInteger(takeWord(rest), element.count) || element.count < 0)
       {
-        this->Result.data = this->Lines.rest();
-        this->Result.lines = this->Lines.number();
-        return this->Result;
+        lines.refuse("element " + inQuotes(element.name) + " has no valid count");
       }
-      if (keyword == "format")
+    }
+    else if (keyword == "property")
+    {
+      if (header.elements.empty())
       {
-        this->parseFormat(rest);
+        lines.refuse("a property stands before the first element");
       }
-      else if (keyword == "element")
-      {
-        this->parseElement(rest);
-      }
-      else if (keyword == "property")
-      {
-        this->parseProperty(rest);
-      }
+      header.elements.back().properties.push_back(takeProperty(rest, lines));
     }
-    this->refuse("has no 'end_header' line; the file may be truncated");
   }
-
-private:
-  [[noreturn]] void refuse(const std::string& text) const
-  {
-    throw InputError(this->Path, this->Lines.number(), text);
-  }
-
-  void parseFormat(std::string_view rest)
-  {
-    static constexpr std::array<std::string_view, 3> names{ "ascii", "binary_little_endian",
-      "binary_big_endian" };
-    const std::string_view name = takeWord(rest);
-    const auto* const found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-    {
-      this->refuse("unknown format " + inQuotes(name) +
-        "; use ascii, binary_little_endian or binary_big_endian");
-    }
-    this->Result.encoding = static_cast<PlyEncoding>(found - names.begin());
-  }
-
-  void parseElement(std::string_view rest)
-  {
-    PlyElement element;
-    element.name = takeWord(rest);
-    if (!parseInteger(takeWord(rest), element.count) || element.count < 0)
-    {
-      this->refuse("element " + inQuotes(element.name) + " has no valid count");
-    }
-    this->Result.elements.push_back(element);
-  }
-
-  void parseProperty(std::string_view rest)
-  {
-    if (this->Result.elements.empty())
-    {
-      this->refuse("a property stands before the first element");
-    }
-    PlyProperty property;
-    std::string_view type = takeWord(rest);
-    const bool list = type == "list";
-    if (list)
-    {
-      property.countType = scalarNamed(takeWord(rest));
-      type = takeWord(rest);
-    }
-    property.type = scalarNamed(type);
-    if (!property.type || (list && !property.countType))
-    {
-      this->refuse("unknown property type; use one of PLY's, such as float, double, uchar, int");
-    }
-    property.name = takeWord(rest);
-    this->Result.elements.back().properties.push_back(property);
-  }
-
-  const std::string& Path;
-  LineReader Lines;
-  PlyHeader Result;
-};
+  lines.refuse("has no 'end_header' line; the file may be truncated");
+}
 
 bool hostIsLittleEndian()
 {
@@ -200,13 +174,22 @@ bool hostIsLittleEndian()
   return first == 1;
 }
 
+/// A vertex id, -1 for what is none.
+std::int64_t idOf(double value)
+{
+  const bool valid = value >= 0.0 && value < 4e9 && value == std::floor(value);
+  return valid ? static_cast<std::int64_t>(value) : -1;
+}
+
 //------------------------------------------------------------------------------
-/// The numbers after the header, one after the other.
-class ValueReader
+/// Reads what is behind the header.
+class PlyReader
 {
 public:
-  explicit ValueReader(const PlyHeader& header)
-    : Data(header.data)
+  PlyReader(const std::string& path, const PlyHeader& header)
+    : Path(path)
+    , Header(header)
+    , Data(header.data)
     , Counted(header.data.data())
     , Line(header.lines + 1)
     , Text(header.encoding == PlyEncoding::Ascii)
@@ -214,33 +197,44 @@ public:
   {
   }
 
-  bool isText() const { return this->Text; }
-  /// Of a text, in which the last number stands.
+  DataSet read()
+  {
+    for (const PlyElement& element : this->Header.elements)
+    {
+      if (element.name == "vertex")
+      {
+        this->readVertices(element);
+      }
+      else if (element.name == "face" || element.name == "tristrips")
+      {
+        this->readFaces(element);
+      }
+      else if (!element.properties.empty())
+      {
+        this->forEach(element, [](long long) {});
+      }
+    }
+    this->checkIds();
+    DataSet surface;
+    surface.points = this->Points.share();
+    surface.faces = std::move(this->Faces);
+    return surface;
+  }
+
+private:
+  /// Of a text, in which the last number stands; 0 of other data.
   std::size_t line()
   {
+    if (!this->Text)
+    {
+      return 0;
+    }
     const char* const end = this->Data.data();
     this->Line += static_cast<std::size_t>(std::count(this->Counted, end, '\n'));
     this->Counted = end;
     return this->Line;
   }
 
-  /// False where the data ends or holds no number.
-  bool next(const PlyScalar& type, double& value)
-  {
-    if (this->Text)
-    {
-      return parseNumber(this->nextWord(), value);
-    }
-    if (this->Data.size() < type.size)
-    {
-      return false;
-    }
-    value = type.decode(this->Data.data(), this->Swap);
-    this->Data.remove_prefix(type.size);
-    return true;
-  }
-
-private:
   std::string_view nextWord()
   {
     const std::string_view blanks(" \t\r\n\v\f");
@@ -252,150 +246,112 @@ private:
     return word;
   }
 
-  std::string_view Data;
-  const char* Counted; ///< up to where lines are counted
-  std::size_t Line;
-  bool Text;
-  bool Swap;
-};
-
-//------------------------------------------------------------------------------
-/// One element's values: scalars by property, and the list of each property that is one.
-class ElementReader
-{
-public:
-  ElementReader(const std::string& path, ValueReader& values)
-    : Path(path)
-    , Values(values)
+  double number(const PlyScalar& type, const PlyElement& element, long long index)
   {
-  }
-
-  void read(const PlyElement& element, long long index)
-  {
-    this->Scalars.assign(element.properties.size(), 0.0);
-    this->Lists.resize(element.properties.size());
-    for (std::size_t p = 0; p < element.properties.size(); ++p)
+    double value = 0.0;
+    bool known = this->Data.size() >= type.size;
+    if (this->Text)
     {
-      const PlyProperty& property = element.properties[p];
-      if (!property.countType)
-      {
-        this->Scalars[p] = this->value(*property.type, element, index);
-        continue;
-      }
-      const double count = this->value(*property.countType, element, index);
-      if (!(count >= 0.0) || count != std::floor(count))
-      {
-        throw InputError(this->Path,
-          "element " + element.name + " " + std::to_string(index) +
-            " has a list of invalid length");
-      }
-      this->Lists[p].clear();
-      for (double k = 0.0; k < count; k += 1.0)
-      {
-        this->Lists[p].push_back(this->value(*property.type, element, index));
-      }
+      known = parseNumber(this->nextWord(), value);
     }
-  }
-  double scalar(std::size_t property) const { return this->Scalars[property]; }
-  const std::vector<double>& list(std::size_t property) const { return this->Lists[property]; }
-
-private:
-  double value(const PlyScalar& type, const PlyElement& element, long long index)
-  {
-    double number = 0.0;
-    if (!this->Values.next(type, number))
+    else if (known)
+    {
+      value = type.decode(this->Data.data(), this->Swap);
+      this->Data.remove_prefix(type.size);
+    }
+    if (!known)
     {
       throw InputError(this->Path,
         "ends or is damaged at element " + element.name + " " + std::to_string(index) + " of " +
           std::to_string(element.count) + "; write the file again");
     }
-    return number;
+    return value;
   }
 
-  std::string Path;
-  ValueReader& Values;
-  std::vector<double> Scalars;
-  std::vector<std::vector<double>> Lists;
-};
-
-std::size_t findProperty(const std::string& path, const PlyElement& element, const char* name,
-  bool list, const char* otherName = nullptr)
-{
-  for (std::size_t p = 0; p < element.properties.size(); ++p)
+  /// Reads all of an element, one after the other, and calls visit(index) for each.
+  template <class Visit>
+  void forEach(const PlyElement& element, const Visit& visit)
   {
-    const PlyProperty& property = element.properties[p];
-    if ((property.countType != nullptr) == list &&
-      (property.name == name || (otherName && property.name == otherName)))
+    this->Values.resize(std::max(this->Values.size(), element.properties.size()));
+    for (long long k = 0; k < element.count; ++k)
     {
-      return p;
+      for (std::size_t p = 0; p < element.properties.size(); ++p)
+      {
+        const PlyProperty& property = element.properties[p];
+        const double count =
+          property.countType ? this->number(*property.countType, element, k) : 1.0;
+        if (!(count >= 0.0) || count != std::floor(count))
+        {
+          throw InputError(this->Path,
+            "element " + element.name + " " + std::to_string(k) + " has a list of invalid length");
+        }
+        this->Values[p].clear();
+        for (double n = 0.0; n < count; n += 1.0)
+        {
+          this->Values[p].push_back(this->number(*property.type, element, k));
+        }
+      }
+      visit(k);
     }
   }
-  throw InputError(path, "element " + element.name + " has no property '" + name + "'");
-}
 
-void readVertices(const std::string& path, const PlyElement& element, ValueReader& values,
-  ElementReader& reader, Points3& points, InvalidPoints& invalid)
-{
-  const std::array<std::size_t, 3> place{ findProperty(path, element, "x", false),
-    findProperty(path, element, "y", false), findProperty(path, element, "z", false) };
-  for (long long k = 0; k < element.count; ++k)
+  /// The values of a property, or of the same by another name, while its element is visited.
+  const std::vector<double>& valuesOf(const PlyElement& element, const std::string& name, bool list,
+    const std::string& otherName = {})
   {
-    reader.read(element, k);
-    points.emplace_back(reader.scalar(place[0]), reader.scalar(place[1]), reader.scalar(place[2]));
-    if (values.isText() && !points.back().allFinite())
+    this->Values.resize(std::max(this->Values.size(), element.properties.size()));
+    for (std::size_t p = 0; p < element.properties.size(); ++p)
     {
-      invalid.add(points.size() - 1, values.line());
+      const PlyProperty& property = element.properties[p];
+      if ((property.countType != nullptr) == list &&
+        (property.name == name || property.name == otherName))
+      {
+        return this->Values[p];
+      }
     }
+    throw InputError(this->Path, "element " + element.name + " has no property '" + name + "'");
   }
-}
 
-/// A vertex id, -1 for what is none.
-std::int64_t idOf(double value)
-{
-  const bool valid = value >= 0.0 && value < 4e9 && value == std::floor(value);
-  return valid ? static_cast<std::int64_t>(value) : -1;
-}
-
-std::size_t findIndices(const std::string& path, const PlyElement& element)
-{
-  return findProperty(path, element, "vertex_indices", true, "vertex_index");
-}
-
-void readFaces(const std::string& path, const PlyElement& element, ElementReader& reader,
-  flattening::CellList& polygons)
-{
-  const std::size_t place = findIndices(path, element);
-  std::vector<std::int64_t> ids;
-  for (long long k = 0; k < element.count; ++k)
+  void readVertices(const PlyElement& element)
   {
-    reader.read(element, k);
-    ids.clear();
-    for (const double id : reader.list(place))
-    {
-      ids.push_back(idOf(id));
-    }
-    if (ids.size() < 3)
-    {
-      throw InputError(path,
-        "face " + std::to_string(k) + " has " + std::to_string(ids.size()) +
-          " vertices; remove it or give it three");
-    }
-    polygons.add(ids);
+    const std::vector<double>& x = this->valuesOf(element, "x", false);
+    const std::vector<double>& y = this->valuesOf(element, "y", false);
+    const std::vector<double>& z = this->valuesOf(element, "z", false);
+    this->forEach(element, [&](long long) {
+      const Point3 point(x.front(), y.front(), z.front());
+      this->Points.add(point, point.allFinite() ? 0 : this->line());
+    });
   }
-}
 
-/// Strips of triangles, one list or several: -1 ends a strip, every other triangle is turned, and
-/// those with a corner twice only lead on.
-void readStrips(const std::string& path, const PlyElement& element, ElementReader& reader,
-  flattening::CellList& polygons)
-{
-  const std::size_t place = findIndices(path, element);
-  for (long long k = 0; k < element.count; ++k)
+  void readFaces(const PlyElement& element)
   {
-    reader.read(element, k);
+    const std::vector<double>& corners =
+      this->valuesOf(element, "vertex_indices", true, "vertex_index");
+    this->forEach(element, [&](long long k) {
+      if (element.name == "tristrips")
+      {
+        this->addStrips(corners, k);
+        return;
+      }
+      if (corners.size() < 3)
+      {
+        throw InputError(this->Path,
+          "face " + std::to_string(k) + " has " + std::to_string(corners.size()) +
+            " vertices; remove it or give it three");
+      }
+      std::vector<std::int64_t> ids(corners.size());
+      std::transform(corners.begin(), corners.end(), ids.begin(), idOf);
+      this->Faces.add(ids);
+    });
+  }
+
+  /// Strips of triangles: -1 ends a strip, every other triangle is turned, and those with a corner
+  /// twice only lead on.
+  void addStrips(const std::vector<double>& list, long long index)
+  {
     std::array<std::int64_t, 3> corners{};
     std::size_t length = 0; // of the strip so far
-    for (const double value : reader.list(place))
+    for (const double value : list)
     {
       const std::int64_t id = idOf(value);
       if (value == -1.0)
@@ -405,75 +361,54 @@ void readStrips(const std::string& path, const PlyElement& element, ElementReade
       }
       if (id < 0)
       {
-        throw InputError(
-          path, "strip " + std::to_string(k) + " has an invalid vertex id; ids count from 0");
+        throw InputError(this->Path,
+          "strip " + std::to_string(index) + " has an invalid vertex id; ids count from 0");
       }
       corners = { corners[1], corners[2], id };
       const auto& [a, b, c] = corners;
       if (++length > 2 && a != b && b != c && c != a)
       {
         const std::array<std::int64_t, 3> turned{ b, a, c };
-        polygons.add(length % 2 == 1 ? corners : turned);
+        this->Faces.add(length % 2 == 1 ? corners : turned);
       }
     }
   }
-}
 
-void checkIds(const std::string& path, const flattening::CellList& polygons,
-  std::int64_t pointCount, const InvalidPoints& invalid)
-{
-  for (std::size_t cell = 0; cell < polygons.size(); ++cell)
+  void checkIds() const
   {
-    for (const auto* id = polygons.begin(cell); id != polygons.end(cell); ++id)
+    for (std::size_t cell = 0; cell < this->Faces.size(); ++cell)
     {
-      if (*id < 0 || *id >= pointCount)
+      for (const auto* id = this->Faces.begin(cell); id != this->Faces.end(cell); ++id)
       {
-        throw InputError(path,
-          "face " + std::to_string(cell) + " names vertex " + std::to_string(*id) + " of " +
-            std::to_string(pointCount) + "; ids count from 0");
+        if (*id < 0 || *id >= this->Points.size())
+        {
+          throw InputError(this->Path,
+            "face " + std::to_string(cell) + " names vertex " + std::to_string(*id) + " of " +
+              std::to_string(this->Points.size()) + "; ids count from 0");
+        }
+        this->Points.check(this->Path, *id);
       }
-      invalid.check(path, *id);
     }
   }
-}
+
+  const std::string& Path;
+  const PlyHeader& Header;
+  std::string_view Data;
+  const char* Counted; ///< up to where lines are counted
+  std::size_t Line;
+  bool Text;
+  bool Swap;
+  std::vector<std::vector<double>> Values; ///< by property, of the element that is visited
+  FilePoints Points;
+  flattening::CellList Faces;
+};
 }
 
 //------------------------------------------------------------------------------
 DataSet readPly(const std::string& path)
 {
   const std::string bytes = readWholeFile(path);
-  const PlyHeader header = HeaderParser(path, bytes).parse();
-  ValueReader values(header);
-  ElementReader reader(path, values);
-
-  Points3 points;
-  InvalidPoints invalid;
-  DataSet surface;
-  for (const PlyElement& element : header.elements)
-  {
-    if (element.name == "vertex")
-    {
-      readVertices(path, element, values, reader, points, invalid);
-    }
-    else if (element.name == "face")
-    {
-      readFaces(path, element, reader, surface.faces);
-    }
-    else if (element.name == "tristrips")
-    {
-      readStrips(path, element, reader, surface.faces);
-    }
-    else if (!element.properties.empty())
-    {
-      for (long long k = 0; k < element.count; ++k)
-      {
-        reader.read(element, k);
-      }
-    }
-  }
-  checkIds(path, surface.faces, static_cast<std::int64_t>(points.size()), invalid);
-
-  surface.points = std::make_shared<const Points3>(std::move(points));
-  return surface;
+  const PlyHeader header = readHeader(path, bytes);
+  return PlyReader(path, header).read();
 }
 }

@@ -112,7 +112,7 @@ void readText(const std::string& path, std::string_view bytes, Soup& soup)
   {
     refuse(path, "has no 'endsolid' line; the file is truncated");
   }
-  LineReader lines(bytes, false);
+  LineReader lines(path, bytes, false);
   std::string line;
   while (lines.next(line))
   {
@@ -121,24 +121,12 @@ void readText(const std::string& path, std::string_view bytes, Soup& soup)
     {
       continue;
     }
-    std::array<float, 3> x{};
-    for (float& coordinate : x)
+    const Eigen::Vector3f x = takePoint(rest, lines).cast<float>();
+    if (!x.allFinite())
     {
-      double value = 0.0;
-      const std::string_view word = takeWord(rest);
-      if (!parseNumber(word, value))
-      {
-        throw InputError(
-          path, lines.number(), inQuotes(word) + " is not a coordinate; write a decimal number");
-      }
-      coordinate = static_cast<float>(value);
-      if (!std::isfinite(coordinate))
-      {
-        throw InputError(
-          path, lines.number(), "a coordinate is not a finite number; mend or remove the facet");
-      }
+      lines.refuse("a coordinate is not a finite number; mend or remove the facet");
     }
-    soup.add(x);
+    soup.add({ x[0], x[1], x[2] });
   }
   if (!soup.isWhole())
   {

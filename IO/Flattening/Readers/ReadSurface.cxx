@@ -10,8 +10,6 @@
 #include "TextFile.h"
 #include "Units.h"
 
-#include <utility>
-
 namespace wirewarp
 {
 //------------------------------------------------------------------------------
@@ -26,9 +24,7 @@ SurfaceContents readSurface(const std::string& path)
   }
   if (extension == ".obj")
   {
-    ObjContents contents = readObj(path);
-    return { std::move(contents.surface), std::move(contents.curves), contents.unit,
-      std::move(contents.labels) };
+    return readObj(path);
   }
   if (extension == ".gltf" || extension == ".glb")
   {

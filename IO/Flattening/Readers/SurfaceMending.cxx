@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace wirewarp
 {
@@ -24,12 +23,7 @@ constexpr double largestWeld = 0.1;
 constexpr std::size_t fewEdges = 6;
 constexpr double smallOpening = 0.05;
 
-std::string number(double value)
-{
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.4g", value);
-  return text;
-}
+using flattening::shortNumber;
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many)
 {
@@ -40,17 +34,6 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 double sizeOf(const TriangleList& list)
 {
   return boxOf(list).sizes().maxCoeff();
-}
-
-/// The diagonal of the box around all points.
-double lengthOf(const Points3& points)
-{
-  Eigen::AlignedBox3d box;
-  for (const Point3& point : points)
-  {
-    box.extend(point);
-  }
-  return box.diagonal().norm();
 }
 
 /// The next larger number of two digits.
@@ -66,8 +49,8 @@ void weld(
   const double distance = request.weld.value_or(0.0) / request.millimetres;
   if (distance > largestWeld * size)
   {
-    throw InputError("--weld " + number(*request.weld) +
-      " is more than a tenth of the surface, which is " + number(size * request.millimetres) +
+    throw InputError("--weld " + shortNumber(*request.weld) +
+      " is more than a tenth of the surface, which is " + shortNumber(size * request.millimetres) +
       " mm large; give less, or check --unit");
   }
   const WeldedPoints welded = weldBoundary(list, weldDistance * size, distance);
@@ -76,8 +59,9 @@ void weld(
     notes.push_back(welded.count == 0
         ? std::string("--weld found no points of the boundary that lie on each other")
         : counted(welded.count, "point is", "points are") + " joined with one that it lies " +
-          (distance > 0.0 ? "at most " + number(welded.farthest * request.millimetres) + " mm off"
-                          : std::string("on")) +
+          (distance > 0.0
+              ? "at most " + shortNumber(welded.farthest * request.millimetres) + " mm off"
+              : std::string("on")) +
           ", as " + (request.weld ? "--weld asks" : "the format of the file doubles points"));
   }
 }
@@ -139,10 +123,10 @@ void noteOpenings(const TriangleList& list, double diagonal, double size, double
   if (largest)
   {
     notes.push_back("the surface has " + counted(holes, "small opening", "small openings") +
-      ", the largest " + number(largest->across * millimetres) + " mm across, at point " +
+      ", the largest " + shortNumber(largest->across * millimetres) + " mm across, at point " +
       std::to_string(largest->points.front()) + (holes == 1 ? ", which stays" : ", which stay") +
       " open; where triangles are missing, --fill-holes " +
-      number(std::ceil(1.01 * largest->across * millimetres)) + " closes " +
+      shortNumber(std::ceil(1.01 * largest->across * millimetres)) + " closes " +
       (holes == 1 ? "it" : "them"));
   }
   const UnjoinedBoundary unjoined =
@@ -159,9 +143,9 @@ void noteOpenings(const TriangleList& list, double diagonal, double size, double
   {
     const double gap = unjoined.near.gap * millimetres;
     notes.push_back(std::to_string(unjoined.near.count) + " edges of the boundary run up to " +
-      number(gap) + " mm beside another one without being joined, the first at point " +
+      shortNumber(gap) + " mm beside another one without being joined, the first at point " +
       std::to_string(unjoined.near.point) + "; where the surface is to be whole there, --weld " +
-      number(roundedUp(1.01 * gap)) + " joins them");
+      shortNumber(roundedUp(1.01 * gap)) + " joins them");
   }
 }
 
@@ -219,7 +203,8 @@ MendedSurface mendSurface(const DataSet& surface, const MendingRequest& request)
     mended.surface = withTriangles(surface, list);
   }
   joinSoup();
-  noteOpenings(list, lengthOf(*surface.points), size, request.millimetres, mended.notes);
+  noteOpenings(
+    list, boxOf(*surface.points).diagonal().norm(), size, request.millimetres, mended.notes);
   return mended;
 }
 }

@@ -14,6 +14,7 @@
 #include <fstream>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace wirewarp
 {
@@ -95,10 +96,43 @@ std::string readWholeFile(const std::string& path)
 //------------------------------------------------------------------------------
 std::string lowerCaseExtension(const std::string& path)
 {
-  std::string extension = std::filesystem::u8path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
+  return lowered(std::filesystem::u8path(path).extension().string());
+}
+
+//------------------------------------------------------------------------------
+std::string_view trimmed(std::string_view text)
+{
+  constexpr std::string_view blanks = " \t";
+  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
+  return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
+//------------------------------------------------------------------------------
+std::string lowered(std::string_view text)
+{
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+  return lower;
+}
+
+//------------------------------------------------------------------------------
+LineReader::LineReader(std::string path, std::string_view text, bool joins)
+  : Path(std::move(path))
+  , Rest(text)
+  , Joins(joins)
+{
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  if (text.substr(0, mark.size()) == mark)
+  {
+    this->Rest.remove_prefix(mark.size());
+  }
+}
+
+//------------------------------------------------------------------------------
+void LineReader::refuse(const std::string& text) const
+{
+  throw InputError(this->Path, this->Number, text);
 }
 
 //------------------------------------------------------------------------------
@@ -142,16 +176,52 @@ bool LineReader::next(std::string& line)
 }
 
 //------------------------------------------------------------------------------
-void InvalidPoints::check(const std::string& path, std::int64_t id) const
+void FilePoints::add(const flattening::Point3& point, std::size_t line)
 {
-  const auto found = this->Lines.find(id);
-  if (found != this->Lines.end())
+  if (line > 0 && !point.allFinite())
+  {
+    this->Invalid.emplace(this->size(), line);
+  }
+  this->Points.push_back(point);
+}
+
+//------------------------------------------------------------------------------
+flattening::Point3 takePoint(std::string_view& rest, const LineReader& lines)
+{
+  flattening::Point3 point;
+  for (double& coordinate : point)
+  {
+    const std::string_view word = takeWord(rest);
+    if (word.empty())
+    {
+      lines.refuse("a vertex needs three coordinates; the file may be truncated");
+    }
+    if (!parseNumber(word, coordinate))
+    {
+      lines.refuse(inQuotes(word) + " is not a coordinate; write a decimal number");
+    }
+  }
+  return point;
+}
+
+//------------------------------------------------------------------------------
+void FilePoints::check(const std::string& path, std::int64_t id) const
+{
+  const auto found = this->Invalid.find(id);
+  if (found != this->Invalid.end())
   {
     throw InputError(path, found->second,
       "a coordinate is not a finite number; mend the vertex, or remove it with its faces");
   }
 }
 
+//------------------------------------------------------------------------------
+std::shared_ptr<const flattening::Points3> FilePoints::share()
+{
+  return std::make_shared<const flattening::Points3>(std::move(this->Points));
+}
+
+//------------------------------------------------------------------------------
 std::string_view takeWord(std::string_view& text)
 {
   std::size_t begin = 0;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/Types.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,49 +27,58 @@ std::string readWholeFile(const std::string& path);
 /// Lower-case extension with its dot, ".vtp"; empty where there is none.
 std::string lowerCaseExtension(const std::string& path);
 
-/// Walks the lines of a text and counts them.
+/// Walks the lines of a file's text and counts them.
 class LineReader
 {
 public:
+  /// \param path for messages
   /// \param text may begin with the byte order mark that some editors put before UTF-8.
   /// \param joins whether a backslash at the end of a line joins it to the next
-  explicit LineReader(std::string_view text, bool joins = true)
-    : Rest(text)
-    , Joins(joins)
-  {
-    constexpr std::string_view mark = "\xEF\xBB\xBF";
-    if (text.substr(0, mark.size()) == mark)
-    {
-      this->Rest.remove_prefix(mark.size());
-    }
-  }
+  LineReader(std::string path, std::string_view text, bool joins = true);
   /// False at the end. The line has no line break and no carriage return.
   bool next(std::string& line);
   /// Where the last line started, counted from 1.
   std::size_t number() const { return this->Number; }
   /// What follows.
   std::string_view rest() const { return this->Rest; }
+  /// Throws InputError with the file and the last line.
+  [[noreturn]] void refuse(const std::string& text) const;
 
 private:
   bool nextPhysical(std::string_view& line);
 
+  std::string Path;
   std::string_view Rest;
   bool Joins;
   std::size_t Number = 0;
   std::size_t Lines = 0;
 };
 
-/// The lines of a file's points that are not finite. No face may use them.
-class InvalidPoints
+/// Takes the next three words of a line as coordinates. Throws InputError.
+flattening::Point3 takePoint(std::string_view& rest, const LineReader& lines);
+
+/// The points of a file. Those that are not finite are kept with their lines: no face may use them.
+class FilePoints
 {
 public:
-  void add(std::size_t id, std::size_t line) { this->Lines.emplace(id, line); }
-  /// Throws InputError where the point is one of them.
+  /// \param line of the point; 0: not known
+  void add(const flattening::Point3& point, std::size_t line);
+  std::int64_t size() const { return static_cast<std::int64_t>(this->Points.size()); }
+  /// Throws InputError where a point is not finite.
   void check(const std::string& path, std::int64_t id) const;
+  /// All of them, which it has no longer.
+  std::shared_ptr<const flattening::Points3> share();
 
 private:
-  std::map<std::int64_t, std::size_t> Lines;
+  flattening::Points3 Points;
+  std::map<std::int64_t, std::size_t> Invalid; ///< lines by ids
 };
+
+/// A text without the blanks around it.
+std::string_view trimmed(std::string_view text);
+
+/// A text in small letters.
+std::string lowered(std::string_view text);
 
 /// Takes the next word, divided by blanks, off the front of a text; empty at its end.
 std::string_view takeWord(std::string_view& text);

@@ -47,6 +47,17 @@ Eigen::AlignedBox3d boxOf(const TriangleList& list)
 }
 
 //------------------------------------------------------------------------------
+Eigen::AlignedBox3d boxOf(const Points3& points)
+{
+  Eigen::AlignedBox3d box;
+  for (const Point3& point : points)
+  {
+    box.extend(point);
+  }
+  return box;
+}
+
+//------------------------------------------------------------------------------
 DataSet withTriangles(const DataSet& surface, const TriangleList& list)
 {
   DataSet result = surface;

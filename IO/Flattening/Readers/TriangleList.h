@@ -35,8 +35,9 @@ struct TriangleList
 /// exist or has no finite place: such a surface is refused as it is.
 TriangleList listTriangles(const DataSet& surface);
 
-/// Around all triangles.
+/// Around all triangles, and around points.
 Eigen::AlignedBox3d boxOf(const TriangleList& list);
+Eigen::AlignedBox3d boxOf(const Points3& points);
 
 /// The surface with these triangles in place of its polygons; each has the data of the polygon that
 /// it is from.

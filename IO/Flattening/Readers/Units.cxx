@@ -6,7 +6,6 @@
 #include "TriangleList.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <iomanip>
@@ -16,41 +15,6 @@ namespace wirewarp
 {
 namespace
 {
-struct UnitName
-{
-  std::string_view word; ///< as files have it, in lower case
-  std::string_view unit;
-};
-
-constexpr std::array<UnitName, 18> names{ {
-  { "mm", "mm" },
-  { "millimeter", "mm" },
-  { "millimeters", "mm" },
-  { "millimetre", "mm" },
-  { "millimetres", "mm" },
-  { "cm", "cm" },
-  { "centimeter", "cm" },
-  { "centimeters", "cm" },
-  { "centimetre", "cm" },
-  { "centimetres", "cm" },
-  { "m", "m" },
-  { "meter", "m" },
-  { "meters", "m" },
-  { "metre", "m" },
-  { "metres", "m" },
-  { "in", "inch" },
-  { "inch", "inch" },
-  { "inches", "inch" },
-} };
-
-std::string lowered(std::string_view text)
-{
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
-
 /// The next word of letters; empty at the end.
 std::string_view takeLetters(std::string_view& text)
 {
@@ -68,10 +32,8 @@ std::string_view takeLetters(std::string_view& text)
 //------------------------------------------------------------------------------
 std::string unitNamed(std::string_view word)
 {
-  const std::string lower = lowered(word);
-  const auto* const found = std::find_if(
-    names.begin(), names.end(), [&lower](const UnitName& name) { return name.word == lower; });
-  return found == names.end() ? std::string() : std::string(found->unit);
+  const flattening::Unit unit = flattening::unitNamed(std::string(word));
+  return unit == flattening::Unit::Unspecified ? std::string() : flattening::unitName(unit);
 }
 
 //------------------------------------------------------------------------------
@@ -92,7 +54,7 @@ std::string unitInComment(std::string_view comment)
 //------------------------------------------------------------------------------
 double millimetresOf(const std::string& unit)
 {
-  return unit == "mm" ? 1.0 : unit == "m" ? 1000.0 : unit == "inch" ? 25.4 : 10.0;
+  return flattening::millimetresPer(flattening::unitNamed(unit));
 }
 
 //------------------------------------------------------------------------------
@@ -108,24 +70,21 @@ bool parseLength(std::string_view text, Length& length)
 std::string unitOf(const DataSet& data)
 {
   const flattening::Column* const stated = flattening::findColumn(data.fieldArrays, "LengthUnit");
-  const flattening::Unit unit = stated && stated->isText() && stated->rows() > 0
-    ? flattening::unitNamed(stated->text(0))
-    : flattening::Unit::Unspecified;
-  return unit == flattening::Unit::Unspecified ? std::string() : flattening::unitName(unit);
+  return stated && stated->isText() && stated->rows() > 0 ? unitNamed(stated->text(0))
+                                                          : std::string();
 }
 
 //------------------------------------------------------------------------------
 void setUnit(DataSet& data, const std::string& unit)
 {
-  const flattening::Unit known = flattening::unitNamed(unit);
   data.fieldArrays.erase(
     std::remove_if(data.fieldArrays.begin(), data.fieldArrays.end(),
       [](const flattening::Column& column) { return column.name == "LengthUnit"; }),
     data.fieldArrays.end());
-  if (known != flattening::Unit::Unspecified)
+  const std::string name = unitNamed(unit);
+  if (!name.empty())
   {
-    data.fieldArrays.push_back(
-      { "LengthUnit", std::vector<std::string>{ flattening::unitName(known) } });
+    data.fieldArrays.push_back({ "LengthUnit", std::vector<std::string>{ name } });
   }
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CurveWords.h"
+#include "CurveBuilder.h"
 
 #include "BoundaryLoops.h"
+#include "InputError.h"
 #include "Paths/PlaneSection.h"
 #include "Paths/StraightPath.h"
 #include "Report/FlatteningData.h"
@@ -20,6 +21,8 @@ namespace wirewarp
 using flattening::Index;
 using flattening::SurfacePoint;
 
+namespace
+{
 /// A plane across an axis, and between which planes across axes its section is taken.
 struct SectionPlane
 {
@@ -42,8 +45,6 @@ struct SectionPlane
   }
 };
 
-namespace
-{
 /// "x=0", "z=120 y>0 x<30". None where the words are not of this form.
 std::optional<SectionPlane> planeOf(std::string_view words)
 {
@@ -148,13 +149,16 @@ std::size_t farthest(
 }
 
 /// The surface as Core takes it, with what can be healed.
-flattening::PreparedSurface preparedSurface(const DataSet& surface, std::string& fault)
+flattening::PreparedSurface preparedSurface(const DataSet& surface)
 {
   DataSet healed;
   const bool mended = !flattening::healData(surface, healed).empty();
   const flattening::SurfaceTriangles read = flattening::readTriangles(mended ? healed : surface);
   flattening::PreparedSurface prepared = flattening::prepareSurface(read.points, read.triangles);
-  fault = prepared.status.ok() ? "" : prepared.status.message;
+  if (!prepared.status.ok())
+  {
+    throw InputError(prepared.status.message);
+  }
   return prepared;
 }
 
@@ -174,7 +178,7 @@ std::map<Index, SurfacePoint> endsOn(const flattening::TriangleMesh& mesh, const
   return ends;
 }
 
-Points3 placesOf(const flattening::SurfacePath& path, bool closed)
+Points3 positionsOf(const flattening::SurfacePath& path, bool closed)
 {
   Points3 places;
   for (const SurfacePoint& point : path.points)
@@ -187,44 +191,165 @@ Points3 placesOf(const flattening::SurfacePath& path, bool closed)
 }
 
 //------------------------------------------------------------------------------
-bool CurveWords::areWords(std::string_view text)
+RowType rowType(std::string_view word, const LineReader& lines)
+{
+  const bool isEdge = isEdgeWord(word);
+  const auto kind = isEdge ? CurveKind() : curveKindOf(word);
+  if (!kind)
+  {
+    lines.refuse("unknown curve type " + inQuotes(word) + "; use " + curveKindWords + ", or edge");
+  }
+  return { *kind, isEdge };
+}
+
+//------------------------------------------------------------------------------
+CurveBuilder::CurveBuilder(const LineReader& lines, const DataSet& surface, bool overSurface)
+  : Lines(lines)
+  , Surface(surface)
+  , OverSurface(overSurface)
+  , Points(overSurface ? surface.points : std::make_shared<const Points3>())
+{
+}
+
+//------------------------------------------------------------------------------
+bool CurveBuilder::areWords(std::string_view text)
 {
   const std::string_view first = takeWord(text);
   return first == "plane" || first == "between" || isBoundaryWord(first);
 }
 
 //------------------------------------------------------------------------------
-void CurveWords::keep(const std::string& name, const Points3& points)
+void CurveBuilder::addWords(const CurveTitle& title, bool isEdge, std::string_view words)
 {
-  Points3& all = this->Known[name];
-  all.insert(all.end(), points.begin(), points.end());
+  try
+  {
+    for (const Line& line : this->linesOf(words, isEdge))
+    {
+      this->add(title, line);
+    }
+  }
+  catch (const InputError& error)
+  {
+    this->Lines.refuse("curve " + inQuotes(title.name) + ": " + error.what());
+  }
 }
 
 //------------------------------------------------------------------------------
-std::vector<CurveWords::Line> CurveWords::lines(
-  std::string_view words, bool isEdge, std::string& fault) const
+void CurveBuilder::addLine(const CurveTitle& title, const Points3& line)
+{
+  this->add(title, { line });
+}
+
+//------------------------------------------------------------------------------
+void CurveBuilder::addIds(
+  const CurveTitle& title, bool isEdge, const std::vector<std::int64_t>& ids)
+{
+  if (!isEdge)
+  {
+    this->add(title, { this->placesOf(ids, this->places()), ids });
+    return;
+  }
+  try
+  {
+    const std::vector<std::int64_t> way = this->borders().through(ids);
+    this->add(title, { this->placesOf(way, *this->Surface.points), way });
+  }
+  catch (const InputError& error)
+  {
+    this->Lines.refuse("edge " + inQuotes(title.name) + ": " + error.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+void CurveBuilder::add(const CurveTitle& title, const Line& line)
+{
+  this->OverSurface && !line.ids.empty() ? this->Curves.add(line.ids, title)
+                                         : this->Curves.add(line.points, this->added(), title);
+  Points3& known = this->Known[title.name];
+  known.insert(known.end(), line.points.begin(), line.points.end());
+}
+
+//------------------------------------------------------------------------------
+Points3& CurveBuilder::added()
+{
+  if (!this->Added)
+  {
+    this->Added = std::make_shared<Points3>(*this->Points);
+  }
+  return *this->Added;
+}
+
+//------------------------------------------------------------------------------
+std::int64_t CurveBuilder::newPoint(const Point3& place)
+{
+  this->added().push_back(place);
+  return static_cast<std::int64_t>(this->Added->size()) - 1;
+}
+
+//------------------------------------------------------------------------------
+const BorderWays& CurveBuilder::borders()
+{
+  if (!this->Borders)
+  {
+    this->Borders.emplace(this->Surface);
+  }
+  return *this->Borders;
+}
+
+//------------------------------------------------------------------------------
+std::int64_t CurveBuilder::borderVertex(
+  const Point3& place, const std::string& edge, double& distance)
+{
+  const std::int64_t vertex = this->borders().nearest(place, distance);
+  if (vertex < 0)
+  {
+    this->Lines.refuse(
+      "edge " + inQuotes(edge) + ": the surface has no boundary; make the curve accessory");
+  }
+  return vertex;
+}
+
+//------------------------------------------------------------------------------
+Points3 CurveBuilder::placesOf(const std::vector<std::int64_t>& ids, const Points3& points) const
+{
+  Points3 places;
+  for (const std::int64_t id : ids)
+  {
+    places.push_back(points[static_cast<std::size_t>(id)]);
+  }
+  return places;
+}
+
+//------------------------------------------------------------------------------
+DataSet CurveBuilder::take()
+{
+  return this->Curves.over(this->Added ? this->Added : this->Points);
+}
+
+//------------------------------------------------------------------------------
+std::vector<CurveBuilder::Line> CurveBuilder::linesOf(std::string_view words, bool isEdge) const
 {
   const std::string_view form = takeWord(words);
   if (isBoundaryWord(form))
   {
-    return this->boundary(words, fault);
+    return { this->boundary(words) };
   }
   if (isEdge)
   {
-    fault = "an edge lies along the boundary; write opening N, or make the curve accessory";
-    return {};
+    throw InputError(
+      "an edge lies along the boundary; write opening N, or make the curve accessory");
   }
-  return form == "plane" ? this->sections(words, fault) : this->between(words, fault);
+  return form == "plane" ? this->sections(words) : std::vector<Line>{ this->between(words) };
 }
 
 //------------------------------------------------------------------------------
-std::vector<CurveWords::Line> CurveWords::boundary(std::string_view words, std::string& fault) const
+CurveBuilder::Line CurveBuilder::boundary(std::string_view words) const
 {
   const std::string word = takeName(words).value_or("");
   const auto known = this->Known.find(word);
   if (known != this->Known.end() && takeWord(words).empty())
   {
-    return { Line{ known->second } };
+    return { known->second };
   }
   const TriangleList list = listTriangles(this->Surface);
   const std::vector<BoundaryLoop> all = openings(list);
@@ -237,49 +362,42 @@ std::vector<CurveWords::Line> CurveWords::boundary(std::string_view words, std::
   if ((!direction && !parseInteger(word, number)) || number < 1 || !takeWord(words).empty() ||
     number > static_cast<long long>(all.size()))
   {
-    fault = "there is no such boundary; write opening N, N from 1 to " +
+    throw InputError("there is no such boundary; write opening N, N from 1 to " +
       std::to_string(all.size()) +
       " as wirewarp check lists them, or boundary left (right, top, bottom, front, back), or "
-      "boundary and the name of a curve above this line";
-    return {};
+      "boundary and the name of a curve above this line");
   }
-  Line line;
-  line.vertices = all[static_cast<std::size_t>(number - 1)].points;
-  line.vertices.push_back(line.vertices.front());
-  for (const std::int64_t vertex : line.vertices)
-  {
-    line.points.push_back(list.point(vertex));
-  }
-  return { std::move(line) };
+  std::vector<std::int64_t> vertices = all[static_cast<std::size_t>(number - 1)].points;
+  vertices.push_back(vertices.front());
+  return { this->placesOf(vertices, *this->Surface.points), vertices };
 }
 
 //------------------------------------------------------------------------------
-std::vector<CurveWords::Line> CurveWords::sections(std::string_view words, std::string& fault) const
+std::vector<CurveBuilder::Line> CurveBuilder::sections(std::string_view words) const
 {
   const std::optional<SectionPlane> plane = planeOf(words);
   if (!plane)
   {
-    fault = "write plane x=NUMBER (or y, z), and behind it where it runs, as y>NUMBER z<NUMBER";
-    return {};
+    throw InputError(
+      "write plane x=NUMBER (or y, z), and behind it where it runs, as y>NUMBER z<NUMBER");
   }
-  const flattening::PreparedSurface prepared = preparedSurface(this->Surface, fault);
+  const flattening::PreparedSurface prepared = preparedSurface(this->Surface);
   const Point3 normal = Point3::Unit(plane->axis);
   std::vector<Points3> found;
-  for (const flattening::PlaneSection& section : fault.empty()
-      ? flattening::planeSections(prepared.mesh, plane->place * normal, normal)
-      : std::vector<flattening::PlaneSection>())
+  for (const flattening::PlaneSection& section :
+    flattening::planeSections(prepared.mesh, plane->place * normal, normal))
   {
     if (section.path.points.size() > 1)
     {
-      addStretches(placesOf(section.path, section.closed), *plane, found);
+      addStretches(positionsOf(section.path, section.closed), *plane, found);
     }
+  }
+  if (found.empty())
+  {
+    throw InputError("the plane does not meet the surface there; see its size with wirewarp check");
   }
   std::stable_sort(found.begin(), found.end(),
     [](const Points3& a, const Points3& b) { return lengthOf(a) > lengthOf(b); });
-  if (found.empty() && fault.empty())
-  {
-    fault = "the plane does not meet the surface there; see its size with wirewarp check";
-  }
   std::vector<Line> lines;
   std::transform(found.begin(), found.end(), std::back_inserter(lines),
     [](Points3& points) { return Line{ std::move(points) }; });
@@ -288,42 +406,35 @@ std::vector<CurveWords::Line> CurveWords::sections(std::string_view words, std::
 
 //------------------------------------------------------------------------------
 /// An opening, or a curve by its name.
-Points3 CurveWords::pointsOf(std::string_view& words, std::string& fault) const
+Points3 CurveBuilder::pointsOf(std::string_view& words) const
 {
   const std::string name = takeName(words).value_or("");
   if (isBoundaryWord(name))
   {
     const std::string_view before = words;
     takeName(words);
-    const std::vector<Line> found =
-      this->boundary(before.substr(0, before.size() - words.size()), fault);
-    return found.empty() ? Points3() : found.front().points;
+    return this->boundary(before.substr(0, before.size() - words.size())).points;
   }
   const auto known = this->Known.find(name);
   if (known == this->Known.end())
   {
-    fault = "write between A and B; A and B are opening N, or names of curves above this line";
-    return {};
+    throw InputError(
+      "write between A and B; A and B are opening N, or names of curves above this line");
   }
   return known->second;
 }
 
 //------------------------------------------------------------------------------
-std::vector<CurveWords::Line> CurveWords::between(std::string_view words, std::string& fault) const
+CurveBuilder::Line CurveBuilder::between(std::string_view words) const
 {
-  const Points3 first = this->pointsOf(words, fault);
+  const Points3 first = this->pointsOf(words);
   const bool joined = takeWord(words) == "and";
-  const Points3 second = fault.empty() ? this->pointsOf(words, fault) : Points3();
-  if (fault.empty() && (!joined || !takeWord(words).empty()))
+  const Points3 second = this->pointsOf(words);
+  if (!joined || !takeWord(words).empty())
   {
-    fault = "write between A and B, with names of several words in quotes";
+    throw InputError("write between A and B, with names of several words in quotes");
   }
-  const flattening::PreparedSurface prepared =
-    fault.empty() ? preparedSurface(this->Surface, fault) : flattening::PreparedSurface();
-  if (!fault.empty())
-  {
-    return {};
-  }
+  const flattening::PreparedSurface prepared = preparedSurface(this->Surface);
   const std::map<Index, SurfacePoint> starts = endsOn(prepared.mesh, first);
   const std::map<Index, SurfacePoint> ends = endsOn(prepared.mesh, second);
   flattening::Indices sources;
@@ -340,14 +451,16 @@ std::vector<CurveWords::Line> CurveWords::between(std::string_view words, std::s
     });
   if (!ways.reaches(nearest->first) || ways.distance(nearest->first) == 0.0)
   {
-    fault = ways.reaches(nearest->first) ? "both meet; there is no way between them"
-                                         : "both lie on separate parts of the surface";
-    return {};
+    throw InputError(ways.reaches(nearest->first) ? "both meet; there is no way between them"
+                                                  : "both lie on separate parts of the surface");
   }
   const flattening::PathGraph graph(prepared.mesh);
   const flattening::StraightPath path =
     flattening::straightPath(graph, starts.at(ways.path(nearest->first).front()), nearest->second);
-  fault = path.status.ok() ? "" : path.status.message;
-  return fault.empty() ? std::vector<Line>{ { placesOf(path.path, false) } } : std::vector<Line>();
+  if (!path.status.ok())
+  {
+    throw InputError(path.status.message);
+  }
+  return { positionsOf(path.path, false) };
 }
 }
