@@ -2,12 +2,14 @@
 #pragma once
 
 #include "Drawing/PatternBuilder.h"
+#include "Drawing/SeamWalk.h"
 #include "Outlines/Outline.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 /// What tests of drawings share.
 namespace drawnpieces
@@ -26,11 +28,28 @@ inline PatternOptions inMillimetres(double allowance = 10.0)
   return options;
 }
 
+/// Draws a pattern.
+inline Status draw(const PatternSource& source, const PatternOptions& options, Pattern& pattern)
+{
+  std::optional<DrawingSource> all;
+  const Status status = prepareDrawing(source, options, nullptr, all);
+  return status.ok() ? buildPattern(*all, pattern) : status;
+}
+
+/// Walks the seams of a pattern.
+inline Status walk(
+  const PatternSource& source, const PatternOptions& options, std::vector<WalkInterval>& intervals)
+{
+  std::optional<DrawingSource> all;
+  const Status status = prepareDrawing(source, options, nullptr, all);
+  return status.ok() ? walkSeams(*all, intervals) : status;
+}
+
 /// The first piece of what is drawn.
 inline PatternPiece drawn(const PatternSource& source, const PatternOptions& options)
 {
   Pattern pattern;
-  const Status status = buildPattern(source, options, pattern);
+  const Status status = draw(source, options, pattern);
   EXPECT_TRUE(status.ok()) << status.message;
   return status.ok() ? pattern.pieces.at(0) : PatternPiece();
 }
@@ -68,7 +87,7 @@ inline void expectRefusal(
   const PatternSource& source, const PatternOptions& options, const std::vector<std::string>& words)
 {
   Pattern pattern;
-  const Status status = buildPattern(source, options, pattern);
+  const Status status = draw(source, options, pattern);
   EXPECT_EQ(status.code, StatusCode::InvalidOption);
   for (const std::string& word : words)
   {

@@ -188,7 +188,7 @@ TEST(PatternBuilder, RefusesWhatIsNoPattern)
 {
   Pattern pattern;
   const auto codeOf = [&pattern](const PatternSource& source, const PatternOptions& options) {
-    const Status status = buildPattern(source, options, pattern);
+    const Status status = drawnpieces::draw(source, options, pattern);
     EXPECT_EQ(status.ok(), status.message.empty());
     return status.code;
   };

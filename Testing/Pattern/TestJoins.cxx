@@ -51,7 +51,7 @@ PatternSource stripAndSquares()
 Pattern patternOf(const PatternSource& source, const PatternOptions& options)
 {
   Pattern pattern;
-  const Status status = buildPattern(source, options, pattern);
+  const Status status = drawnpieces::draw(source, options, pattern);
   EXPECT_TRUE(status.ok()) << status.message;
   return pattern;
 }
@@ -186,7 +186,7 @@ TEST(Joins, TheirBendIsThatOfTheSurface)
 {
   const PatternSource source = bentStripAndSquares();
   std::vector<WalkInterval> walk;
-  ASSERT_TRUE(walkSeams(source, inMillimetres(), walk).ok());
+  ASSERT_TRUE(drawnpieces::walk(source, inMillimetres(), walk).ok());
   EXPECT_EQ(walk.front().join, "A");
   EXPECT_NEAR(walk.front().bend, pi / 2.0, 1e-12);
   EXPECT_EQ(walk.at(2).join, "B");

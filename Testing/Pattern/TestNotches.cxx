@@ -98,7 +98,7 @@ TEST(Notches, DoubleOnesLieOppositeEachOtherOnBothSidesOfASeam)
   options.allowanceOfCurve.clear();
   options.doubleNotches = { "side" };
   Pattern pattern;
-  ASSERT_TRUE(buildPattern(sewnSquares(), options, pattern).ok());
+  ASSERT_TRUE(drawnpieces::draw(sewnSquares(), options, pattern).ok());
   ASSERT_EQ(pattern.pieces.size(), 2U);
   for (const PatternPiece& piece : pattern.pieces)
   {
@@ -117,7 +117,7 @@ TEST(Notches, TellWhichEndOfASeamIsWhich)
     PatternOptions options = inMillimetres();
     options.notchSpacing = spacing;
     Pattern pattern;
-    ASSERT_TRUE(buildPattern(sewnSquares(), options, pattern).ok());
+    ASSERT_TRUE(drawnpieces::draw(sewnSquares(), options, pattern).ok());
     std::vector<std::vector<double>> places;
     for (const PatternPiece& piece : pattern.pieces)
     {
@@ -165,7 +165,7 @@ TEST(Notches, WhereACurveMeetsTheBorderOfThePieceThatIsSewnOn)
   PatternSource source = sewnSquares();
   source.wires.push_back({ { 4, 3 }, WireType::Accessory, 1, 0, "girth" });
   Pattern pattern;
-  ASSERT_TRUE(buildPattern(source, options, pattern).ok());
+  ASSERT_TRUE(drawnpieces::draw(source, options, pattern).ok());
   // The girth starts in the middle of the seam and ends in a corner.
   for (const PatternPiece& piece : pattern.pieces)
   {

@@ -97,12 +97,12 @@ TEST(SeamAllowance, EachEdgeHasItsOwnAllowance)
   Box box;
   for (const Point2& p : widened.front())
   {
-    box.add(p);
+    box.extend(p);
   }
-  EXPECT_NEAR(box.low.x(), -15.0, 1e-3);
-  EXPECT_NEAR(box.low.y(), -40.0, 1e-3);
-  EXPECT_NEAR(box.high.x(), 210.0, 1e-3);
-  EXPECT_NEAR(box.high.y(), 100.0, 1e-3);
+  EXPECT_NEAR(box.min().x(), -15.0, 1e-3);
+  EXPECT_NEAR(box.min().y(), -40.0, 1e-3);
+  EXPECT_NEAR(box.max().x(), 210.0, 1e-3);
+  EXPECT_NEAR(box.max().y(), 100.0, 1e-3);
   EXPECT_NEAR(totalArea(widened), 225.0 * 140.0, 1e-1);
 }
 

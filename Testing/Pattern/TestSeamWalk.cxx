@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Walks whose lengths and angles are known by construction.
-#include "Drawing/SeamWalk.h"
+#include "DrawnPieces.h"
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ PatternOptions withSpacing(double spacing)
 std::vector<WalkInterval> walkOf(const PatternSource& source, double spacing)
 {
   std::vector<WalkInterval> walk;
-  EXPECT_TRUE(walkSeams(source, withSpacing(spacing), walk).ok());
+  EXPECT_TRUE(drawnpieces::walk(source, withSpacing(spacing), walk).ok());
   return walk;
 }
 }
@@ -79,7 +79,7 @@ TEST(SeamWalk, LegsWithTheirTipDrawnBackAreWalkedAsTheyAreDrawn)
     PatternOptions options = withSpacing(spacing);
     options.dartTip = 30.0;
     std::vector<WalkInterval> walk;
-    ASSERT_TRUE(walkSeams(dartedSquare(), options, walk).ok());
+    ASSERT_TRUE(drawnpieces::walk(dartedSquare(), options, walk).ok());
     const double leg = std::hypot(20.0, 90.0); // the tip stands 90 mm from the mouth then
     std::array<double, 2> length{};
     for (const WalkInterval& interval : walk)
@@ -98,7 +98,7 @@ TEST(SeamWalk, LegsWithTheirTipDrawnBackAreWalkedAsTheyAreDrawn)
     EXPECT_NEAR(walk.front().angleSum[0], 180.0 + opening, 1e-9);
     EXPECT_NEAR(walk.back().angleSum[1], 360.0 - opening, 1e-9);
     options.cutDartsOut = true; // nothing is drawn back
-    ASSERT_TRUE(walkSeams(dartedSquare(), options, walk).ok());
+    ASSERT_TRUE(drawnpieces::walk(dartedSquare(), options, walk).ok());
     EXPECT_NEAR(walk.back().angleSum[1], 360.0 - 2.0 * degrees * std::atan2(2.0, 12.0), 1e-9);
   }
 }
@@ -143,7 +143,7 @@ TEST(SeamWalk, TheTableHoldsWhatWasWalked)
 TEST(SeamWalk, NotchesWithoutNumberAreRefusedWithTheirCurve)
 {
   std::vector<WalkInterval> walk;
-  const Status status = walkSeams(dartedSquare(), withSpacing(1e-9), walk);
+  const Status status = drawnpieces::walk(dartedSquare(), withSpacing(1e-9), walk);
   EXPECT_EQ(status.code, StatusCode::InvalidOption);
   EXPECT_NE(status.message.find("dart"), std::string::npos);
 }

@@ -4,7 +4,7 @@
 #include "Drawing/SeamAllowance.h"
 #include "Formats/PdfLayers.h"
 #include "Formats/PdfWriter.h"
-#include "Nesting/NoFitRegion.h"
+#include "Nesting/FabricLay.h"
 
 #include <gtest/gtest.h>
 
@@ -31,9 +31,12 @@ TEST(WithoutLibraries, NoLayersOfPdfArePromised)
   EXPECT_TRUE(pdf.empty());
 }
 
-TEST(WithoutLibraries, NoPlaceOnClothIsPromised)
+TEST(WithoutLibraries, ALayOnClothIsRefusedByName)
 {
-  EXPECT_FALSE(NoFitRegion::available());
+  Pattern pattern;
+  const Status status = layOnFabric({}, pattern);
+  EXPECT_FALSE(status.ok());
+  EXPECT_NE(status.message.find("Clipper"), std::string::npos) << status.message;
 }
 
 TEST(WithoutLibraries, ASeamAllowanceIsRefusedByNameAndNoneIsDrawn)

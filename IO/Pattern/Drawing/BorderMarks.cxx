@@ -29,11 +29,7 @@ public:
     for (std::size_t p = 0; p < all.loops.size(); ++p)
     {
       this->Borders += all.loops[p].size();
-      if (all.options.cutDartsOut)
-      {
-        continue;
-      }
-      for (const Dart& dart : findDarts(all.source, all.loops[p], all.wires, all.partners))
+      for (const Dart& dart : all.darts[p])
       {
         this->OfDarts.insert({ dart.tip, dart.otherTip, dart.mouth[0], dart.mouth[1] });
       }

@@ -67,18 +67,16 @@ Status DartPlacement::check(const std::string& dart, const std::string& piece) c
     {}, { Remedy::CheckUnit, { Remedy::Give, "at most half of its depth" } } };
 }
 
-ClothOutline::ClothOutline(const DrawingSource& all, const std::vector<Indices>& loops)
+ClothOutline::ClothOutline(const DrawingSource& all, std::size_t piece)
   : All(all)
-  , Loops(loops)
+  , Piece(piece)
+  , Loops(all.loops[piece])
+  , Darts(all.darts[piece])
 {
-  if (!all.options.cutDartsOut)
-  {
-    this->Darts = findDarts(all.source, loops, all.wires, all.partners);
-  }
   for (std::size_t d = 0; d < this->Darts.size(); ++d)
   {
     const Dart& dart = this->Darts[d];
-    const Indices& loop = loops[dart.loop];
+    const Indices& loop = this->Loops[dart.loop];
     this->Placements.emplace_back(all, loop, dart);
     for (std::size_t k = dart.firstEdge; k < dart.firstEdge + dart.edges; ++k)
     {
@@ -158,23 +156,19 @@ std::vector<AllowancePolygon> ClothOutline::polygons() const
 
 std::vector<Points2> ClothOutline::glueTabs() const
 {
-  const auto pieceOf = [this](Index from, Index to) {
-    const auto found = this->All.border.find(edgeKey(from, to));
-    return found == this->All.border.end() ? none : found->second;
-  };
-  const Indices& outer = this->Loops.front();
-  const Index piece = pieceOf(outer[0], outer[1 % outer.size()]);
   std::vector<Points2> tabs;
   for (const Join& join : this->All.joins)
   {
     Indices points = join.points[0];
-    if (pieceOf(points[0], points[1]) == none) // the cloth is to be on the left
-    {
-      std::reverse(points.begin(), points.end());
-    }
-    if (join.mark.empty() || pieceOf(points[0], points[1]) != piece)
+    if (join.mark.empty() ||
+      pieceOf(this->All.border, points[0], points[1]) != static_cast<Index>(this->Piece))
     {
       continue;
+    }
+    if (this->All.border.count(edgeKey(points[0], points[1])) ==
+      0) // the cloth is to be on the left
+    {
+      std::reverse(points.begin(), points.end());
     }
     Points2 line;
     for (std::size_t k = 0; k + 1 < points.size(); ++k)

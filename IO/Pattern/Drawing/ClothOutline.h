@@ -42,10 +42,10 @@ private:
 class ClothOutline
 {
 public:
-  /// Source and loops stay the caller's and must outlive the outline.
-  ClothOutline(const DrawingSource& all, const std::vector<Indices>& loops);
+  /// The source stays the caller's and must outlive the outline.
+  ClothOutline(const DrawingSource& all, std::size_t piece);
 
-  /// The darts that are folded; none where the options want them cut out.
+  /// The darts that are folded.
   const std::vector<Dart>& darts() const { return this->Darts; }
   /// Where a dart, by its place in darts(), is drawn.
   const DartPlacement& placement(std::size_t dart) const { return this->Placements[dart]; }
@@ -62,8 +62,9 @@ private:
   bool roof(std::size_t d, Point2& corner) const;
 
   const DrawingSource& All;
+  std::size_t Piece;
   const std::vector<Indices>& Loops;
-  std::vector<Dart> Darts;
+  const std::vector<Dart>& Darts;
   std::vector<DartPlacement> Placements;
   std::unordered_map<std::uint64_t, std::size_t> Folded; ///< edges of the loops, with their darts
 };

@@ -20,7 +20,7 @@ void placeTitle(const Segments& boundary, PatternPiece& piece)
   Segments obstacles{ { piece.grain.from, piece.grain.to } };
   for (const PatternLine& line : piece.lines)
   {
-    if (line.kind != LineKind::CutLine && line.kind != LineKind::CutOut)
+    if (!isCut(line.kind))
     {
       addSegments(line.points, line.closed, obstacles);
     }
@@ -53,17 +53,7 @@ void placeTitle(const Segments& boundary, PatternPiece& piece)
     y -= lineFeed * text.height;
   }
 }
-}
 
-void placeTexts(const Segments& boundary, const std::vector<JoinSide>& joins, PatternPiece& piece)
-{
-  placeTitle(boundary, piece);
-  placeJoinMarks(boundary, joins, piece);
-  placeCurveNames(boundary, piece);
-}
-
-namespace
-{
 constexpr double largestName = 3.0; // mm
 constexpr double largestMark = 5.0;
 constexpr double shortestMarked = 4.5;  // of a join with marks at its ends, in widths of its mark
@@ -164,9 +154,9 @@ public:
     Box box;
     for (const Segment& segment : boundary)
     {
-      box.add(segment.from);
+      box.extend(segment.from);
     }
-    this->Size = boundary.empty() ? 0.0 : box.extent().minCoeff();
+    this->Size = boundary.empty() ? 0.0 : box.sizes().minCoeff();
   }
 
   /// A name that is marked as well is left out where it would lie on something, others where they
@@ -302,14 +292,15 @@ private:
 }
 
 //------------------------------------------------------------------------------
-void placeJoinMarks(
-  const Segments& boundary, const std::vector<JoinSide>& joins, PatternPiece& piece)
+void placeTexts(const Segments& boundary, const std::vector<JoinSide>& joins, PatternPiece& piece)
 {
+  placeTitle(boundary, piece);
   NamePlacer placer(boundary, piece);
   for (const JoinSide& join : joins)
   {
     placer.placeMarks(join);
   }
+  placeCurveNames(boundary, piece);
 }
 
 //------------------------------------------------------------------------------

@@ -12,13 +12,9 @@ namespace flattening::pattern
 /// count (PatternPiece::texts comes with these lines, unplaced) at the widest free place, the names
 /// of the feature curves beside them.
 /// \param boundary the sew lines as segments
-/// \param joins whose marks are placed before the names
+/// \param joins whose marks are placed before the names: in the middle, and near both ends where there
+/// is room
 void placeTexts(const Segments& boundary, const std::vector<JoinSide>& joins, PatternPiece& piece);
-
-/// Adds the marks of joins along their sew lines: in the middle, and near both ends where there is
-/// room. The piece's title is placed already.
-void placeJoinMarks(
-  const Segments& boundary, const std::vector<JoinSide>& joins, PatternPiece& piece);
 
 /// Adds the names of seams, darts, feature curves and the grainline, each beside its line and,
 /// where there is room, across no other line and no text. The piece's other texts are placed

@@ -51,7 +51,7 @@ Status findNamedFold(const DrawingSource& all, std::size_t piece, const std::str
     {
       points.push_back(all.at(v));
     }
-    isBorder = isBorder && all.isOnBorder(wire);
+    isBorder = isBorder && areOnBorder(all.border, wire.points);
   }
   if (!fold)
   {

@@ -193,9 +193,8 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
 
 namespace
 {
-Status checkSource(const PatternSource& source, std::size_t& pieces)
+Status checkSource(const PatternSource& source)
 {
-  pieces = 0;
   if (source.triangles.empty())
   {
     return { StatusCode::NothingToDraw,
@@ -228,7 +227,7 @@ Status checkSource(const PatternSource& source, std::size_t& pieces)
     const Point2 b = source.positions[corners[2]] - source.positions[corners[0]];
     area[static_cast<std::size_t>(piece)] += cross(a, b);
   }
-  pieces = area.size();
+  const std::size_t pieces = area.size();
   for (const SourceWire& wire : source.wires)
   {
     if (wire.piece >= static_cast<Index>(pieces))
@@ -259,9 +258,9 @@ std::string pieceName(
   {
     return cleanText(options.pieceNames[piece]);
   }
-  if (piece < source.panels.names.size())
+  if (piece < source.garment.panels.size())
   {
-    return cleanText(source.panels.names[piece]);
+    return cleanText(source.garment.panels[piece].name);
   }
   if (piece < source.pieceNames.size() && !source.pieceNames[piece].empty())
   {
@@ -364,8 +363,13 @@ std::string plural(int count, const std::string& what)
 
 bool isWire(LineKind kind)
 {
-  return kind != LineKind::CutLine && kind != LineKind::CutOut && kind != LineKind::DartFold &&
-    kind != LineKind::Fold;
+  return kind == LineKind::SewLine || kind == LineKind::DartLeg || kind == LineKind::KeyCurve ||
+    kind == LineKind::Internal;
+}
+
+bool isCut(LineKind kind)
+{
+  return kind == LineKind::CutLine || kind == LineKind::CutOut;
 }
 
 double lengthOf(const PatternLine& line)
@@ -373,49 +377,58 @@ double lengthOf(const PatternLine& line)
   return line.curve.empty() ? polylineLength(line.points) : curveLength(line.curve);
 }
 
-PatternOptions completed(PatternOptions options, const PatternSource& source)
+Box boxOf(const PatternPiece& piece)
 {
-  if (options.allowance < 0.0)
+  Box box;
+  for (const PatternLine& line : piece.lines)
   {
-    options.allowance = usualAllowance(source.isSheet);
+    box.extend(boxOf(line.points));
   }
-  if (options.notchSpacing < 0.0)
-  {
-    options.notchSpacing = notchSpacingOf(source, millimetresPer(options.unit));
-  }
-  return options;
+  return box;
 }
 
-Status buildPattern(
-  const PatternSource& source, const PatternOptions& given, Pattern& pattern, FairCache* cache)
+Status prepareDrawing(const PatternSource& source, const PatternOptions& given, FairCache* cache,
+  std::optional<DrawingSource>& all)
 {
-  DrawingSource all(source, completed(given, source));
-  const PatternOptions& options = all.options;
-  std::size_t pieces = 0;
-  Status status = checkSource(source, pieces);
-  if (status.ok())
-  {
-    status = checkPatternOptions(source, options);
-  }
+  Status status = checkSource(source);
   if (!status.ok())
   {
     return status;
   }
-  for (std::size_t p = pieces; p < options.pieceQuantities.size(); ++p)
+  PatternOptions options = given;
+  options.allowance = options.allowance < 0.0 ? usualAllowance(source.isSheet) : options.allowance;
+  options.notchSpacing = options.notchSpacing < 0.0
+    ? notchSpacingOf(source, millimetresPer(options.unit))
+    : options.notchSpacing;
+  status = checkPatternOptions(source, options);
+  const std::size_t pieces = pieceCount(source);
+  for (std::size_t p = pieces; status.ok() && p < options.pieceQuantities.size(); ++p)
   {
     if (options.pieceQuantities[p] > 0)
     {
-      return { StatusCode::InvalidOption,
+      status = { StatusCode::InvalidOption,
         "there is a quantity for piece " + std::to_string(p + 1) + ", and there are " +
           plural(static_cast<int>(pieces), "piece") };
     }
   }
-  status = findBorders(all);
-  if (!status.ok())
+  if (status.ok())
   {
-    return status;
+    all.emplace(source, options);
+    status = findBorders(*all);
   }
-  drawFair(all, cache);
+  if (status.ok())
+  {
+    drawFair(*all, cache);
+  }
+  return status;
+}
+
+Status buildPattern(const DrawingSource& all, Pattern& pattern)
+{
+  const PatternSource& source = all.source;
+  const PatternOptions& options = all.options;
+  const std::size_t pieces = all.loops.size();
+  Status status;
   const std::vector<BorderMark> marks = findBorderMarks(all);
 
   pattern.name = cleanText(options.name);

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "Base/Status.h"
+#include "Outlines/DrawingSource.h"
 #include "Outlines/Pattern.h"
-#include "Outlines/PatternSource.h"
 
+#include <optional>
 #include <set>
 #include <string>
 
@@ -18,12 +19,14 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
 /// The names of all curves that have an option of their own, with sides as "NAME:2".
 std::set<std::string> curvesWithOptions(const PatternOptions& options);
 
-/// The options with the lengths that they leave to the pieces.
-PatternOptions completed(PatternOptions options, const PatternSource& source);
+/// Checks a flattening and how it is to be drawn, and finds what all drawings of it need.
+/// \param cache of smooth borders, for other files of the same flattening; null: none
+/// \param all there where the outcome is good
+Status prepareDrawing(const PatternSource& source, const PatternOptions& given, FairCache* cache,
+  std::optional<DrawingSource>& all);
 
 /// Draws a flattening as a pattern to cut at true scale. The lines that are wires have their points
 /// exactly where the flattening has them, scaled to millimetres and moved, or are smooth.
-/// \param cache of smooth borders, for other files of the same flattening; null: none
-Status buildPattern(const PatternSource& source, const PatternOptions& given, Pattern& pattern,
-  FairCache* cache = nullptr);
+/// \param all as prepareDrawing() gives it
+Status buildPattern(const DrawingSource& all, Pattern& pattern);
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/PatternStrokes.h"
 
+#include "Base/Utf8.h"
 #include "Outlines/Grainlines.h"
 #include "Outlines/PatternText.h"
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace flattening::pattern
 {
@@ -22,7 +24,7 @@ struct Look
   Colour laser;
 };
 
-/// In the order of StrokeRole.
+/// In the order of LineKind.
 const std::array<Look, 12> looks{ {
   { { "cut-line", black, 0.5, {} }, { 1.0, 0.0, 0.0 } },
   { { "cut-out", black, 0.5, {} }, { 1.0, 0.5, 0.0 } },
@@ -38,14 +40,11 @@ const std::array<Look, 12> looks{ {
   { { "grain", black, 0.35, {} }, { 0.0, 0.0, 0.0 } },
 } };
 
-static_assert(static_cast<int>(StrokeRole::CutLine) == static_cast<int>(LineKind::CutLine), "");
-static_assert(static_cast<int>(StrokeRole::Internal) == static_cast<int>(LineKind::Internal), "");
-
 void addGrain(const PatternPiece& piece, std::vector<Stroke>& strokes)
 {
   const auto add = [&strokes](const Points2& points) {
     Stroke stroke;
-    stroke.role = StrokeRole::Grain;
+    stroke.role = LineKind::Grain;
     stroke.closed = stroke.filled = points.size() > 2;
     stroke.points = points;
     strokes.push_back(std::move(stroke));
@@ -61,17 +60,12 @@ void addGrain(const PatternPiece& piece, std::vector<Stroke>& strokes)
 }
 }
 
-bool isCut(StrokeRole role)
-{
-  return role == StrokeRole::CutLine || role == StrokeRole::CutOut;
-}
-
-StrokeStyle styleOf(StrokeRole role)
+StrokeStyle styleOf(LineKind role)
 {
   return looks.at(static_cast<std::size_t>(role)).onPaper;
 }
 
-Colour laserColour(StrokeRole role)
+Colour laserColour(LineKind role)
 {
   return looks.at(static_cast<std::size_t>(role)).laser;
 }
@@ -82,23 +76,21 @@ std::vector<Stroke> strokesOf(const PatternPiece& piece)
   for (const PatternLine& line : piece.lines)
   {
     Stroke stroke;
-    stroke.role = static_cast<StrokeRole>(line.kind); // whose first roles are the kinds
+    stroke.role = line.kind;
     stroke.closed = line.closed;
     stroke.points = line.points;
     stroke.smooth = line.curve;
     stroke.curve = line.name;
     stroke.measure = line.restLength;
-    stroke.isWire = isWire(line.kind);
     strokes.push_back(std::move(stroke));
   }
   for (const Notch& notch : piece.notches)
   {
     Stroke stroke;
-    stroke.role = notch.onCutLine ? StrokeRole::Notch : StrokeRole::DartMark;
+    stroke.role = notch.onCutLine ? LineKind::Notch : LineKind::DartMark;
     stroke.points = { notch.from, notch.to };
     stroke.curve = notch.name;
     stroke.measure = notch.arcLength;
-    stroke.isNotch = true;
     strokes.push_back(std::move(stroke));
   }
   const double arm = std::min(3.0, 0.03 * piece.extent.maxCoeff());
@@ -107,7 +99,7 @@ std::vector<Stroke> strokesOf(const PatternPiece& piece)
     for (const Point2& way : { Point2(arm, 0.0), Point2(0.0, arm) })
     {
       Stroke stroke;
-      stroke.role = StrokeRole::DrillHole;
+      stroke.role = LineKind::DrillHole;
       stroke.points = { hole - way, hole + way };
       strokes.push_back(std::move(stroke));
     }
@@ -126,15 +118,11 @@ std::string fitText(const std::string& text, double height, double width)
   }
   const std::string dots = "...";
   const double room = width / textWidth(".", height) - static_cast<double>(dots.size());
-  std::size_t end = 0;
-  for (double characters = 1.0; characters <= room && end < text.size(); characters += 1.0)
+  std::string_view rest(text);
+  for (double characters = 1.0; characters <= room && !rest.empty(); characters += 1.0)
   {
-    // The byte that starts a character and those that go on with it.
-    do
-    {
-      ++end;
-    } while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u);
+    takeCharacter(rest);
   }
-  return text.substr(0, end) + dots;
+  return text.substr(0, text.size() - rest.size()) + dots;
 }
 }

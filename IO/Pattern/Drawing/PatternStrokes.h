@@ -7,30 +7,10 @@
 
 namespace flattening::pattern
 {
-/// What a stroke is for: the kinds of lines, and more.
-enum class StrokeRole
-{
-  CutLine,
-  CutOut,
-  SewLine,
-  DartLeg,
-  DartFold,
-  Fold,
-  KeyCurve,
-  Internal,
-  Notch,
-  DartMark,
-  DrillHole,
-  Grain,
-};
-
-/// Of the strokes along which the cloth is cut.
-bool isCut(StrokeRole role);
-
 using Colour = std::array<double, 3>;
 
-/// How a role looks on paper: in colour it bears the colour of its wire, in black and white its
-/// dashes tell it apart.
+/// How a kind of line looks on paper: in colour it bears the colour of its wire, in black and white
+/// its dashes tell it apart.
 struct StrokeStyle
 {
   const char* name = ""; ///< as a class in SVG
@@ -39,24 +19,22 @@ struct StrokeStyle
   std::array<double, 4> dashes{}; ///< millimetres on, off, on, off; 0 ends them
 };
 
-StrokeStyle styleOf(StrokeRole role);
+StrokeStyle styleOf(LineKind role);
 
 /// A colour of its own for each role, with every part 0, 1/2 or 1: programs of laser cutters choose
 /// power, speed and order by colour.
-Colour laserColour(StrokeRole role);
+Colour laserColour(LineKind role);
 
 /// One line to draw, in the coordinates of its piece.
 struct Stroke
 {
-  StrokeRole role = StrokeRole::Internal;
+  LineKind role = LineKind::Internal;
   bool closed = false;
   bool filled = false; ///< where lines have a width
   Points2 points;
   std::vector<FairSpan> smooth; ///< the same line as Bezier curves, where it is smooth
   std::string curve;            ///< name of its feature curve
   double measure = 0.0;         ///< a wire's length on the surface, a notch's arc length
-  bool isWire = false;
-  bool isNotch = false;
 };
 
 /// Everything of a piece but its texts, role by role.

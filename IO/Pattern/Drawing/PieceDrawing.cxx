@@ -24,16 +24,9 @@ namespace
 /// Moves all of a piece so that the least coordinates of its lines are 0, and sets its extent.
 void moveToOrigin(PatternPiece& piece)
 {
-  Box box;
-  for (const PatternLine& line : piece.lines)
-  {
-    for (const Point2& p : line.points)
-    {
-      box.add(p);
-    }
-  }
-  forEachPoint(piece, [&box](Point2& p) { p -= box.low; });
-  piece.extent = box.extent();
+  const Box box = boxOf(piece);
+  forEachPoint(piece, [&box](Point2& p) { p -= box.min(); });
+  piece.extent = box.sizes();
 }
 
 /// Legs of a dart that miss each other by more are told of; millimetres.
@@ -49,7 +42,7 @@ public:
     , Piece(piece)
     , Image(image)
     , Loops(all.loops[piece])
-    , Cloth(all, all.loops[piece])
+    , Cloth(all, piece)
     , Drawing(drawing)
     , Marks(all, this->CutLine, drawing)
   {
@@ -247,7 +240,8 @@ private:
       case WireType::Key:
         return LineKind::KeyCurve;
       case WireType::Accessory:
-        return this->All.isOnBorder(wire) && this->All.options.foldsAlong.count(wire.name) == 0
+        return areOnBorder(this->All.border, wire.points) &&
+            this->All.options.foldsAlong.count(wire.name) == 0
           ? LineKind::SewLine
           : LineKind::Internal;
       default:
@@ -273,7 +267,7 @@ private:
       }
       line.restLength = this->All.scale() * arcsOnSurface(source, wire.points).back();
       line.isCut = (line.kind == LineKind::SewLine || line.kind == LineKind::KeyCurve) &&
-        this->All.isOnBorder(wire) && this->isOnCutLine(wire);
+        areOnBorder(this->All.border, wire.points) && this->isOnCutLine(wire);
       if (this->All.fair)
       {
         line.curve = this->All.fair->curveOf(wire);

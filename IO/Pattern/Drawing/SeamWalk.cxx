@@ -3,7 +3,6 @@
 
 #include "Base/Types.h"
 #include "Drawing/ClothOutline.h"
-#include "Drawing/PatternBuilder.h"
 #include "Fairing/FairBorders.h"
 #include "Outlines/Joins.h"
 #include "Outlines/Notches.h"
@@ -29,9 +28,9 @@ public:
   explicit DrawnBorders(const DrawingSource& all)
     : All(all)
   {
-    for (const std::vector<Indices>& loops : all.loops)
+    for (std::size_t p = 0; p < all.loops.size(); ++p)
     {
-      this->Cloths.emplace_back(all, loops);
+      this->Cloths.emplace_back(all, p);
     }
   }
 
@@ -227,21 +226,13 @@ private:
 
 }
 
-Status walkSeams(const PatternSource& source, const PatternOptions& given,
-  std::vector<WalkInterval>& walk, FairCache* cache)
+Status walkSeams(const DrawingSource& all, std::vector<WalkInterval>& walk)
 {
   walk.clear();
-  DrawingSource all(source, completed(given, source));
-  Status status = findBorders(all);
-  if (!status.ok())
-  {
-    return status;
-  }
-  drawFair(all, cache);
   SeamWalker walker(all, walk);
   for (const Join& join : all.joins)
   {
-    status = walker.walk(join);
+    Status status = walker.walk(join);
     if (!status.ok())
     {
       return status;

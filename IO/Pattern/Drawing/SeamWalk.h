@@ -2,15 +2,13 @@
 #pragma once
 
 #include "Base/Status.h"
+#include "Outlines/DrawingSource.h"
 #include "Outlines/Pattern.h"
-#include "Outlines/PatternSource.h"
 
 #include <cmath>
 
 namespace flattening::pattern
 {
-class FairCache;
-
 /// One interval of a seam or dart between two notches, or a notch and an end, as one who walks the
 /// two sides along each other measures them. Lengths in millimetres, angles in degrees.
 struct WalkInterval
@@ -42,9 +40,8 @@ struct WalkInterval
 };
 
 /// Walks all sides that are sewn to each other, in the order of the wires, along what is drawn.
-/// \param cache of smooth borders; null: none
-Status walkSeams(const PatternSource& source, const PatternOptions& given,
-  std::vector<WalkInterval>& walk, FairCache* cache = nullptr);
+/// \param all as prepareDrawing() gives it
+Status walkSeams(const DrawingSource& all, std::vector<WalkInterval>& walk);
 
 /// The walk as a table of comma-separated values: a head, and one row for each interval.
 std::string makeWalkTable(const std::vector<WalkInterval>& walk, const Pattern& pattern);

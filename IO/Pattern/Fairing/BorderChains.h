@@ -3,6 +3,9 @@
 
 #include "Outlines/DrawingSource.h"
 
+#include <algorithm>
+#include <string>
+
 namespace flattening::pattern
 {
 /// A border of a piece, closed, the cloth on the left; or a part of a feature curve within it.
@@ -22,6 +25,17 @@ struct BorderChain
   std::size_t edges() const { return this->arc.size() - 1; }
   double length() const { return this->arc.back(); }
   Index point(std::size_t k) const { return this->points[k % this->points.size()]; }
+  /// The edge at a place along it.
+  std::size_t edgeAt(double place) const
+  {
+    const auto above = std::upper_bound(this->arc.begin(), this->arc.end(), place);
+    return static_cast<std::size_t>(above - this->arc.begin()) - 1;
+  }
+  /// The name of the curve that an edge is of, or "boundary".
+  std::string nameOf(const DrawingSource& all, std::size_t edge) const
+  {
+    return all.nameAlong(this->point(edge), this->point(edge + 1));
+  }
 };
 
 /// Where an edge lies.

@@ -140,17 +140,13 @@ private:
   /// Whether an interval is part of a spline, and so without corners.
   bool isSmooth(std::size_t c, std::size_t k) const
   {
-    const std::vector<PlannedStretch>& stretches = this->Fair.plan()[c].stretches;
-    const auto found = std::find_if(stretches.begin(), stretches.end(),
-      [k](const PlannedStretch& stretch) { return k < stretch.endInterval; });
-    return found != stretches.end() && found->form == StretchForm::Spline;
+    return stretchOf(this->Fair.plan()[c], k).form == StretchForm::Spline;
   }
 
   std::string nameAt(std::size_t c, double arc) const
   {
     const BorderChain& chain = this->Fair.chains().chains()[c];
-    const auto above = std::upper_bound(chain.arc.begin(), chain.arc.end(), arc);
-    const auto edge = static_cast<std::size_t>(above - chain.arc.begin()) - 1;
+    const std::size_t edge = chain.edgeAt(arc);
     const PatternSource& source = this->All.source;
     const std::size_t wire =
       wireOf(source, this->All.wires, chain.point(edge), chain.point(edge + 1));

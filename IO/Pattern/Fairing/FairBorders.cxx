@@ -4,6 +4,7 @@
 #include "Fairing/FairPlan.h"
 #include "Outlines/DrawingSource.h"
 #include "Outlines/PatternText.h"
+#include "Quality/StrainMeasures.h"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
@@ -70,8 +71,7 @@ namespace
 double strainQuantile(const DrawingSource& all, std::size_t piece, const Points2& positions)
 {
   const PatternSource& source = all.source;
-  std::vector<std::array<double, 2>> strains; // with the areas
-  double total = 0.0;
+  std::vector<AreaValue> strains;
   for (std::size_t t = 0; t < source.triangles.size() && !source.inSpace.empty(); ++t)
   {
     if (source.pieceOfTriangle[t] != static_cast<Index>(piece))
@@ -79,41 +79,26 @@ double strainQuantile(const DrawingSource& all, std::size_t piece, const Points2
       continue;
     }
     const Triangle& corners = source.triangles[t];
-    const auto side = [&](std::size_t k) {
-      return Point3(all.scale() * (source.inSpace[corners[k]] - source.inSpace[corners[0]]));
+    const auto onSurface = [&](std::size_t k) {
+      return Point3(all.scale() * source.inSpace[corners[k]]);
     };
-    const auto flatSide = [&](std::size_t k) {
-      return Point2(positions[static_cast<std::size_t>(corners[k])] -
-        positions[static_cast<std::size_t>(corners[0])]);
+    const auto inPlane = [&](std::size_t k) {
+      const Point2& p = positions[static_cast<std::size_t>(corners[k])];
+      return Complex(p.x(), p.y());
     };
-    const double length = side(1).norm();
-    const double area = side(1).cross(side(2)).norm() / 2.0;
-    if (!(area > 0.0))
+    const TriangleFrame frame(onSurface(0), onSurface(1), onSurface(2));
+    if (!(frame.area > 0.0))
     {
       continue;
     }
-    Eigen::Matrix2d onSurface;
-    onSurface << length, side(1).dot(side(2)) / length, 0.0, 2.0 * area / length;
-    Eigen::Matrix2d inPlane;
-    inPlane << flatSide(1), flatSide(2);
-    const Eigen::Vector2d stretches =
-      Eigen::JacobiSVD<Eigen::Matrix2d>(inPlane * onSurface.inverse()).singularValues();
-    const double least = std::max(stretches[1], 1e-300);
+    const std::array<Complex, 3> images{ inPlane(0), inPlane(1), inPlane(2) };
+    const double alpha = std::abs(frame.alpha(images));
+    const double beta = std::abs(frame.beta(images));
+    const double least = std::max(std::abs(alpha - beta), 1e-300);
     strains.push_back(
-      { std::max(std::abs(std::log(stretches[0])), std::abs(std::log(least))), area });
-    total += area;
+      { std::max(std::abs(std::log(alpha + beta)), std::abs(std::log(least))), frame.area });
   }
-  std::sort(strains.begin(), strains.end());
-  double below = 0.0;
-  for (const auto& [strain, area] : strains)
-  {
-    below += area;
-    if (below >= 0.95 * total)
-    {
-      return strain;
-    }
-  }
-  return 0.0;
+  return areaQuantile(std::move(strains));
 }
 
 /// Where the points of a piece lie if those of its borders and curves are moved and the others
@@ -216,11 +201,6 @@ void addParts(
   parts.insert(parts.end(), found.begin(), found.end());
 }
 
-std::string nameOf(const DrawingSource& all, const BorderChain& chain, std::size_t point)
-{
-  return all.nameAlong(chain.point(point), chain.point(point + 1));
-}
-
 /// How much longer or shorter a stretch is to be drawn than it is.
 double lengthChange(const PlannedChain& chain, const PlannedStretch& stretch)
 {
@@ -296,7 +276,7 @@ bool FairBorders::lower(const DrawingSource& all, const FairFit& fit, FairLimits
       const BorderChain& chain = this->Chains.chains()[left->chain];
       this->dropMirror(p,
         left->needed > 0.0
-          ? nameOf(all, chain, left->firstPoint) + " would be " + formatNumber(left->needed, 2) +
+          ? chain.nameOf(all, left->firstPoint) + " would be " + formatNumber(left->needed, 2) +
             " mm from its points, more than " + formatNumber(left->tolerance, 3) + " mm"
           : "no such curves of these lengths were found",
         limits);
@@ -382,7 +362,7 @@ void FairBorders::report(const DrawingSource& all, const FairFit& fit)
         const double tolerance = all.fairToleranceAlong(chain.point(k), chain.point(k + 1));
         report.wantedOfWorst = chain.bends[k] > report.worstLeft ? tolerance : report.wantedOfWorst;
         report.worstLeft = std::max(report.worstLeft, chain.bends[k]);
-        report.left.push_back(nameOf(all, chain, k));
+        report.left.push_back(chain.nameOf(all, k));
       }
     }
     for (const PlannedStretch& stretch : this->plan()[c].stretches)
@@ -406,7 +386,7 @@ void FairBorders::report(const DrawingSource& all, const FairFit& fit)
     FairPieceReport& report = this->Reports[this->Chains.chains()[left.chain].piece];
     report.wantedOfWorst = left.needed > report.worstLeft ? left.tolerance : report.wantedOfWorst;
     report.worstLeft = std::max(report.worstLeft, left.needed);
-    report.left.push_back(nameOf(all, this->Chains.chains()[left.chain], left.firstPoint));
+    report.left.push_back(this->Chains.chains()[left.chain].nameOf(all, left.firstPoint));
   }
   for (std::size_t p = 0; p < this->Reports.size(); ++p)
   {

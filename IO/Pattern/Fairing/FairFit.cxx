@@ -462,11 +462,11 @@ private:
         places.push_back(*image);
         parts.push_back(network.indexOf(*image));
       }
-      FairTrial trial(network.network(), parts, curves.nodes, this->Wave[piece]);
-      const bool simpler = trial.simplify(this->at(place).leastSpans());
+      const std::optional<SimplerStretches> simpler = simplerStretches(
+        network.network(), parts, curves.nodes, this->Wave[piece], this->at(place).leastSpans());
       for (std::size_t k = 0; simpler && k < places.size(); ++k)
       {
-        this->take(places[k], trial, k);
+        this->take(places[k], *simpler, k);
       }
     }
   }
@@ -647,9 +647,9 @@ private:
     return solved;
   }
 
-  /// Draws a stretch as it was tried by itself, between nodes as they are.
-  /// \param part of the trial that it is
-  void take(const StretchPlace& place, const FairTrial& trial, std::size_t part)
+  /// Draws a stretch as it was found by itself, between nodes as they are.
+  /// \param part of those that it is
+  void take(const StretchPlace& place, const SimplerStretches& simpler, std::size_t part)
   {
     PlannedStretch& stretch = this->at(place);
     const double start = stretch.breaks.front();
@@ -661,7 +661,7 @@ private:
     };
     auto at = std::find_if(spans.begin(), spans.end(), isOfIt);
     at = spans.erase(at, std::find_if_not(at, spans.end(), isOfIt));
-    std::vector<FairSpan> own = trial.curves().spans[part];
+    std::vector<FairSpan> own = simpler.curves.spans[part];
     stretch.breaks.clear();
     for (FairSpan& span : own)
     {
@@ -672,9 +672,9 @@ private:
     own.back().to = end;
     stretch.breaks.push_back(end);
     spans.insert(at, own.begin(), own.end());
-    stretch.weights = trial.stretch(part).weights;
+    stretch.weights = simpler.stretches[part].weights;
     // Its ends are of the stretches beside it as well, and stay.
-    const std::vector<double>& deviation = trial.curves().deviation[part];
+    const std::vector<double>& deviation = simpler.curves.deviation[part];
     std::copy(deviation.begin() + 1, deviation.end() - 1,
       this->Deviation[place.chain].begin() + static_cast<std::ptrdiff_t>(stretch.firstPoint) + 1);
   }

@@ -57,14 +57,6 @@ private:
     return chain.arc[place.edge] + along * (chain.arc[place.edge + 1] - chain.arc[place.edge]);
   }
 
-  std::size_t edgeAt(std::size_t c, double arc) const
-  {
-    const std::vector<double>& arcs = this->Chains.chains()[c].arc;
-    return static_cast<std::size_t>(
-             std::upper_bound(arcs.begin(), arcs.end(), arc) - arcs.begin()) -
-      1;
-  }
-
   /// \param end 0: the point at which the edge starts as it was asked for, 1: that at which it ends
   std::size_t pointOf(const ChainEdge& place, int end) const
   {
@@ -150,7 +142,7 @@ private:
       interval.end = stops[k + 1];
       interval.places = { interval.start, interval.end };
       interval.length = interval.end - interval.start;
-      const std::size_t edge = this->edgeAt(c, (interval.start + interval.end) / 2.0);
+      const std::size_t edge = chain.edgeAt((interval.start + interval.end) / 2.0);
       interval.tolerance = this->Shares[chain.piece] *
         this->All.fairToleranceAlong(chain.point(edge), chain.point(edge + 1));
       this->Plan[c].intervals.push_back(interval);
@@ -232,16 +224,13 @@ private:
 
   void straighten(const BorderChain& chain, PlannedStretch& stretch, double tolerance) const
   {
-    const Point2 from = this->All.at(chain.point(stretch.firstPoint));
-    const Point2 chord = this->All.at(chain.point(stretch.lastPoint)) - from;
-    const double length = chord.norm();
-    for (std::size_t k = stretch.firstPoint + 1; k < stretch.lastPoint; ++k)
+    Points2 line;
+    for (std::size_t k = stretch.firstPoint; k <= stretch.lastPoint; ++k)
     {
-      const Point2 way = this->All.at(chain.point(k)) - from;
-      const bool beside = way.dot(chord) < 0.0 || way.dot(chord) > chord.squaredNorm();
-      stretch.bend = std::max(
-        stretch.bend, beside || length == 0.0 ? way.norm() : std::abs(cross(chord, way)) / length);
+      line.push_back(this->All.at(chain.point(k)));
     }
+    const double length = (line.back() - line.front()).norm();
+    stretch.bend = farthestFromChord(line);
     if (stretch.bend <= std::min(tolerance, straightness * length))
     {
       stretch.form = StretchForm::Straight;
@@ -279,7 +268,7 @@ private:
   {
     const BorderChain& chain = this->Chains.chains()[c];
     const double middle = (interval.start + interval.end) / 2.0;
-    const std::size_t edge = this->edgeAt(c, middle);
+    const std::size_t edge = chain.edgeAt(middle);
     const auto sewn = this->All.partners.find(edgeKey(chain.point(edge), chain.point(edge + 1)));
     ChainEdge place;
     if (sewn == this->All.partners.end() ||
@@ -311,6 +300,12 @@ std::vector<PlannedChain> planFairBorders(
   const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares)
 {
   return FairPlanner(all, chains, shares).plan();
+}
+
+const PlannedStretch& stretchOf(const PlannedChain& chain, std::size_t interval)
+{
+  return *std::find_if(chain.stretches.begin(), chain.stretches.end() - 1,
+    [interval](const PlannedStretch& stretch) { return interval < stretch.endInterval; });
 }
 
 double toleranceAt(const PlannedChain& chain, const PlannedStretch& stretch, double arc)

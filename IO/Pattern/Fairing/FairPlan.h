@@ -82,6 +82,9 @@ struct FairLimits
 std::vector<PlannedChain> planFairBorders(
   const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares);
 
+/// The stretch that an interval is a part of.
+const PlannedStretch& stretchOf(const PlannedChain& chain, std::size_t interval);
+
 /// Of the points of a stretch from their curve, at a place along the chain, millimetres.
 double toleranceAt(const PlannedChain& chain, const PlannedStretch& stretch, double arc);
 

@@ -23,8 +23,7 @@ struct Outline
 
   std::string nameOf(std::size_t s) const
   {
-    const std::size_t point = this->stretches[s].firstPoint;
-    return this->all.nameAlong(this->chain.point(point), this->chain.point(point + 1));
+    return this->chain.nameOf(this->all, this->stretches[s].firstPoint);
   }
 
   double lengthOf(std::size_t s) const
@@ -246,13 +245,6 @@ struct Sewn
   bool holds = false; ///< the first keeps its length
 };
 
-bool isRaw(const PlannedChain& chain, std::size_t interval)
-{
-  const auto found = std::find_if(chain.stretches.begin(), chain.stretches.end(),
-    [interval](const PlannedStretch& stretch) { return interval < stretch.endInterval; });
-  return found != chain.stretches.end() && found->form == StretchForm::Raw;
-}
-
 std::vector<Sewn> sewnIntervals(std::vector<PlannedChain>& plan)
 {
   std::vector<Sewn> sewn;
@@ -267,8 +259,8 @@ std::vector<Sewn> sewnIntervals(std::vector<PlannedChain>& plan)
       {
         continue;
       }
-      const bool holds = isRaw(plan[c], k);
-      const bool otherHolds = isRaw(plan[partner[0]], partner[1]);
+      const bool holds = stretchOf(plan[c], k).form == StretchForm::Raw;
+      const bool otherHolds = stretchOf(plan[partner[0]], partner[1]).form == StretchForm::Raw;
       if (holds ? !otherHolds : !otherHolds && own < partner)
       {
         PlannedInterval& one = plan[c].intervals[k];

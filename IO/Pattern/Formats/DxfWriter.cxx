@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -19,39 +18,33 @@ namespace flattening::pattern
 {
 namespace
 {
-/// The layers of ASTM D6673 that patterns are drawn on.
-enum class DxfLayer
+struct DxfLayer
 {
-  Boundary = 1,
-  TurnPoints = 2,
-  CurvePoints = 3,
-  Notches = 4,
-  MirrorLine = 6,
-  GrainLine = 7,
-  InternalLines = 8,
-  CutOuts = 11,
-  DrillHoles = 13,
-  SewLines = 14,
-  Annotation = 15,
-};
-
-struct NamedLayer
-{
-  std::string name;
+  const char* name;
   int colour; ///< AutoCAD's color index
   bool dashed = false;
 };
 
-struct LayerColour
+namespace dxf
 {
-  DxfLayer layer;
-  int colour;
-};
-/// Colours that can be read on black and on white alike.
-constexpr LayerColour layerColours[] = { { DxfLayer::Boundary, 7 }, { DxfLayer::TurnPoints, 8 },
-  { DxfLayer::CurvePoints, 8 }, { DxfLayer::Notches, 1 }, { DxfLayer::MirrorLine, 190 },
-  { DxfLayer::GrainLine, 6 }, { DxfLayer::InternalLines, 94 }, { DxfLayer::CutOuts, 7 },
-  { DxfLayer::DrillHoles, 1 }, { DxfLayer::SewLines, 150 }, { DxfLayer::Annotation, 32 } };
+// The layers of ASTM D6673 that patterns are drawn on, in colours that can be read on black and on
+// white alike.
+constexpr DxfLayer boundary{ "1", 7 };
+constexpr DxfLayer turnPoints{ "2", 8 };
+constexpr DxfLayer curvePoints{ "3", 8 };
+constexpr DxfLayer notches{ "4", 1 };
+constexpr DxfLayer mirrorLine{ "6", 190 };
+constexpr DxfLayer grainLine{ "7", 6 };
+constexpr DxfLayer internalLines{ "8", 94 };
+constexpr DxfLayer cutOuts{ "11", 7 };
+constexpr DxfLayer drillHoles{ "13", 1 };
+constexpr DxfLayer sewLines{ "14", 150, true };
+constexpr DxfLayer annotation{ "15", 32 };
+// Of drawings for cutting machines.
+constexpr DxfLayer cut{ "CUT", 7 };
+constexpr DxfLayer mark{ "MARK", 150 };
+constexpr DxfLayer text{ "TEXT", 94 };
+}
 
 // Some programs have dashes of their own by names: the shortest, since they begin anew at each
 // point.
@@ -67,28 +60,6 @@ std::string hexadecimal(unsigned value)
   std::snprintf(digits.data(), digits.size(), "%08X", value);
   return digits.data();
 }
-
-/// Whether lines of a layer are dashed.
-bool isDashed(DxfLayer layer)
-{
-  return layer == DxfLayer::SewLines;
-}
-
-std::vector<NamedLayer> layersOfPatterns()
-{
-  std::vector<NamedLayer> layers;
-  for (const LayerColour& layer : layerColours)
-  {
-    layers.push_back(
-      { std::to_string(static_cast<int>(layer.layer)), layer.colour, isDashed(layer.layer) });
-  }
-  return layers;
-}
-
-// Of drawings for cutting machines.
-const char* const cutLayer = "CUT";
-const char* const markLayer = "MARK";
-const char* const textLayer = "TEXT";
 
 constexpr std::size_t longestText = 250;
 
@@ -146,34 +117,35 @@ public:
     this->addHandle();
     this->add(2, name);
   }
-  void begin(const char* entity, const std::string& layer)
+  void begin(const char* entity, const DxfLayer& layer)
   {
     this->add(0, entity);
     this->addHandle();
-    this->add(8, layer);
+    this->add(8, layer.name);
   }
-  void begin(const char* entity, DxfLayer layer)
+  /// \param flags of group 70
+  void beginPolyline(const DxfLayer& layer, int flags)
   {
-    this->begin(entity, std::to_string(static_cast<int>(layer)));
+    this->begin("POLYLINE", layer);
+    this->add(66, 1);
+    this->addPoint(Point2::Zero());
+    this->add(70, flags);
   }
-  template <typename Layer>
-  void addLine(const Layer& layer, const Point2& from, const Point2& to)
+  void addLine(const DxfLayer& layer, const Point2& from, const Point2& to)
   {
     this->begin("LINE", layer);
     this->addPoint(from);
     this->addPoint(to, 1);
   }
-  template <typename Layer>
-  void addCircle(const Layer& layer, const Point2& center, double radius)
+  void addCircle(const DxfLayer& layer, const Point2& center, double radius)
   {
     this->begin("CIRCLE", layer);
     this->addPoint(center);
     this->addLength(40, radius);
   }
   /// \param at where the text begins on its base line
-  template <typename Layer>
   void addText(
-    const Layer& layer, const Point2& at, double height, double angle, const std::string& text)
+    const DxfLayer& layer, const Point2& at, double height, double angle, const std::string& text)
   {
     // Cutting an escape in two would leave a broken one.
     std::string escaped = escapeDxf(text);
@@ -196,9 +168,8 @@ public:
     }
   }
   /// A text around a point.
-  template <typename Layer>
-  void addTextAround(
-    const Layer& layer, const Point2& center, double height, double angle, const std::string& text)
+  void addTextAround(const DxfLayer& layer, const Point2& center, double height, double angle,
+    const std::string& text)
   {
     const Point2 along(std::cos(angle), std::sin(angle));
     const Point2 up(-along.y(), along.x());
@@ -206,7 +177,7 @@ public:
       angle, text);
   }
   /// Header and tables of a drawing with these corners.
-  void addHead(const Point2& low, const Point2& high, const std::vector<NamedLayer>& layers)
+  void addHead(const Point2& low, const Point2& high, const std::vector<DxfLayer>& layers)
   {
     this->beginSection("HEADER");
     this->add(9, "$ACADVER");
@@ -233,7 +204,7 @@ public:
     this->addLineType(dashed, "Dashed __ __ __ __", { dashLength, -gapLength });
     this->add(0, "ENDTAB");
     this->beginTable("LAYER", static_cast<int>(layers.size()));
-    for (const NamedLayer& layer : layers)
+    for (const DxfLayer& layer : layers)
     {
       this->beginEntry("LAYER", layer.name);
       this->add(70, 0);
@@ -306,21 +277,21 @@ constexpr int closedLine = 1;
 constexpr int dashesRunOn = 128;
 constexpr double gradeTextHeight = 3.0;
 
-DxfLayer layerOf(LineKind kind)
+const DxfLayer& layerOf(LineKind kind)
 {
   switch (kind)
   {
     case LineKind::CutLine:
-      return DxfLayer::Boundary;
+      return dxf::boundary;
     case LineKind::CutOut:
-      return DxfLayer::CutOuts;
+      return dxf::cutOuts;
     case LineKind::SewLine:
     case LineKind::DartLeg:
-      return DxfLayer::SewLines;
+      return dxf::sewLines;
     case LineKind::Fold:
-      return DxfLayer::MirrorLine;
+      return dxf::mirrorLine;
     default:
-      return DxfLayer::InternalLines;
+      return dxf::internalLines;
   }
 }
 
@@ -356,8 +327,10 @@ public:
 
   std::string make()
   {
-    this->Records.addHead(
-      { 0.0, -this->Layout.extent.y() }, { this->Layout.extent.x(), 0.0 }, layersOfPatterns());
+    this->Records.addHead({ 0.0, -this->Layout.extent.y() }, { this->Layout.extent.x(), 0.0 },
+      { dxf::boundary, dxf::turnPoints, dxf::curvePoints, dxf::notches, dxf::mirrorLine,
+        dxf::grainLine, dxf::internalLines, dxf::cutOuts, dxf::drillHoles, dxf::sewLines,
+        dxf::annotation });
     this->Records.beginSection("BLOCKS");
     for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
     {
@@ -368,18 +341,34 @@ public:
     this->addStyleTexts();
     for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
     {
-      this->Records.begin("INSERT", DxfLayer::Boundary);
+      this->Records.begin("INSERT", dxf::boundary);
       this->Records.add(2, this->BlockNames[p]);
-      // Rows from the top of the drawing, y up.
-      this->Records.addPoint({ this->Layout.corners[p].x(),
-        -this->Layout.corners[p].y() - this->Drawn.pieces[p].extent.y() });
+      this->Records.addPoint(this->cornerOf(p));
+    }
+    this->Records.add(0, "ENDSEC");
+    return this->Records.finish();
+  }
+
+  /// For laser, knife and router: what is cut, what is marked, and texts.
+  std::string makeForCutter()
+  {
+    this->Records.addHead({ 0.0, -this->Layout.extent.y() }, { this->Layout.extent.x(), 0.0 },
+      { dxf::cut, dxf::mark, dxf::text });
+    this->Records.beginSection("ENTITIES");
+    for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
+    {
+      const PatternPiece& piece = this->Drawn.pieces[p];
+      this->Corner = this->cornerOf(p);
+      this->addCutterMarks(piece);
+      this->addCutterTexts(piece);
+      this->addCuts(piece); // last, as a part that is cut out may move
     }
     this->Records.add(0, "ENDSEC");
     return this->Records.finish();
   }
 
 private:
-  void addMark(DxfLayer layer, const Point2& at)
+  void addMark(const DxfLayer& layer, const Point2& at)
   {
     this->Records.begin("POINT", layer);
     this->Records.addPoint(at);
@@ -387,13 +376,10 @@ private:
 
   void addPolyline(const PatternLine& line)
   {
-    const DxfLayer layer = layerOf(line.kind);
-    this->Records.begin("POLYLINE", layer);
-    this->Records.add(66, 1);
-    this->Records.addPoint(Point2::Zero());
+    const DxfLayer& layer = layerOf(line.kind);
     // Dashes run on over the points, which are nearer to each other than dashes are long.
-    const int flags = (line.closed ? closedLine : 0) | (isDashed(layer) ? dashesRunOn : 0);
-    this->Records.add(70, flags);
+    this->Records.beginPolyline(
+      layer, (line.closed ? closedLine : 0) | (layer.dashed ? dashesRunOn : 0));
     for (const Point2& p : line.points)
     {
       this->Records.begin("VERTEX", layer);
@@ -423,7 +409,7 @@ private:
         const double sine = cross(before, after);
         turn = std::abs(std::atan2(sine, before.dot(after))) > turnAngle;
       }
-      this->addMark(turn ? DxfLayer::TurnPoints : DxfLayer::CurvePoints, line.points[k]);
+      this->addMark(turn ? dxf::turnPoints : dxf::curvePoints, line.points[k]);
     }
   }
 
@@ -437,18 +423,18 @@ private:
       const Point2 in = before.control[3] - before.control[2];
       const Point2 out = after.control[1] - after.control[0];
       const bool turn = isEnd || std::abs(std::atan2(cross(in, out), in.dot(out))) > turnAngle;
-      this->addMark(turn ? DxfLayer::TurnPoints : DxfLayer::CurvePoints, after.control[0]);
+      this->addMark(turn ? dxf::turnPoints : dxf::curvePoints, after.control[0]);
     }
     if (!line.closed)
     {
-      this->addMark(DxfLayer::TurnPoints, line.curve.back().control[3]);
+      this->addMark(dxf::turnPoints, line.curve.back().control[3]);
     }
   }
 
   void addBlock(std::size_t p)
   {
     const PatternPiece& piece = this->Drawn.pieces[p];
-    this->Records.begin("BLOCK", DxfLayer::Boundary);
+    this->Records.begin("BLOCK", dxf::boundary);
     this->Records.add(2, this->BlockNames[p]);
     this->Records.add(70, 0);
     this->Records.addPoint(Point2::Zero());
@@ -468,39 +454,39 @@ private:
     {
       if (notch.onCutLine)
       {
-        this->addMark(DxfLayer::Notches, notch.from);
+        this->addMark(dxf::notches, notch.from);
         const Point2 way = notch.to - notch.from;
         this->Records.addNumber(50, std::atan2(way.y(), way.x()) * 180.0 / pi);
         // A point is all that pattern systems want, and too little to be seen in others.
-        this->Records.addLine(DxfLayer::Notches, notch.from, notch.to);
+        this->Records.addLine(dxf::notches, notch.from, notch.to);
       }
       else
       {
-        this->Records.addLine(DxfLayer::InternalLines, notch.from, notch.to);
+        this->Records.addLine(dxf::internalLines, notch.from, notch.to);
       }
     }
     for (const Point2& hole : piece.drillHoles)
     {
-      this->addMark(DxfLayer::DrillHoles, hole);
-      this->Records.addCircle(DxfLayer::DrillHoles, hole, drillRadius);
+      this->addMark(dxf::drillHoles, hole);
+      this->Records.addCircle(dxf::drillHoles, hole, drillRadius);
     }
     for (const GradePoint& point : piece.gradePoints)
     {
       this->Records.addText(
-        DxfLayer::TurnPoints, point.place, gradeTextHeight, 0.0, "# " + std::to_string(point.rule));
+        dxf::turnPoints, point.place, gradeTextHeight, 0.0, "# " + std::to_string(point.rule));
     }
     this->addGrain(piece.grain);
     this->addPieceTexts(piece);
-    this->Records.begin("ENDBLK", DxfLayer::Boundary);
+    this->Records.begin("ENDBLK", dxf::boundary);
   }
 
   /// Pattern systems want one line; its heads, which plain CAD shows, are none.
   void addGrain(const Grainline& grain)
   {
-    this->Records.addLine(DxfLayer::GrainLine, grain.from, grain.to);
+    this->Records.addLine(dxf::grainLine, grain.from, grain.to);
     for (const std::array<Point2, 3>& head : arrowHeads(grain))
     {
-      this->Records.begin("SOLID", DxfLayer::GrainLine);
+      this->Records.begin("SOLID", dxf::grainLine);
       for (int corner = 0; corner < 4; ++corner) // a triangle has its last one twice
       {
         this->Records.addPoint(head[static_cast<std::size_t>(std::min(corner, 2))], corner);
@@ -525,8 +511,8 @@ private:
       const bool isSystem = isOfPiece && next < system.size();
       const std::string& content = isSystem ? system[next++] : text.text;
       const double height = text.role == TextRole::Title ? 0.7 * text.height : text.height;
-      this->Records.addTextAround(isSystem ? DxfLayer::Boundary : DxfLayer::Annotation,
-        text.position, height, text.angle, content);
+      this->Records.addTextAround(
+        isSystem ? dxf::boundary : dxf::annotation, text.position, height, text.angle, content);
     }
   }
 
@@ -549,59 +535,9 @@ private:
     double y = 10.0 * static_cast<double>(texts.size());
     for (const std::string& text : texts)
     {
-      this->Records.addText(DxfLayer::Boundary, Point2(0.0, y), 5.0, 0.0, text);
+      this->Records.addText(dxf::boundary, Point2(0.0, y), 5.0, 0.0, text);
       y -= 10.0;
     }
-  }
-
-  const Pattern& Drawn;
-  SheetLayout Layout;
-  std::vector<std::string> BlockNames;
-  DxfRecords Records;
-};
-}
-
-std::string makeDxf(const Pattern& pattern)
-{
-  return DxfDrawing(pattern).make();
-}
-
-namespace
-{
-/// Pieces in model space for laser, knife and router: what is cut, what is marked, and texts.
-class CutterDrawing
-{
-public:
-  explicit CutterDrawing(const Pattern& pattern)
-    : Drawn(pattern)
-    , Layout(layOut(pattern, squareWidth(pattern), 0.0))
-    , Records(pattern.unit == Unit::Inch)
-  {
-  }
-
-  std::string make()
-  {
-    this->Records.addHead({ 0.0, -this->Layout.extent.y() }, { this->Layout.extent.x(), 0.0 },
-      { { cutLayer, 7 }, { markLayer, 150 }, { textLayer, 94 } });
-    this->Records.beginSection("ENTITIES");
-    for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
-    {
-      const PatternPiece& piece = this->Drawn.pieces[p];
-      // Rows from the top of the drawing, y up.
-      this->Corner = { this->Layout.corners[p].x(),
-        -this->Layout.corners[p].y() - piece.extent.y() };
-      this->addMarks(piece);
-      this->addTexts(piece);
-      this->addCuts(piece); // last, as a part that is cut out may move
-    }
-    this->Records.add(0, "ENDSEC");
-    return this->Records.finish();
-  }
-
-private:
-  static bool isCutLine(const PatternLine& line)
-  {
-    return line.kind == LineKind::CutLine || line.kind == LineKind::CutOut;
   }
 
   void addCuts(const PatternPiece& piece)
@@ -612,58 +548,55 @@ private:
       {
         if (line.kind == kind)
         {
-          this->addPolyline(cutLayer, line);
+          this->addArcs(dxf::cut, line);
         }
       }
     }
   }
 
-  void addMarks(const PatternPiece& piece)
+  void addCutterMarks(const PatternPiece& piece)
   {
     for (const PatternLine& line : piece.lines)
     {
-      if (!isCutLine(line))
+      if (!isCut(line.kind))
       {
-        this->addPolyline(markLayer, line);
+        this->addArcs(dxf::mark, line);
       }
     }
     for (const Notch& notch : piece.notches)
     {
-      this->Records.addLine(markLayer, this->at(notch.from), this->at(notch.to));
+      this->Records.addLine(dxf::mark, this->at(notch.from), this->at(notch.to));
     }
     for (const Point2& hole : piece.drillHoles)
     {
-      this->Records.addCircle(markLayer, this->at(hole), drillRadius);
+      this->Records.addCircle(dxf::mark, this->at(hole), drillRadius);
     }
     if (!this->Drawn.isSheet && piece.grain.from != piece.grain.to)
     {
-      this->Records.addLine(markLayer, this->at(piece.grain.from), this->at(piece.grain.to));
+      this->Records.addLine(dxf::mark, this->at(piece.grain.from), this->at(piece.grain.to));
     }
   }
 
-  void addTexts(const PatternPiece& piece)
+  void addCutterTexts(const PatternPiece& piece)
   {
     for (const PatternText& text : piece.texts)
     {
       if (!this->Drawn.isSheet || text.role != TextRole::Grain)
       {
         this->Records.addTextAround(
-          textLayer, this->at(text.position), text.height, text.angle, text.text);
+          dxf::text, this->at(text.position), text.height, text.angle, text.text);
       }
     }
   }
 
-  void addPolyline(const char* layer, const PatternLine& line)
+  void addArcs(const DxfLayer& layer, const PatternLine& line)
   {
     const std::vector<ArcVertex> vertices = arcPolyline(line.points, line.closed, arcTolerance);
     if (vertices.size() < 2)
     {
       return;
     }
-    this->Records.begin("POLYLINE", layer);
-    this->Records.add(66, 1);
-    this->Records.addPoint(Point2::Zero());
-    this->Records.add(70, line.closed ? closedLine : 0);
+    this->Records.beginPolyline(layer, line.closed ? closedLine : 0);
     for (const ArcVertex& vertex : vertices)
     {
       this->Records.begin("VERTEX", layer);
@@ -676,17 +609,30 @@ private:
     this->Records.begin("SEQEND", layer);
   }
 
+  /// The lower left corner of a piece, in rows from the top of the drawing, y up.
+  Point2 cornerOf(std::size_t p) const
+  {
+    return { this->Layout.corners[p].x(),
+      -this->Layout.corners[p].y() - this->Drawn.pieces[p].extent.y() };
+  }
+
   Point2 at(const Point2& p) const { return this->Corner + p; }
 
   const Pattern& Drawn;
   SheetLayout Layout;
+  std::vector<std::string> BlockNames;
   DxfRecords Records;
-  Point2 Corner = Point2::Zero(); ///< lower left one of the piece
+  Point2 Corner = Point2::Zero(); ///< of the piece, for cutters
 };
+}
+
+std::string makeDxf(const Pattern& pattern)
+{
+  return DxfDrawing(pattern).make();
 }
 
 std::string makeCutterDxf(const Pattern& pattern)
 {
-  return CutterDrawing(pattern).make();
+  return DxfDrawing(pattern).makeForCutter();
 }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/GarmentCode.h"
 
-#include "Drawing/PatternBuilder.h"
 #include "Fairing/BorderEdges.h"
 #include "Fairing/FairBorders.h"
 #include "Formats/Garment.h"
@@ -10,64 +9,28 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <set>
 
 namespace flattening::pattern
 {
 namespace
 {
-/// The panels that makePieces() made pieces of: vertices are where the points of the source are
-/// now.
-/// \param scale centimetres of its unit
-/// \return InvalidPattern where checkGarment() does
-Status garmentOf(const PatternSource& source, double scale, Garment& garment)
+constexpr double centimetresPerMillimetre = 0.1;
+
+Garment inCentimetres(Garment garment, double scale)
 {
-  const SourcePanels& panels = source.panels;
-  garment = Garment();
-  garment.panels.resize(panels.names.size());
-  std::vector<GarmentSide> sides;
-  std::vector<std::set<Index>> points(panels.names.size());
-  for (const SourcePanels::Edge& edge : panels.edges)
+  for (GarmentPanel& panel : garment.panels)
   {
-    points[static_cast<std::size_t>(edge.piece)].insert(edge.ends.begin(), edge.ends.end());
-  }
-  for (std::size_t p = 0; p < garment.panels.size(); ++p)
-  {
-    GarmentPanel& panel = garment.panels[p];
-    panel.name = panels.names[p];
-    panel.label = panels.labels[p];
-    panel.translation = panels.placements[p].translation;
-    panel.rotation = panels.placements[p].rotation;
-    for (const Index point : points[p])
+    for (Point2& vertex : panel.vertices)
     {
-      panel.vertices.emplace_back(scale * source.positions[static_cast<std::size_t>(point)]);
+      vertex *= scale;
+    }
+    for (GarmentEdge& edge : panel.edges)
+    {
+      edge.parameters[0] *= edge.shape == EdgeShape::Circle ? scale : 1.0;
     }
   }
-  for (const SourcePanels::Edge& edge : panels.edges)
-  {
-    const auto p = static_cast<std::size_t>(edge.piece);
-    const auto place = [&](Index point) {
-      return static_cast<std::size_t>(std::distance(points[p].begin(), points[p].find(point)));
-    };
-    sides.push_back({ p, garment.panels[p].edges.size() });
-    GarmentEdge& made = garment.panels[p].edges.emplace_back();
-    made.ends = { place(edge.ends[0]), place(edge.ends[1]) };
-    made.shape = static_cast<EdgeShape>(edge.shape);
-    made.parameters = edge.parameters;
-    made.parameters[0] *= made.shape == EdgeShape::Circle ? scale : 1.0;
-    made.label = edge.label;
-  }
-  for (const SourcePanels::Stitch& stitch : panels.stitches)
-  {
-    garment.stitches.push_back({ { sides[static_cast<std::size_t>(stitch.edges[0])],
-                                   sides[static_cast<std::size_t>(stitch.edges[1])] },
-      stitch.rightToWrong });
-  }
-  return checkGarment(garment);
+  return garment;
 }
-
-constexpr double centimetresPerMillimetre = 0.1;
 
 /// The rigid motion that brings the points of a piece nearest to the surface (W. Kabsch, Acta
 /// Crystallographica A32, 1976).
@@ -139,34 +102,27 @@ void draw(const std::vector<BorderEdge>& border, GarmentPanel& panel)
 }
 }
 
-Status makeGarmentCode(const PatternSource& source, const PatternOptions& options,
-  const Pattern& drawing, std::string& json, FairCache* cache)
+Status makeGarmentCode(
+  const PatternSource& source, const DrawingSource& all, const Pattern& drawing, std::string& json)
 {
-  if (!source.panels.edges.empty())
+  if (!source.garment.panels.empty())
   {
-    Garment garment;
-    Status status =
-      garmentOf(source, centimetresPerMillimetre * millimetresPer(options.unit), garment);
-    json = status.ok() ? writeGarment(garment) : std::string();
+    const Garment panels = inCentimetres(source.garment, centimetresPerMillimetre * all.scale());
+    Status status = checkGarment(panels);
+    json = status.ok() ? writeGarment(panels) : std::string();
     return status;
   }
-  DrawingSource all(source, completed(options, source));
-  Status status = findBorders(all);
-  for (std::size_t p = 0; status.ok() && p < all.loops.size(); ++p)
+  for (std::size_t p = 0; p < all.loops.size(); ++p)
   {
     if (all.loops[p].size() > 1)
     {
-      status = { StatusCode::InvalidPattern,
+      return { StatusCode::InvalidPattern,
         "piece " + drawing.names[p] + " has a hole, which a panel of GarmentCode cannot have", {},
         { Remedy::WriteOtherFormat } };
     }
   }
-  if (!status.ok())
-  {
-    return status;
-  }
-  FairCache own;
-  const std::shared_ptr<const FairBorders> fair = (cache ? cache : &own)->of(all);
+  const std::shared_ptr<const FairBorders> fair =
+    all.fair ? all.fair : std::make_shared<const FairBorders>(all);
   const std::vector<std::vector<BorderEdge>> borders = borderEdges(all, *fair);
   std::vector<std::string> names; // members of an object, and so all different
   for (const std::string& name : drawing.names)
@@ -191,7 +147,7 @@ Status makeGarmentCode(const PatternSource& source, const PatternOptions& option
       }
     }
   }
-  status = checkGarment(garment); // borders may have collapsed
+  Status status = checkGarment(garment); // borders may have collapsed
   if (!status.ok())
   {
     status.remedies = { Remedy::WriteOtherFormat };

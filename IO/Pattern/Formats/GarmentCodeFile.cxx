@@ -380,23 +380,6 @@ Status readGarmentCode(const std::string& path, Garment& garment)
 
 namespace
 {
-int curveType(WireType type)
-{
-  switch (type)
-  {
-    case WireType::Boundary:
-      return -1;
-    case WireType::Key:
-      return 1;
-    case WireType::Dart:
-      return 2;
-    case WireType::Seam:
-      return 3;
-    default:
-      return 0;
-  }
-}
-
 struct WireLengths
 {
   double inSpace = 0.0;
@@ -457,7 +440,7 @@ Columns wireArrays(const PatternSource& source)
   }
   Columns cells;
   const std::size_t count = wires.size();
-  const auto typeOf = [&](std::size_t row) { return curveType(wires[row].type); };
+  const auto typeOf = [&](std::size_t row) { return static_cast<int>(wires[row].type); };
   addRows<int>(cells, "CurveType", count, typeOf);
   addRows<int>(cells, "WireKind", count, typeOf);
   cells.back().role = ArrayRole::Scalars;
@@ -504,7 +487,7 @@ GarmentData garmentData(const PatternSource& source)
     data.wires.lines.add(wire.points);
   }
   data.wires.cellArrays = wireArrays(source);
-  writePanels(source.panels, data.wires.fieldArrays);
+  writePanels(source, data.wires.fieldArrays);
   return data;
 }
 }

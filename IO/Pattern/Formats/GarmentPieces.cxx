@@ -7,7 +7,6 @@
 #include "Outlines/PlaneGeometry.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 namespace flattening::pattern
@@ -23,14 +22,10 @@ bool triangulatePolygon(const Points2& polygon, Triangles& triangles, std::size_
 {
   constexpr double snap = 1e-9; // of the size
   const std::size_t count = polygon.size();
-  Box box;
-  for (const Point2& point : polygon)
-  {
-    box.add(point);
-  }
+  const Box box = boxOf(polygon);
   // A triangle around the polygon, within which its sides are drawn.
-  const double size = 4.0 * box.extent().maxCoeff();
-  const Point2 middle = (box.low + box.high) / 2.0;
+  const double size = 4.0 * box.sizes().maxCoeff();
+  const Point2 middle = box.center();
   const Point2 a = middle + size * Point2(-2.0, -1.0);
   const Point2 b = middle + size * Point2(2.0, -1.0);
   const Point2 c = middle + size * Point2(0.0, 2.0);
@@ -147,7 +142,7 @@ public:
     }
     this->addSeams();
     this->addBoundary();
-    this->keepPanels();
+    this->Source.garment = this->Panels;
     return {};
   }
 
@@ -191,7 +186,7 @@ private:
     {
       used.insert(edge.ends[0]);
     }
-    std::map<std::size_t, Index> vertex;
+    Indices& vertex = this->Source.panelPoints.emplace_back(panel.vertices.size(), none);
     for (const std::size_t v : used)
     {
       vertex[v] = this->addPoint(panel, panel.vertices[v]);
@@ -399,31 +394,6 @@ private:
         wire.name = label.empty() ? "boundary" : label;
         this->Source.wires.push_back(std::move(wire));
       }
-    }
-  }
-
-  void keepPanels()
-  {
-    SourcePanels& panels = this->Source.panels;
-    for (std::size_t p = 0; p < this->Panels.panels.size(); ++p)
-    {
-      const GarmentPanel& panel = this->Panels.panels[p];
-      panels.names.push_back(panel.name);
-      panels.labels.push_back(panel.label);
-      panels.placements.push_back({ panel.translation, panel.rotation });
-      for (std::size_t k = 0; k < panel.edges.size(); ++k)
-      {
-        const GarmentEdge& edge = panel.edges[k];
-        const Indices& chain = this->Chains[this->Numbers.of({ p, k })];
-        panels.edges.push_back({ static_cast<Index>(p), { chain.front(), chain.back() },
-          static_cast<int>(edge.shape), edge.parameters, edge.label });
-      }
-    }
-    for (const GarmentStitch& stitch : this->Panels.stitches)
-    {
-      panels.stitches.push_back({ { static_cast<Index>(this->Numbers.of(stitch.sides[0])),
-                                    static_cast<Index>(this->Numbers.of(stitch.sides[1])) },
-        stitch.rightToWrong });
     }
   }
 

@@ -276,7 +276,7 @@ private:
     {
       for (const Stroke& stroke : this->Strokes[p])
       {
-        if (!stroke.closed || stroke.isWire || stroke.filled)
+        if (!stroke.closed || isWire(stroke.role) || stroke.filled)
         {
           continue;
         }
@@ -369,9 +369,9 @@ private:
 };
 }
 
-std::set<StrokeRole> rolesOf(const Pattern& pattern)
+std::set<LineKind> rolesOf(const Pattern& pattern)
 {
-  std::set<StrokeRole> roles;
+  std::set<LineKind> roles;
   for (const PatternPiece& piece : pattern.pieces)
   {
     for (const Stroke& stroke : strokesOf(piece))

@@ -54,11 +54,11 @@ struct PageSelection
 {
   bool pages = false; ///< frames, crosses and legend, and the pages of tables
   bool texts = false; ///< of the pieces
-  std::set<StrokeRole> roles;
+  std::set<LineKind> roles;
 };
 
 /// The roles of all strokes of a pattern.
-std::set<StrokeRole> rolesOf(const Pattern& pattern);
+std::set<LineKind> rolesOf(const Pattern& pattern);
 
 /// Draws a pattern at 1:1 on the pages of a plan. Each page bears its row and column and, at the
 /// corners of the band that it shares with its neighbours, the crosses at which they are joined;

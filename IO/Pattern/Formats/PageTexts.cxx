@@ -24,8 +24,8 @@ Box boxOf(const PatternText& text)
   const Point2 along(std::abs(std::cos(text.angle)), std::abs(std::sin(text.angle)));
   const Point2 reach = half * along + 0.5 * text.height * Point2(along.y(), along.x());
   Box box;
-  box.add(text.position - reach);
-  box.add(text.position + reach);
+  box.extend(text.position - reach);
+  box.extend(text.position + reach);
   return box;
 }
 
@@ -52,14 +52,14 @@ public:
       const Point2 low = Point2(tile.column * plan.step.x(), tile.row * plan.step.y()) - corner;
       const Point2 high = low + plan.printable - Point2(strip(0, 1), strip(1, 0));
       Box page; // y points up in a piece
-      page.add({ low.x() + strip(0, -1), height - low.y() - strip(-1, 0) });
-      page.add({ high.x(), height - high.y() });
+      page.extend(Point2(low.x() + strip(0, -1), height - low.y() - strip(-1, 0)));
+      page.extend(Point2(high.x(), height - high.y()));
       this->Pages.push_back(page);
     }
     for (const PatternLine& line : piece.lines)
     {
       addSegments(line.points, line.closed, this->Strokes);
-      if (line.kind == LineKind::CutLine || line.kind == LineKind::CutOut)
+      if (isCut(line.kind))
       {
         addSegments(line.points, true, this->Cloth);
       }
@@ -86,33 +86,26 @@ public:
   }
 
 private:
-  static bool contains(const Box& page, const Box& box)
-  {
-    return (box.low - page.low).minCoeff() >= 0.0 && (page.high - box.high).minCoeff() >= 0.0;
-  }
-
   void keep(const std::vector<std::size_t>& texts)
   {
     Box box;
     for (const std::size_t k : texts)
     {
-      const Box one = boxOf(this->Piece.texts[k]);
-      box.add(one.low);
-      box.add(one.high);
+      box.extend(boxOf(this->Piece.texts[k]));
     }
     const bool isKept = std::any_of(this->Pages.begin(), this->Pages.end(),
-      [&box](const Box& page) { return contains(page, box); });
+      [&box](const Box& page) { return page.contains(box); });
     if (texts.empty() || isKept)
     {
       return;
     }
     std::pair<int, double> least{ 1 << 30, 0.0 }; // lines and texts that it lies on, and the way
     Point2 best = Point2::Zero();
-    for (const Box& page : this->nearestPages((box.low + box.high) / 2.0))
+    for (const Box& page : this->nearestPages(box.center()))
     {
-      const Point2 room = page.extent() - box.extent();
+      const Point2 room = page.sizes() - box.sizes();
       const auto tryAt = [&](const Point2& low) {
-        const Point2 by = low - box.low;
+        const Point2 by = low - box.min();
         const std::pair<int, double> now(this->met(box, by, texts), by.norm());
         if (now < least)
         {
@@ -124,11 +117,11 @@ private:
       {
         continue;
       }
-      tryAt(box.low.cwiseMax(page.low).cwiseMin(page.low + room));
+      tryAt(box.min().cwiseMax(page.min()).cwiseMin(page.min() + room));
       for (int k = 0; k <= placesAlong * (placesAlong + 2); ++k)
       {
         const Point2 share(k % (placesAlong + 1), std::floor(k / (placesAlong + 1.0)));
-        tryAt(page.low + room.cwiseProduct(share) / placesAlong);
+        tryAt(page.min() + room.cwiseProduct(share) / placesAlong);
       }
     }
     for (const std::size_t k : texts)
@@ -141,7 +134,7 @@ private:
   {
     std::vector<Box> pages = this->Pages;
     const auto isNearer = [&place](const Box& a, const Box& b) {
-      return ((a.low + a.high) / 2.0 - place).norm() < ((b.low + b.high) / 2.0 - place).norm();
+      return (a.center() - place).norm() < (b.center() - place).norm();
     };
     const std::size_t count = std::min(mostPages, pages.size());
     const auto end = pages.begin() + static_cast<std::ptrdiff_t>(count);
@@ -153,21 +146,19 @@ private:
   /// How much a box lies on that is moved; beyond the cloth it is worth nothing.
   int met(const Box& box, const Point2& by, const std::vector<std::size_t>& own) const
   {
-    const Point2 low = box.low + by;
-    const Point2 high = box.high + by;
-    if (!inside((low + high) / 2.0, this->Cloth))
+    const Box moved(box.min() + by, box.max() + by);
+    if (!inside(moved.center(), this->Cloth))
     {
       return 1 << 29;
     }
     int count = 0;
     for (const Segment& segment : this->Strokes)
     {
-      count += enters(segment.from, segment.to, low, high) ? 1 : 0;
+      count += enters(segment.from, segment.to, moved.min(), moved.max()) ? 1 : 0;
     }
     for (std::size_t k = 0; k < this->Piece.texts.size(); ++k)
     {
-      const Box other = boxOf(this->Piece.texts[k]);
-      const bool apart = (other.low - high).maxCoeff() > 0.0 || (low - other.high).maxCoeff() > 0.0;
+      const bool apart = !moved.intersects(boxOf(this->Piece.texts[k]));
       count += apart || std::find(own.begin(), own.end(), k) != own.end() ? 0 : 1;
     }
     return count;

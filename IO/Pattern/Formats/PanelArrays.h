@@ -9,7 +9,7 @@ namespace flattening::pattern
 {
 /// Panels as arrays of the field data: `PanelNames`, `PanelLabels`, `PanelPlacements`,
 /// `PanelEdges`, `PanelEdgeParameters`, `PanelEdgeLabels`, `PanelStitches`.
-void writePanels(const SourcePanels& panels, Columns& fields);
+void writePanels(const PatternSource& source, Columns& fields);
 
 /// The way back; nothing where the arrays are not there.
 /// \return InvalidPattern where they do not fit each other or the pieces

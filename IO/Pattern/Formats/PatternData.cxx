@@ -153,21 +153,8 @@ Status readSurface(const DataSet& flat, PatternSource& source)
 WireType typeOf(const Column* types, std::size_t row)
 {
   const double type = types ? types->number(row) : 0.0;
-  if (type == -1.0)
-  {
-    return WireType::Boundary;
-  }
-  switch (indexOf(type))
-  {
-    case 1:
-      return WireType::Key;
-    case 2:
-      return WireType::Dart;
-    case 3:
-      return WireType::Seam;
-    default:
-      return WireType::Accessory;
-  }
+  const bool isKnown = type == -1.0 || (type >= 0.0 && type < 4.0);
+  return isKnown ? static_cast<WireType>(static_cast<int>(type)) : WireType::Accessory;
 }
 
 Status readWires(const DataSet& wires, PatternSource& source)

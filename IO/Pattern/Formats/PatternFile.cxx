@@ -3,7 +3,6 @@
 
 #include "Drawing/PatternBuilder.h"
 #include "Drawing/SeamWalk.h"
-#include "Fairing/FairBorders.h"
 #include "Formats/DxfWriter.h"
 #include "Formats/GarmentCode.h"
 #include "Formats/HpglWriter.h"
@@ -14,6 +13,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 namespace flattening::pattern
 {
@@ -118,9 +118,12 @@ Status makePatternFile(
       options.format == FileFormat::Hpgl);
   PatternOptions drawn = options.pattern;
   drawn.oneLayer = onFabric;
-  FairCache own;
-  FairCache* const fair = options.fair ? options.fair : &own;
-  Status status = buildPattern(source, drawn, drawing, fair);
+  std::optional<DrawingSource> all;
+  Status status = prepareDrawing(source, drawn, options.fair, all);
+  if (status.ok())
+  {
+    status = buildPattern(*all, drawing);
+  }
   if (status.ok() && onFabric)
   {
     status = layOnFabric(options.fabric, drawing);
@@ -136,7 +139,7 @@ Status makePatternFile(
       if (options.walkTable || hasJoinTable(options))
       {
         std::vector<WalkInterval> walk;
-        status = walkSeams(source, options.pattern, walk, fair);
+        status = walkSeams(*all, walk);
         if (hasJoinTable(options))
         {
           drawing.tables.push_back(joinRows(walk, drawing));
@@ -157,7 +160,7 @@ Status makePatternFile(
     case FileFormat::Walk:
     {
       std::vector<WalkInterval> walk;
-      status = walkSeams(source, options.pattern, walk, fair);
+      status = walkSeams(*all, walk);
       content = makeWalkTable(walk, drawing);
       return status;
     }
@@ -165,7 +168,7 @@ Status makePatternFile(
       content = makeHpgl(drawing);
       return {};
     case FileFormat::GarmentCode:
-      return makeGarmentCode(source, options.pattern, drawing, content, fair);
+      return makeGarmentCode(source, *all, drawing, content);
     default:
       content = makeSvg(drawing, options.laserColours);
       return {};

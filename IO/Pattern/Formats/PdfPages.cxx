@@ -35,6 +35,45 @@ Point2 paperExtent(PaperSize paper)
   }
 }
 
+PageMarks noMarks(const PagePlan& plan)
+{
+  return PageMarks(static_cast<std::size_t>(plan.rows) * static_cast<std::size_t>(plan.columns), 0);
+}
+
+/// Marks the pages of a plan that show a part of a segment of the sheet.
+void markSegment(const PagePlan& plan, const Point2& from, const Point2& to, PageMarks& marks)
+{
+  const auto tileOf = [&plan](double at, int axis, int most, double back) {
+    return std::clamp(static_cast<int>(std::floor((at - back) / plan.step[axis])), 0, most - 1);
+  };
+  const Point2 low = from.cwiseMin(to);
+  const Point2 high = from.cwiseMax(to);
+  for (int row = tileOf(low.y(), 1, plan.rows, plan.overlap);
+       row <= tileOf(high.y(), 1, plan.rows, 0.0); ++row)
+  {
+    for (int column = tileOf(low.x(), 0, plan.columns, plan.overlap);
+         column <= tileOf(high.x(), 0, plan.columns, 0.0); ++column)
+    {
+      const Point2 corner(column * plan.step.x(), row * plan.step.y());
+      if (enters(from, to, corner, corner + plan.printable))
+      {
+        marks[static_cast<std::size_t>(row) * static_cast<std::size_t>(plan.columns) +
+          static_cast<std::size_t>(column)] = 1;
+      }
+    }
+  }
+}
+
+/// The pages that show the legend.
+PageMarks pagesOfLegend(const PagePlan& plan)
+{
+  PageMarks marks = noMarks(plan);
+  const Point2 legend = legendExtent(plan.hasMap);
+  markSegment(plan, plan.origin, plan.origin + Point2(legend.x(), 0.0), marks);
+  markSegment(plan, plan.origin, plan.origin + Point2(0.0, legend.y()), marks);
+  return marks;
+}
+
 void findPages(const Pattern& pattern, PagePlan& plan)
 {
   PageMarks used = pagesOfLegend(plan);
@@ -331,6 +370,156 @@ Status checkPages(double area, const PageOptions& options)
     {}, { Remedy::CheckUnit, Remedy::TakeLargerPaper } };
 }
 
+namespace
+{
+constexpr int placesOfSide = 9; ///< that are tried along each side of a page
+constexpr int sweeps = 2;
+
+class Shifts
+{
+public:
+  Shifts(const Pattern& pattern, PagePlan& plan)
+    : Source(pattern)
+    , Plan(plan)
+    , Sheet(Eigen::Vector2d::Zero(),
+        Point2(plan.columns * plan.step.x(), plan.rows * plan.step.y()) +
+          Point2::Constant(plan.overlap))
+    , Marks(pattern.pieces.size())
+  {
+    const PageMarks legend = pagesOfLegend(plan);
+    this->Count.assign(legend.begin(), legend.end());
+    for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
+    {
+      this->Marks[p] = pagesOf(pattern, plan, p);
+      this->count(p, 1);
+    }
+  }
+
+  void run()
+  {
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+    {
+      for (std::size_t p = 0; p < this->Source.pieces.size(); ++p)
+      {
+        this->shift(p);
+      }
+    }
+  }
+
+private:
+  void count(std::size_t piece, int by)
+  {
+    for (std::size_t k = 0; k < this->Count.size(); ++k)
+    {
+      this->Count[k] += by * this->Marks[piece][k];
+    }
+  }
+
+  /// Pages that this piece alone needs, and all that it is on, which counts where those are equal.
+  std::pair<int, int> cost(const PageMarks& marks) const
+  {
+    std::pair<int, int> result{ 0, 0 };
+    for (std::size_t k = 0; k < marks.size(); ++k)
+    {
+      result.first += marks[k] != 0 && this->Count[k] == 0 ? 1 : 0;
+      result.second += marks[k];
+    }
+    return result;
+  }
+
+  Box boxOf(std::size_t piece) const
+  {
+    const Point2& corner = this->Plan.layout.corners[piece];
+    return { corner, corner + this->Source.pieces[piece].extent };
+  }
+
+  bool isFree(std::size_t piece) const
+  {
+    const Box box = this->boxOf(piece);
+    const Box around(
+      box.min() - Point2::Constant(pieceGap - 1e-9), box.max() + Point2::Constant(pieceGap - 1e-9));
+    if (!this->Sheet.contains(box) ||
+      around.intersects(
+        Box(this->Plan.origin, this->Plan.origin + legendExtent(this->Plan.hasMap))))
+    {
+      return false;
+    }
+    for (std::size_t q = 0; q < this->Source.pieces.size(); ++q)
+    {
+      if (q != piece && around.intersects(this->boxOf(q)))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Tries places all over the sheet.
+  void shift(std::size_t piece)
+  {
+    Point2& corner = this->Plan.layout.corners[piece];
+    Point2 best = corner;
+    this->count(piece, -1);
+    std::pair<int, int> least = this->cost(this->Marks[piece]);
+    const Point2 by = this->Plan.step / (placesOfSide - 1);
+    const bool onePage = PageShelves::fits(this->Plan, this->Source.pieces[piece]);
+    for (int y = 0; y < (placesOfSide - 1) * this->Plan.rows; ++y)
+    {
+      for (int x = 0; x < (placesOfSide - 1) * this->Plan.columns; ++x)
+      {
+        // From where the first page's outer band ends.
+        corner = this->Plan.origin + Point2(x * by.x(), y * by.y());
+        if (!this->isFree(piece))
+        {
+          continue;
+        }
+        PageMarks marks = pagesOf(this->Source, this->Plan, piece);
+        const std::pair<int, int> now = this->cost(marks);
+        if (now < least && (now.second == 1 || !onePage))
+        {
+          least = now;
+          best = corner;
+          this->Marks[piece] = std::move(marks);
+        }
+      }
+    }
+    corner = best;
+    this->count(piece, 1);
+  }
+
+  const Pattern& Source;
+  PagePlan& Plan;
+  Box Sheet;
+  std::vector<PageMarks> Marks;
+  std::vector<int> Count; ///< by page, of pieces and the legend
+};
+
+/// Moves pieces within the free space around them, as far apart as they were laid at least, where
+/// fewer pages then show something. Neither pieces laid on cloth nor the sheet change.
+void saveByShifts(const Pattern& pattern, PagePlan& plan)
+{
+  if (!pattern.fabric)
+  {
+    Shifts(pattern, plan).run();
+  }
+}
+}
+
+PageMarks pagesOf(const Pattern& pattern, const PagePlan& plan, std::size_t piece)
+{
+  PageMarks marks = noMarks(plan);
+  for (const Stroke& stroke : strokesOf(pattern.pieces[piece]))
+  {
+    const std::size_t count = stroke.points.size();
+    for (std::size_t k = 0; k + (stroke.closed ? 0 : 1) < count; ++k)
+    {
+      markSegment(plan, plan.layout.place(pattern, piece, stroke.points[k]),
+        plan.layout.place(pattern, piece, stroke.points[(k + 1) % count]), marks);
+    }
+  }
+  return marks;
+}
+
 Status planPages(const Pattern& pattern, const PageOptions& options, PagePlan& plan)
 {
   if (!(options.overlap >= 0.0 && options.overlap <= 50.0) || options.maximumPages < 1)
@@ -424,195 +613,5 @@ Status planPages(const Pattern& pattern, const PageOptions& options, PagePlan& p
     }
   }
   return {};
-}
-
-namespace
-{
-PageMarks noMarks(const PagePlan& plan)
-{
-  return PageMarks(static_cast<std::size_t>(plan.rows) * static_cast<std::size_t>(plan.columns), 0);
-}
-}
-
-void markSegment(const PagePlan& plan, const Point2& from, const Point2& to, PageMarks& marks)
-{
-  const auto tileOf = [&plan](double at, int axis, int most, double back) {
-    return std::clamp(static_cast<int>(std::floor((at - back) / plan.step[axis])), 0, most - 1);
-  };
-  const Point2 low = from.cwiseMin(to);
-  const Point2 high = from.cwiseMax(to);
-  for (int row = tileOf(low.y(), 1, plan.rows, plan.overlap);
-       row <= tileOf(high.y(), 1, plan.rows, 0.0); ++row)
-  {
-    for (int column = tileOf(low.x(), 0, plan.columns, plan.overlap);
-         column <= tileOf(high.x(), 0, plan.columns, 0.0); ++column)
-    {
-      const Point2 corner(column * plan.step.x(), row * plan.step.y());
-      if (enters(from, to, corner, corner + plan.printable))
-      {
-        marks[static_cast<std::size_t>(row) * static_cast<std::size_t>(plan.columns) +
-          static_cast<std::size_t>(column)] = 1;
-      }
-    }
-  }
-}
-
-PageMarks pagesOf(const Pattern& pattern, const PagePlan& plan, std::size_t piece)
-{
-  PageMarks marks = noMarks(plan);
-  for (const Stroke& stroke : strokesOf(pattern.pieces[piece]))
-  {
-    const std::size_t count = stroke.points.size();
-    for (std::size_t k = 0; k + (stroke.closed ? 0 : 1) < count; ++k)
-    {
-      markSegment(plan, plan.layout.place(pattern, piece, stroke.points[k]),
-        plan.layout.place(pattern, piece, stroke.points[(k + 1) % count]), marks);
-    }
-  }
-  return marks;
-}
-
-PageMarks pagesOfLegend(const PagePlan& plan)
-{
-  PageMarks marks = noMarks(plan);
-  const Point2 legend = legendExtent(plan.hasMap);
-  markSegment(plan, plan.origin, plan.origin + Point2(legend.x(), 0.0), marks);
-  markSegment(plan, plan.origin, plan.origin + Point2(0.0, legend.y()), marks);
-  return marks;
-}
-
-namespace
-{
-constexpr int placesOfSide = 9; ///< that are tried along each side of a page
-constexpr int sweeps = 2;
-
-class Shifts
-{
-public:
-  Shifts(const Pattern& pattern, PagePlan& plan)
-    : Source(pattern)
-    , Plan(plan)
-    , Sheet(Eigen::Vector2d::Zero(),
-        Point2(plan.columns * plan.step.x(), plan.rows * plan.step.y()) +
-          Point2::Constant(plan.overlap))
-    , Marks(pattern.pieces.size())
-  {
-    const PageMarks legend = pagesOfLegend(plan);
-    this->Count.assign(legend.begin(), legend.end());
-    for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
-    {
-      this->Marks[p] = pagesOf(pattern, plan, p);
-      this->count(p, 1);
-    }
-  }
-
-  void run()
-  {
-    for (int sweep = 0; sweep < sweeps; ++sweep)
-    {
-      for (std::size_t p = 0; p < this->Source.pieces.size(); ++p)
-      {
-        this->shift(p);
-      }
-    }
-  }
-
-private:
-  using Box = Eigen::AlignedBox2d;
-
-  void count(std::size_t piece, int by)
-  {
-    for (std::size_t k = 0; k < this->Count.size(); ++k)
-    {
-      this->Count[k] += by * this->Marks[piece][k];
-    }
-  }
-
-  /// Pages that this piece alone needs, and all that it is on, which counts where those are equal.
-  std::pair<int, int> cost(const PageMarks& marks) const
-  {
-    std::pair<int, int> result{ 0, 0 };
-    for (std::size_t k = 0; k < marks.size(); ++k)
-    {
-      result.first += marks[k] != 0 && this->Count[k] == 0 ? 1 : 0;
-      result.second += marks[k];
-    }
-    return result;
-  }
-
-  Box boxOf(std::size_t piece) const
-  {
-    const Point2& corner = this->Plan.layout.corners[piece];
-    return { corner, corner + this->Source.pieces[piece].extent };
-  }
-
-  bool isFree(std::size_t piece) const
-  {
-    const Box box = this->boxOf(piece);
-    const Box around(
-      box.min() - Point2::Constant(pieceGap - 1e-9), box.max() + Point2::Constant(pieceGap - 1e-9));
-    if (!this->Sheet.contains(box) ||
-      around.intersects(
-        Box(this->Plan.origin, this->Plan.origin + legendExtent(this->Plan.hasMap))))
-    {
-      return false;
-    }
-    for (std::size_t q = 0; q < this->Source.pieces.size(); ++q)
-    {
-      if (q != piece && around.intersects(this->boxOf(q)))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /// Tries places all over the sheet.
-  void shift(std::size_t piece)
-  {
-    Point2& corner = this->Plan.layout.corners[piece];
-    Point2 best = corner;
-    this->count(piece, -1);
-    std::pair<int, int> least = this->cost(this->Marks[piece]);
-    const Point2 by = this->Plan.step / (placesOfSide - 1);
-    const bool onePage = PageShelves::fits(this->Plan, this->Source.pieces[piece]);
-    for (int y = 0; y < (placesOfSide - 1) * this->Plan.rows; ++y)
-    {
-      for (int x = 0; x < (placesOfSide - 1) * this->Plan.columns; ++x)
-      {
-        // From where the first page's outer band ends.
-        corner = this->Plan.origin + Point2(x * by.x(), y * by.y());
-        if (!this->isFree(piece))
-        {
-          continue;
-        }
-        PageMarks marks = pagesOf(this->Source, this->Plan, piece);
-        const std::pair<int, int> now = this->cost(marks);
-        if (now < least && (now.second == 1 || !onePage))
-        {
-          least = now;
-          best = corner;
-          this->Marks[piece] = std::move(marks);
-        }
-      }
-    }
-    corner = best;
-    this->count(piece, 1);
-  }
-
-  const Pattern& Source;
-  PagePlan& Plan;
-  Box Sheet;
-  std::vector<PageMarks> Marks;
-  std::vector<int> Count; ///< by page, of pieces and the legend
-};
-}
-
-void saveByShifts(const Pattern& pattern, PagePlan& plan)
-{
-  if (!pattern.fabric)
-  {
-    Shifts(pattern, plan).run();
-  }
 }
 }

@@ -35,49 +35,23 @@ cairo_status_t append(void* closure, const unsigned char* data, unsigned int len
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// A surface of cairo that writes a PDF, and says what it is of.
-/// \param pdf gets the file's bytes until it is closed
-_cairo_surface* openPdf(const Pattern& pattern, const PagePlan& plan, std::string& pdf)
-{
-  cairo_surface_t* surface = cairo_pdf_surface_create_for_stream(
-    &append, &pdf, pointsPerMillimetre * plan.paper.x(), pointsPerMillimetre * plan.paper.y());
-  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, pattern.name.c_str());
-  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR, "SurfaceFlattening");
-  if (!pattern.date.empty())
-  {
-    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE,
-      (pattern.date + "T" + pattern.time + ":00Z").c_str());
-  }
-  return surface;
-}
-
-/// Writes what is left, which destroys nothing. \return InvalidPattern where something went wrong
-Status closePdf(_cairo_surface* surface, _cairo* context)
-{
-  cairo_surface_finish(surface);
-  cairo_status_t status = cairo_status(context);
-  status = status == CAIRO_STATUS_SUCCESS ? cairo_surface_status(surface) : status;
-  if (status == CAIRO_STATUS_NO_MEMORY)
-  {
-    throw std::bad_alloc(); // as where a container finds none
-  }
-  if (status != CAIRO_STATUS_SUCCESS)
-  {
-    return { StatusCode::InvalidPattern,
-      std::string("the PDF cannot be drawn: ") + cairo_status_to_string(status), {},
-      { Remedy::WriteOtherFormat } };
-  }
-  return {};
-}
-
 /// Pages of a PDF, by cairo.
 class CairoCanvas final : public PageCanvas
 {
 public:
+  /// \param pdf gets the file's bytes until it is closed
   CairoCanvas(const Pattern& pattern, const PagePlan& plan, std::string& pdf)
-    : Surface(openPdf(pattern, plan, pdf))
+    : Surface(cairo_pdf_surface_create_for_stream(
+        &append, &pdf, pointsPerMillimetre * plan.paper.x(), pointsPerMillimetre * plan.paper.y()))
     , Context(cairo_create(this->Surface))
   {
+    cairo_pdf_surface_set_metadata(this->Surface, CAIRO_PDF_METADATA_TITLE, pattern.name.c_str());
+    cairo_pdf_surface_set_metadata(this->Surface, CAIRO_PDF_METADATA_CREATOR, "SurfaceFlattening");
+    if (!pattern.date.empty())
+    {
+      cairo_pdf_surface_set_metadata(this->Surface, CAIRO_PDF_METADATA_CREATE_DATE,
+        (pattern.date + "T" + pattern.time + ":00Z").c_str());
+    }
     cairo_select_font_face(
       this->Context, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
   }
@@ -89,7 +63,22 @@ public:
   CairoCanvas(const CairoCanvas&) = delete;
   CairoCanvas& operator=(const CairoCanvas&) = delete;
 
-  Status close() { return closePdf(this->Surface, this->Context); }
+  /// Writes what is left. \return InvalidPattern where something went wrong
+  Status close()
+  {
+    cairo_surface_finish(this->Surface);
+    cairo_status_t status = cairo_status(this->Context);
+    status = status == CAIRO_STATUS_SUCCESS ? cairo_surface_status(this->Surface) : status;
+    if (status == CAIRO_STATUS_NO_MEMORY)
+    {
+      throw std::bad_alloc(); // as where a container finds none
+    }
+    return status == CAIRO_STATUS_SUCCESS
+      ? Status()
+      : Status{ StatusCode::InvalidPattern,
+          std::string("the PDF cannot be drawn: ") + cairo_status_to_string(status), {},
+          { Remedy::WriteOtherFormat } };
+  }
 
   void beginPage(const Point2& paper) override
   {
@@ -172,7 +161,7 @@ Status drawPdf(const Pattern& pattern, PaperSize paper, const PagePlan& plan,
 }
 
 /// The name of a role's layer, which is that of SVG.
-std::string nameOf(StrokeRole role)
+std::string nameOf(LineKind role)
 {
   std::string name = styleOf(role).name;
   std::replace(name.begin(), name.end(), '-', ' ');
@@ -191,7 +180,7 @@ Status makePdf(const Pattern& drawing, const PageOptions& options, std::string& 
   }
   Pattern pattern = drawing;
   keepTextsOnPages(plan, pattern);
-  const std::set<StrokeRole> roles = rolesOf(pattern);
+  const std::set<LineKind> roles = rolesOf(pattern);
   if (!hasPdfLayers())
   {
     return drawPdf(pattern, options.paper, plan, { true, true, roles }, pdf);
@@ -205,7 +194,7 @@ Status makePdf(const Pattern& drawing, const PageOptions& options, std::string& 
     }
   };
   add("page marks", { true, false, {} });
-  for (const StrokeRole role : roles)
+  for (const LineKind role : roles)
   {
     add(nameOf(role), { false, false, { role } });
   }

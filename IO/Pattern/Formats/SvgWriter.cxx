@@ -181,7 +181,7 @@ private:
     this->Text += "</g>\n</g>\n";
   }
 
-  void openRole(StrokeRole role)
+  void openRole(LineKind role)
   {
     StrokeStyle style = styleOf(role);
     std::string label = style.name;
@@ -203,7 +203,7 @@ private:
     {
       this->Text += attribute("data-curve", stroke.curve);
     }
-    if (stroke.isWire)
+    if (isWire(stroke.role))
     {
       this->Text += attribute("data-length", number(stroke.measure));
     }
@@ -211,7 +211,7 @@ private:
     {
       this->Text += attribute("fill", hexOf(styleOf(stroke.role).colour));
     }
-    if (stroke.isNotch)
+    if (stroke.role == LineKind::Notch || stroke.role == LineKind::DartMark)
     {
       this->Text += attribute("data-arc-length", number(stroke.measure));
     }
@@ -219,19 +219,26 @@ private:
     if (this->LaserColours && stroke.points.size() > 2)
     {
       this->addArcs(p, stroke);
-      return;
     }
-    if (!stroke.smooth.empty())
+    else if (!stroke.smooth.empty())
     {
       this->addSmooth(p, stroke);
-      return;
     }
-    for (std::size_t k = 0; k < stroke.points.size(); ++k)
+    else
     {
-      const Point2 q = this->at(p, stroke.points[k]);
-      this->Text += (k == 0 ? "M" : " L") + number(q.x()) + "," + number(q.y());
+      for (std::size_t k = 0; k < stroke.points.size(); ++k)
+      {
+        this->addPoint(k == 0 ? "M" : " L", p, stroke.points[k]);
+      }
     }
     this->Text += stroke.closed ? " Z\"/>\n" : "\"/>\n";
+  }
+
+  /// \param command of a path, with all but its last point
+  void addPoint(const std::string& command, std::size_t p, const Point2& point)
+  {
+    const Point2 q = this->at(p, point);
+    this->Text += command + number(q.x()) + "," + number(q.y());
   }
 
   /// Few long arcs, at which a laser does not slow down as at points.
@@ -242,15 +249,13 @@ private:
       const double chord = (to - from.at).norm();
       const double bulge = std::abs(from.bulge);
       const std::string radius = number(chord * (1.0 + bulge * bulge) / (4.0 * bulge));
-      const Point2 q = this->at(p, to);
       // Counter-clockwise in the pattern, whose y points up.
-      this->Text +=
-        (bulge == 0.0 ? " L"
-                      : " A" + radius + "," + radius + (from.bulge > 0.0 ? " 0 0 0 " : " 0 0 1 ")) +
-        number(q.x()) + "," + number(q.y());
+      this->addPoint(bulge == 0.0
+          ? " L"
+          : " A" + radius + "," + radius + (from.bulge > 0.0 ? " 0 0 0 " : " 0 0 1 "),
+        p, to);
     };
-    const Point2 start = this->at(p, vertices.front().at);
-    this->Text += "M" + number(start.x()) + "," + number(start.y());
+    this->addPoint("M", p, vertices.front().at);
     for (std::size_t k = 0; k + 1 < vertices.size(); ++k)
     {
       add(vertices[k], vertices[k + 1].at);
@@ -259,28 +264,19 @@ private:
     {
       add(vertices.back(), vertices.front().at);
     }
-    this->Text += stroke.closed ? " Z\"/>\n" : "\"/>\n";
   }
 
   void addSmooth(std::size_t p, const Stroke& stroke)
   {
-    const auto add = [&](const char* command, const Point2& to) {
-      const Point2 q = this->at(p, to);
-      this->Text += command + number(q.x()) + "," + number(q.y());
-    };
-    add("M", stroke.smooth.front().control[0]);
+    this->addPoint("M", p, stroke.smooth.front().control[0]);
     for (const FairSpan& span : stroke.smooth)
     {
-      if (span.straight())
+      const bool straight = span.straight();
+      for (std::size_t c = straight ? 3 : 1; c < 4; ++c)
       {
-        add(" L", span.control[3]);
-        continue;
+        this->addPoint(straight ? " L" : c == 1 ? " C" : " ", p, span.control[c]);
       }
-      add(" C", span.control[1]);
-      add(" ", span.control[2]);
-      add(" ", span.control[3]);
     }
-    this->Text += stroke.closed ? " Z\"/>\n" : "\"/>\n";
   }
 
   const Pattern& Drawn;

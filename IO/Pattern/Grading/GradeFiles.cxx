@@ -55,7 +55,7 @@ public:
       {
         for (const Index point : wire.points)
         {
-          boxes[wire.piece].add(positions[point]);
+          boxes[wire.piece].extend(positions[point]);
         }
       }
     }
@@ -63,9 +63,9 @@ public:
     double height = 0.0;
     for (const auto& [piece, box] : boxes)
     {
-      this->Shifts[piece] = Point2(x - box.low.x(), nestMargin + headHeight + box.high.y());
-      x += box.extent().x() + gapOfPieces;
-      height = std::max(height, box.extent().y());
+      this->Shifts[piece] = Point2(x - box.min().x(), nestMargin + headHeight + box.max().y());
+      x += box.sizes().x() + gapOfPieces;
+      height = std::max(height, box.sizes().y());
     }
     this->Extent = Point2(x - gapOfPieces + nestMargin, height + headHeight + 2.0 * nestMargin);
   }

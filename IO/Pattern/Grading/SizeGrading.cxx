@@ -189,14 +189,11 @@ public:
     : Model(model)
     , Options(options)
     , Border(bordersOf(model))
+    , Pieces(pieceCount(model))
   {
     for (const auto& [edge, piece] : this->Border)
     {
       this->OnBorder.insert(startOf(edge));
-    }
-    for (const Index piece : model.pieceOfTriangle)
-    {
-      this->Pieces = std::max(this->Pieces, static_cast<std::size_t>(piece) + 1);
     }
   }
 
@@ -316,26 +313,13 @@ private:
     return frame;
   }
 
-  bool bounds(const SourceWire& wire) const
-  {
-    for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
-    {
-      if (this->Border.count(edgeKey(wire.points[k], wire.points[k + 1])) == 0 &&
-        this->Border.count(edgeKey(wire.points[k + 1], wire.points[k])) == 0)
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
   /// The wire along which a piece is laid; null where there is none.
   const SourceWire* aligning(Index piece) const
   {
     for (const SourceWire& wire : this->Model.wires)
     {
       const bool chosen = this->Options.alignment.empty()
-        ? wire.type == WireType::Key && !this->bounds(wire)
+        ? wire.type == WireType::Key && !areOnBorder(this->Border, wire.points)
         : wire.name == this->Options.alignment;
       if (wire.piece == piece && chosen)
       {
@@ -366,8 +350,8 @@ private:
   const PatternSource& Model;
   const GradingOptions& Options;
   BorderEdges Border;
+  std::size_t Pieces;
   std::unordered_set<Index> OnBorder;
-  std::size_t Pieces = 0;
 };
 }
 

@@ -56,12 +56,9 @@ Motion motionOf(const PatternPiece& piece, bool turnedOver, bool upsideDown)
   {
     motion.turn.row(0) *= -1.0;
   }
-  Box box;
-  for (const Point2& p : cutLineOf(piece)->points)
-  {
-    box.add(motion(p));
-  }
-  motion.shift = -box.low;
+  Points2 moved = cutLineOf(piece)->points;
+  std::transform(moved.begin(), moved.end(), moved.begin(), motion);
+  motion.shift = -boxOf(moved).min();
   return motion;
 }
 
@@ -70,14 +67,6 @@ PatternPiece movedPiece(const PatternPiece& piece, const Motion& motion)
 {
   PatternPiece copy = piece;
   forEachPoint(copy, [&motion](Point2& p) { p = motion(p); });
-  Box box;
-  for (const PatternLine& line : copy.lines)
-  {
-    for (const Point2& p : line.points)
-    {
-      box.add(p);
-    }
-  }
   // How many are cut is what lies on the cloth.
   copy.texts.erase(std::remove_if(copy.texts.begin(), copy.texts.end(),
                      [](const PatternText& text) {
@@ -100,7 +89,7 @@ PatternPiece movedPiece(const PatternPiece& piece, const Motion& motion)
   }
   copy.quantity = 1;
   copy.turnedOver = 0;
-  copy.extent = box.high;
+  copy.extent = boxOf(copy).max();
   return copy;
 }
 
@@ -202,13 +191,8 @@ private:
       Kind::Way way;
       way.motion = motionOf(piece, turnedOver, upsideDown);
       Points2 polygon = cutLineOf(piece)->points;
-      Box box;
-      for (Point2& q : polygon)
-      {
-        q = way.motion(q);
-        box.add(q);
-      }
-      kind.extent = box.high;
+      std::transform(polygon.begin(), polygon.end(), polygon.begin(), way.motion);
+      kind.extent = boxOf(polygon).max();
       if (!this->fits(kind))
       {
         this->Kinds.push_back(kind);
@@ -301,11 +285,6 @@ private:
 
 Status layOnFabric(const FabricOptions& options, Pattern& pattern)
 {
-  if (!NoFitRegion::available())
-  {
-    return { StatusCode::InvalidOption,
-      "this build cannot lay pieces on cloth, because it was made without Clipper" };
-  }
   if (!std::isfinite(options.width) || !(options.width > 0.0) || options.width > 1e5 ||
     !(options.gap >= 0.0 && options.gap <= 1000.0))
   {

@@ -3,11 +3,8 @@
 
 #include "Outlines/PlaneGeometry.h"
 
-#include <clipper.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace flattening::pattern
 {
@@ -52,65 +49,36 @@ Path rectangle(const IntPoint& low, const IntPoint& high)
 }
 }
 
-struct NoFitRegion::Shapes
+const Paths& NoFitRegion::between(std::size_t fixed, std::size_t moving)
 {
-  struct Shape
+  const auto [entry, isNew] = this->NoFit.try_emplace({ fixed, moving });
+  if (isNew)
   {
-    Path outline; ///< widened by half of the gap
-    cInt width = 0;
-    cInt height = 0;
-  };
-  std::vector<Shape> shapes;
-  /// Where the second may not be while the first is at the origin.
-  mutable std::map<std::pair<std::size_t, std::size_t>, Paths> noFit;
-
-  const Paths& between(std::size_t fixed, std::size_t moving) const
-  {
-    const auto [entry, isNew] = this->noFit.try_emplace({ fixed, moving });
-    if (isNew)
+    Path turned;
+    for (const IntPoint& p : this->Shapes[moving].outline)
     {
-      Path turned;
-      for (const IntPoint& p : this->shapes[moving].outline)
+      turned.emplace_back(-p.X, -p.Y);
+    }
+    Paths sums;
+    ClipperLib::MinkowskiSum(this->Shapes[fixed].outline, turned, sums, true);
+    for (const Path& sum : sums)
+    {
+      // Holes are places inside the fixed shape.
+      if (ClipperLib::Orientation(sum))
       {
-        turned.emplace_back(-p.X, -p.Y);
-      }
-      Paths sums;
-      ClipperLib::MinkowskiSum(this->shapes[fixed].outline, turned, sums, true);
-      for (const Path& sum : sums)
-      {
-        // Holes are places inside the fixed shape.
-        if (ClipperLib::Orientation(sum))
-        {
-          entry->second.push_back(sum);
-        }
+        entry->second.push_back(sum);
       }
     }
-    return entry->second;
   }
-};
-
-NoFitRegion::NoFitRegion()
-  : Known(std::make_unique<Shapes>())
-{
-}
-
-NoFitRegion::~NoFitRegion() = default;
-
-bool NoFitRegion::available()
-{
-  return true;
+  return entry->second;
 }
 
 std::size_t NoFitRegion::addShape(const Points2& polygon, double gap)
 {
-  Shapes::Shape shape;
-  Box box;
-  for (const Point2& p : polygon)
-  {
-    box.add(p);
-  }
-  shape.width = stepsOf(box.high.x(), true);
-  shape.height = units(box.high.y());
+  Shape shape;
+  const Point2 extent = boxOf(polygon).max();
+  shape.width = stepsOf(extent.x(), true);
+  shape.height = units(extent.y());
   Path path;
   for (const Point2& p : simplified(polygon, thinning))
   {
@@ -127,21 +95,21 @@ std::size_t NoFitRegion::addShape(const Points2& polygon, double gap)
   const auto largest = std::max_element(widened.begin(), widened.end(),
     [](const Path& a, const Path& b) { return ClipperLib::Area(a) < ClipperLib::Area(b); });
   shape.outline = largest == widened.end() ? path : *largest;
-  this->Known->shapes.push_back(std::move(shape));
-  return this->Known->shapes.size() - 1;
+  this->Shapes.push_back(std::move(shape));
+  return this->Shapes.size() - 1;
 }
 
-Point2 NoFitRegion::lowest(const std::vector<Placed>& there, std::size_t shape, double width) const
+Point2 NoFitRegion::lowest(const std::vector<Placed>& there, std::size_t shape, double width)
 {
-  const Shapes::Shape& moving = this->Known->shapes[shape];
+  const Shape& moving = this->Shapes[shape];
   cInt end = 0;
   ClipperLib::Clipper clipper;
   for (const Placed& placed : there)
   {
-    const Shapes::Shape& fixed = this->Known->shapes[placed.shape];
+    const Shape& fixed = this->Shapes[placed.shape];
     const IntPoint at(units(placed.at.x()), units(placed.at.y()));
     end = std::max(end, at.Y + fixed.height);
-    for (const Path& path : this->Known->between(placed.shape, shape))
+    for (const Path& path : this->between(placed.shape, shape))
     {
       clipper.AddPath(moved(path, at), ClipperLib::ptClip, true);
     }

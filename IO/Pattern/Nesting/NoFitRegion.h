@@ -3,7 +3,11 @@
 
 #include "Base/Types.h"
 
-#include <memory>
+#include <clipper.hpp>
+
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace flattening::pattern
 {
@@ -12,14 +16,6 @@ namespace flattening::pattern
 class NoFitRegion
 {
 public:
-  NoFitRegion();
-  ~NoFitRegion();
-  NoFitRegion(const NoFitRegion&) = delete;
-  NoFitRegion& operator=(const NoFitRegion&) = delete;
-
-  /// Whether the build has Clipper, without which no place is found.
-  static bool available();
-
   /// Adds a shape that is kept at a distance from others.
   /// \param polygon closed, within [0, width] x [0, height]
   /// \return its number, from 0
@@ -32,10 +28,20 @@ public:
   };
   /// The place with the least y, and of these with the least x, at which a shape is clear of those
   /// that lie there and within [0, width] of the strip.
-  Point2 lowest(const std::vector<Placed>& there, std::size_t shape, double width) const;
+  Point2 lowest(const std::vector<Placed>& there, std::size_t shape, double width);
 
 private:
-  struct Shapes;
-  std::unique_ptr<Shapes> Known;
+  struct Shape
+  {
+    ClipperLib::Path outline; ///< widened by half of the gap
+    ClipperLib::cInt width = 0;
+    ClipperLib::cInt height = 0;
+  };
+
+  const ClipperLib::Paths& between(std::size_t fixed, std::size_t moving);
+
+  std::vector<Shape> Shapes;
+  /// Where the second may not be while the first is at the origin.
+  std::map<std::pair<std::size_t, std::size_t>, ClipperLib::Paths> NoFit;
 };
 }

@@ -1,30 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In the place of NoFitRegion.cxx and SeamAllowance.cxx in a build without Clipper.
+// In the place of FabricLay.cxx, NoFitRegion.cxx and SeamAllowance.cxx in a build without Clipper.
 #include "Drawing/SeamAllowance.h"
-#include "Nesting/NoFitRegion.h"
+#include "Nesting/FabricLay.h"
 
 namespace flattening::pattern
 {
-struct NoFitRegion::Shapes
+Status layOnFabric(const FabricOptions&, Pattern&)
 {
-};
-
-NoFitRegion::NoFitRegion() = default;
-NoFitRegion::~NoFitRegion() = default;
-
-bool NoFitRegion::available()
-{
-  return false;
-}
-
-std::size_t NoFitRegion::addShape(const Points2&, double)
-{
-  return 0;
-}
-
-Point2 NoFitRegion::lowest(const std::vector<Placed>&, std::size_t, double) const
-{
-  return Point2::Zero();
+  return { StatusCode::InvalidOption,
+    "this build cannot lay pieces on cloth, because it was made without Clipper" };
 }
 
 Status addAllowance(

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Outlines/ClosedCuts.h"
 
+#include "Base/CompressedRows.h"
 #include "Outlines/Outline.h"
 
-#include <algorithm>
-#include <numeric>
+#include <array>
 #include <unordered_set>
+#include <utility>
 
 namespace flattening::pattern
 {
@@ -14,26 +15,18 @@ namespace
 /// The point that each becomes.
 Indices joinedPoints(const PatternSource& source)
 {
-  Indices joined(source.positions.size());
-  std::iota(joined.begin(), joined.end(), 0);
-  const auto last = [&joined](Index v) {
-    while (joined[v] != v)
-    {
-      v = joined[v];
-    }
-    return v;
-  };
+  JoinedSets sets(static_cast<Index>(source.positions.size()));
   for (const SewnEdges& pair : source.sewn)
   {
     for (std::size_t end = 0; pair.closed && end < 2; ++end)
     {
-      const auto [low, high] = std::minmax({ last(pair.a[end]), last(pair.b[end]) });
-      joined[high] = low;
+      sets.join(pair.a[end], pair.b[end]);
     }
   }
-  for (std::size_t v = 0; v < joined.size(); ++v)
+  Indices joined;
+  for (std::size_t v = 0; v < source.positions.size(); ++v)
   {
-    joined[v] = last(static_cast<Index>(v));
+    joined.push_back(sets.find(static_cast<Index>(v)));
   }
   return joined;
 }

@@ -26,18 +26,6 @@ DrawingSource::DrawingSource(const PatternSource& given, PatternOptions asked)
 {
 }
 
-bool DrawingSource::isOnBorder(const SourceWire& wire) const
-{
-  for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
-  {
-    if (!this->isOnBorder(wire.points[k], wire.points[k + 1]))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 std::string DrawingSource::nameAlong(Index from, Index to) const
 {
   const std::size_t wire = wireOf(this->source, this->wires, from, to);
@@ -58,16 +46,11 @@ double DrawingSource::allowanceAlong(Index from, Index to) const
     return 0.0;
   }
   const std::map<std::string, double>& ofCurve = this->options.allowanceOfCurve;
-  auto place = this->border.find(edgeKey(from, to));
-  place = place == this->border.end() ? this->border.find(edgeKey(to, from)) : place;
-  if (place != this->border.end())
+  const Index piece = pieceOf(this->border, from, to);
+  const auto ofSide = ofCurve.find(this->nameAlong(from, to) + ':' + std::to_string(piece + 1));
+  if (piece != none && ofSide != ofCurve.end())
   {
-    const auto ofSide =
-      ofCurve.find(this->nameAlong(from, to) + ':' + std::to_string(place->second + 1));
-    if (ofSide != ofCurve.end())
-    {
-      return ofSide->second;
-    }
+    return ofSide->second;
   }
   return this->valueAlong(from, to, ofCurve, this->options.allowance);
 }
@@ -128,14 +111,10 @@ void compensate(std::size_t pieces, DrawingSource& all)
 
 Status findBorders(DrawingSource& all)
 {
-  std::size_t pieces = 0;
-  for (const Index piece : all.source.pieceOfTriangle)
-  {
-    pieces = std::max(pieces, static_cast<std::size_t>(piece) + 1);
-  }
+  const std::size_t pieces = pieceCount(all.source);
   compensate(pieces, all);
   all.border = bordersOf(all.source);
-  Status status = findLoops(all.source, all.border, pieces, all.loops);
+  Status status = findLoops(all.source, all.border, all.loops);
   for (std::size_t p = 0; status.ok() && p < pieces; ++p)
   {
     if (all.loops[p].empty())
@@ -151,12 +130,12 @@ Status findBorders(DrawingSource& all)
   }
   all.partners = sewnPartners(all.source);
   all.wires = wiresOfEdges(all.source);
-  std::vector<std::vector<Dart>> folded;
+  all.darts.assign(pieces, {});
   for (std::size_t p = 0; !all.options.cutDartsOut && p < pieces; ++p)
   {
-    folded.push_back(findDarts(all.source, all.loops[p], all.wires, all.partners));
+    all.darts[p] = findDarts(all.source, all.loops[p], all.wires, all.partners);
   }
-  all.joins = findJoins(all.source, all.border, all.partners, all.loops, folded);
+  all.joins = findJoins(all.source, all.border, all.partners, all.loops, all.darts);
   return placeNotches(all.source, all.border, all.partners, all.joins, all.options, all.notches);
 }
 }

@@ -28,18 +28,11 @@ struct DrawingSource
   BorderEdges border;
   SewnPartners partners;
   WireOfEdge wires;
+  std::vector<std::vector<Dart>> darts; ///< of each piece, that are folded
   std::vector<Join> joins;
   std::vector<NotchPlace> notches;
   std::shared_ptr<const FairBorders> fair; ///< null: borders are drawn as the mesh has them
   const Points2* moved = nullptr;          ///< where the points are then, millimetres
-
-  /// Whether an edge is of a border, in either direction.
-  bool isOnBorder(Index from, Index to) const
-  {
-    return this->border.count(edgeKey(from, to)) + this->border.count(edgeKey(to, from)) > 0;
-  }
-  /// Whether all edges of a wire are.
-  bool isOnBorder(const SourceWire& wire) const;
 
   /// How far points of an edge may be from its smooth curve, millimetres; 0: it stays as it is.
   double fairToleranceAlong(Index from, Index to) const;
@@ -60,6 +53,6 @@ struct DrawingSource
   }
 };
 
-/// Finds loops, borders, partners, wires, joins and notches of a source.
+/// Finds loops, borders, partners, wires, darts, joins and notches of a source.
 Status findBorders(DrawingSource& all);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Outlines/Joins.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <unordered_map>
@@ -11,13 +12,6 @@ namespace flattening::pattern
 namespace
 {
 using Side = std::array<Index, 2>; // an edge in the direction of its curve
-
-std::size_t pieceOf(const BorderEdges& border, const Side& side)
-{
-  auto found = border.find(edgeKey(side[0], side[1]));
-  found = found != border.end() ? found : border.find(edgeKey(side[1], side[0]));
-  return found != border.end() ? static_cast<std::size_t>(found->second) : 0;
-}
 
 /// Normals of the surface in space along the borders of pieces.
 class BorderNormals
@@ -152,7 +146,10 @@ std::vector<Join> findJoins(const PatternSource& source, const BorderEdges& bord
       }
       const Side& other = partner->second;
       done.insert(undirectedKey(other[0], other[1]));
-      const std::array<std::size_t, 2> pieces{ pieceOf(border, one), pieceOf(border, other) };
+      const auto ofPiece = [&border](const Side& side) {
+        return static_cast<std::size_t>(std::max(pieceOf(border, side[0], side[1]), Index{ 0 }));
+      };
+      const std::array<std::size_t, 2> pieces{ ofPiece(one), ofPiece(other) };
       if (!going || joins.back().piece != pieces || joins.back().points[1].back() != other[0])
       {
         Join& join = joins.emplace_back();

@@ -10,6 +10,13 @@
 
 namespace flattening::pattern
 {
+namespace
+{
+/// Lengths from the start of a stretch at which it is notched: multiples of the spacing, up to a
+/// quarter of it before the end, or the middle where there is none of these.
+/// \param directed the first one moves towards the start, by a quarter of the spacing or a tenth of
+/// the length, where the notches would otherwise be the same from either end
+/// \param spacing 0: none
 Status notchStations(const std::string& curve, double length, double spacing, bool directed,
   std::vector<double>& stations)
 {
@@ -41,8 +48,6 @@ Status notchStations(const std::string& curve, double length, double spacing, bo
   return {};
 }
 
-namespace
-{
 /// Turns a place so that its edge has the cloth on its left.
 NotchPlace onBoundary(const BorderEdges& boundary, NotchPlace place)
 {
@@ -154,7 +159,7 @@ Status placeNotches(const PatternSource& source, const BorderEdges& border,
       const Index to = wire.points[k + 1];
       const auto partner = partners.find(edgeKey(from, to));
       const bool sewn = partner != partners.end();
-      const bool isBorder = border.count(edgeKey(from, to)) + border.count(edgeKey(to, from)) > 0;
+      const bool isBorder = pieceOf(border, from, to) != none;
       const bool walked = !isBorder || done.count(edgeKey(from, to)) > 0 || arc[k + 1] <= arc[k];
       for (; next < marks.size() && marks[next].at <= arc[k + 1]; ++next)
       {

@@ -22,16 +22,9 @@ struct NotchPlace
 /// as on printed patterns.
 constexpr double doubleNotchDistance = 6.35;
 
-/// Lengths from the start of a stretch at which it is notched: multiples of the spacing, up to a
-/// quarter of it before the end, or the middle where there is none of these.
-/// \param directed the first one moves towards the start, by a quarter of the spacing or a tenth of
-/// the length, where the notches would otherwise be the same from either end
-/// \param spacing 0: none
-Status notchStations(const std::string& curve, double length, double spacing, bool directed,
-  std::vector<double>& stations);
-
-/// Those of a wire, from its start: the distances that the options have for its name, up to its
-/// length, or those of notchStations() along each of its joins, which tell the ends of seams apart.
+/// Lengths from the start of a wire at which it is notched: the distances that the options have for
+/// its name, up to its length, or along each of its joins multiples of the spacing, which tell the
+/// ends of seams apart.
 /// \param length of the wire
 /// \param scale millimetres per unit of the lengths
 Status stationsOf(const PatternSource& source, std::size_t wire, double length,

@@ -68,8 +68,33 @@ BorderEdges bordersOf(const PatternSource& source)
   return borders;
 }
 
-Status findLoops(
-  const PatternSource& source, const BorderEdges& borders, std::size_t pieces, PieceLoops& loops)
+Index pieceOf(const BorderEdges& borders, Index from, Index to)
+{
+  auto found = borders.find(edgeKey(from, to));
+  found = found != borders.end() ? found : borders.find(edgeKey(to, from));
+  return found != borders.end() ? found->second : none;
+}
+
+bool areOnBorder(const BorderEdges& borders, const Indices& line)
+{
+  for (std::size_t k = 0; k + 1 < line.size(); ++k)
+  {
+    if (pieceOf(borders, line[k], line[k + 1]) == none)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::size_t pieceCount(const PatternSource& source)
+{
+  const Indices& pieces = source.pieceOfTriangle;
+  const auto last = std::max_element(pieces.begin(), pieces.end());
+  return last == pieces.end() ? 0 : static_cast<std::size_t>(*last + 1);
+}
+
+Status findLoops(const PatternSource& source, const BorderEdges& borders, PieceLoops& loops)
 {
   std::unordered_map<Index, Index> next;
   Indices starts; // in the order of the triangles, so that the result does not depend on hashing
@@ -93,7 +118,7 @@ Status findLoops(
     }
   }
 
-  loops.assign(pieces, {});
+  loops.assign(pieceCount(source), {});
   for (const Index start : starts)
   {
     auto at = next.find(start);

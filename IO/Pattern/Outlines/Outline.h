@@ -36,10 +36,16 @@ using PieceLoops = std::vector<std::vector<Indices>>;
 /// Directed edges of borders, the cloth on the left, with their pieces.
 using BorderEdges = std::unordered_map<std::uint64_t, Index>;
 BorderEdges bordersOf(const PatternSource& source);
+/// The piece of an edge of a border, in either direction; none of another edge.
+Index pieceOf(const BorderEdges& borders, Index from, Index to);
+/// Whether all edges of a line are of borders.
+bool areOnBorder(const BorderEdges& borders, const Indices& line);
+
+/// How many pieces a source has.
+std::size_t pieceCount(const PatternSource& source);
 
 /// \return InvalidInput where the boundary of a piece does not fall into loops.
-Status findLoops(
-  const PatternSource& source, const BorderEdges& borders, std::size_t pieces, PieceLoops& loops);
+Status findLoops(const PatternSource& source, const BorderEdges& borders, PieceLoops& loops);
 
 /// Which points an edge is sewn to: the directed edge (a, b) to its partner, in the same direction
 /// of the curve. Both banks are keys, in both directions.

@@ -11,7 +11,8 @@
 
 namespace flattening::pattern
 {
-/// What a line of a pattern piece tells the one who cuts and sews.
+/// What a line of a pattern piece, or a stroke that it is drawn by, tells the one who cuts and
+/// sews.
 enum class LineKind
 {
   CutLine,  ///< outer border of the cloth, closed
@@ -22,10 +23,18 @@ enum class LineKind
   Fold,     ///< where the cloth is folded before a half of a piece is cut
   KeyCurve, ///< feature curve of prescribed shape
   Internal, ///< any other feature curve
+  // Strokes that are no lines of a piece.
+  Notch,
+  DartMark, ///< a notch across the leg of a dart
+  DrillHole,
+  Grain,
 };
 
 /// True for the lines that are wires: their lengths are those of the surface.
 bool isWire(LineKind kind);
+
+/// True for those along which the cloth is cut.
+bool isCut(LineKind kind);
 
 /// A line. All lengths of a pattern are millimetres, y points up.
 struct PatternLine
@@ -167,6 +176,9 @@ void forEachPoint(PatternPiece& piece, const Function& f)
 
 /// The length of a line as it is drawn.
 double lengthOf(const PatternLine& line);
+
+/// Around the lines of a piece.
+Eigen::AlignedBox2d boxOf(const PatternPiece& piece);
 
 /// Cloth on which the pieces lie.
 struct Fabric

@@ -13,9 +13,10 @@
 
 namespace flattening::pattern
 {
+/// With the values of the array CurveType.
 enum class WireType
 {
-  Boundary,
+  Boundary = -1,
   Accessory,
   Key,
   Dart,
@@ -40,33 +41,59 @@ struct SewnEdges
   bool closed = false; ///< they lie on each other: the cut was closed, the cloth is whole there
 };
 
-/// The borders of pieces that were panels of GarmentCode: their edges one after the other, between
-/// points of the pieces, with shapes that are the same in any unit but the radius of a circle.
-struct SourcePanels
+enum class EdgeShape
 {
-  struct Edge
+  Straight,
+  Quadratic, ///< parameters: control point, in the frame of the chord
+  Cubic,     ///< parameters: two control points, in the frame of the chord
+  Circle,    ///< parameters: radius, 1 for the larger arc, 1 for counter-clockwise
+};
+
+/// One edge of a panel. The frame of a chord from a to b has its origin at a, b - a as its first
+/// axis and that turned to the left as its second, both of the length 1 in it.
+struct GarmentEdge
+{
+  std::array<std::size_t, 2> ends{}; ///< vertices of the panel
+  EdgeShape shape = EdgeShape::Straight;
+  std::array<double, 4> parameters{};
+  std::string label;
+};
+
+/// A flat piece of GarmentCode, and how it is placed in space.
+struct GarmentPanel
+{
+  std::string name;
+  std::string label;
+  Points2 vertices;
+  std::vector<GarmentEdge> edges; ///< each begins where the one before ends
+  Point3 translation = Point3::Zero();
+  Point3 rotation = Point3::Zero(); ///< degrees about x, then y, then z, which stay
+};
+
+struct GarmentSide
+{
+  std::size_t panel = 0;
+  std::size_t edge = 0;
+
+  bool operator==(const GarmentSide& other) const
   {
-    Index piece = none;
-    std::array<Index, 2> ends{ none, none };
-    int shape = 0; ///< as EdgeShape
-    std::array<double, 4> parameters{};
-    std::string label;
-  };
-  struct Stitch
-  {
-    std::array<Index, 2> edges{ none, none };
-    bool rightToWrong = false;
-  };
-  struct Placement
-  {
-    Point3 translation = Point3::Zero();
-    Point3 rotation = Point3::Zero();
-  };
-  std::vector<Edge> edges;
-  std::vector<Stitch> stitches;
-  std::vector<Placement> placements; ///< by piece, as are names and labels
-  std::vector<std::string> names;
-  std::vector<std::string> labels;
+    return this->panel == other.panel && this->edge == other.edge;
+  }
+};
+
+/// Two edges that are sewn together, the start of one to the end of the other.
+struct GarmentStitch
+{
+  std::array<GarmentSide, 2> sides{};
+  bool rightToWrong = false; ///< start to start instead
+};
+
+/// Panels and stitches as the JSON of GarmentCode has them. Lengths are centimetres in a file, and
+/// those of panels that pieces were, but for where they are placed, in the unit of the surface.
+struct Garment
+{
+  std::vector<GarmentPanel> panels;
+  std::vector<GarmentStitch> stitches;
 };
 
 /// A flattening, in the unit of its surface.
@@ -79,7 +106,8 @@ struct PatternSource
   std::vector<SourceWire> wires;
   std::vector<SewnEdges> sewn;
   Indices gradePoints; ///< with the rules 1, 2, ... of a grading, or none
-  SourcePanels panels; ///< without edges where there were none
+  Garment garment;     ///< whose panels the pieces are; without panels where they are no such
+  std::vector<Indices> panelPoints; ///< the points at the vertices of its panels, or none
   /// By piece, of what was flattened; empty where there is none.
   std::vector<std::string> pieceNames;
   bool onCloth = false; ///< the pieces lie on their cloth, its warp along y
@@ -148,7 +176,7 @@ struct PatternOptions
   /// What is common to lines of a source that have no tolerance of their own.
   double fairToleranceOf(const PatternSource& source) const
   {
-    return source.panels.edges.empty() ? this->fairTolerance : 0.0;
+    return source.garment.panels.empty() ? this->fairTolerance : 0.0;
   }
   /// Whether any line is to be smooth.
   bool isFair(const PatternSource& source) const

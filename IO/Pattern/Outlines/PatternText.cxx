@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Outlines/PatternText.h"
 
+#include "Base/Utf8.h"
+
 #include <array>
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #ifndef __cpp_lib_to_chars
 #include <iomanip>
 #include <locale>
@@ -16,77 +19,6 @@ namespace flattening::pattern
 {
 namespace
 {
-constexpr std::uint32_t replacement = 0xFFFD;
-
-/// Reads one code point at `at` and moves on; bytes that are no UTF-8 give `replacement`, each.
-std::uint32_t nextCodePoint(std::string_view text, std::size_t& at)
-{
-  const auto byte = [&text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const std::uint32_t first = byte(at);
-  const std::size_t length = first < 0x80 ? 1
-    : first < 0xC2                        ? 0
-    : first < 0xE0                        ? 2
-    : first < 0xF0                        ? 3
-    : first < 0xF5                        ? 4
-                                          : 0;
-  if (length == 0 || at + length > text.size())
-  {
-    ++at;
-    return replacement;
-  }
-  if (length == 1)
-  {
-    ++at;
-    return first;
-  }
-  std::uint32_t code = first & (0xFFu >> (length + 1));
-  for (std::size_t k = 1; k < length; ++k)
-  {
-    if ((byte(at + k) & 0xC0u) != 0x80u)
-    {
-      ++at;
-      return replacement;
-    }
-    code = (code << 6) | (byte(at + k) & 0x3Fu);
-  }
-  static constexpr std::array<std::uint32_t, 5> least{ 0, 0, 0x80, 0x800, 0x10000 };
-  const bool surrogate = code >= 0xD800 && code < 0xE000;
-  if (code < least[length] || code > 0x10FFFF || surrogate)
-  {
-    ++at;
-    return replacement;
-  }
-  at += length;
-  return code;
-}
-
-void append(std::string& text, std::uint32_t code)
-{
-  const auto push = [&text](std::uint32_t byte) { text.push_back(static_cast<char>(byte)); };
-  if (code < 0x80)
-  {
-    push(code);
-  }
-  else if (code < 0x800)
-  {
-    push(0xC0 | (code >> 6));
-    push(0x80 | (code & 0x3F));
-  }
-  else if (code < 0x10000)
-  {
-    push(0xE0 | (code >> 12));
-    push(0x80 | ((code >> 6) & 0x3F));
-    push(0x80 | (code & 0x3F));
-  }
-  else
-  {
-    push(0xF0 | (code >> 18));
-    push(0x80 | ((code >> 12) & 0x3F));
-    push(0x80 | ((code >> 6) & 0x3F));
-    push(0x80 | (code & 0x3F));
-  }
-}
-
 bool isControl(std::uint32_t code)
 {
   return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x2028 || code == 0x2029;
@@ -96,10 +28,13 @@ bool isControl(std::uint32_t code)
 std::string cleanText(const std::string& text)
 {
   std::string clean;
-  for (std::size_t at = 0; at < text.size();)
+  for (std::string_view rest(text); !rest.empty();)
   {
-    const std::uint32_t code = nextCodePoint(text, at);
-    append(clean, isControl(code) ? ' ' : code == 0xFFFE || code == 0xFFFF ? replacement : code);
+    const std::string_view before = rest;
+    const std::optional<std::uint32_t> code = takeCharacter(rest);
+    clean += !code || *code == 0xFFFE || *code == 0xFFFF ? "\uFFFD"
+      : isControl(*code)                                 ? " "
+                         : before.substr(0, before.size() - rest.size());
   }
   return clean;
 }
@@ -137,9 +72,9 @@ std::string escapeDxf(const std::string& text)
 {
   const std::string clean = cleanText(text);
   std::string escaped;
-  for (std::size_t at = 0; at < clean.size();)
+  for (std::string_view rest(clean); !rest.empty();)
   {
-    const std::uint32_t code = nextCodePoint(clean, at);
+    const std::uint32_t code = takeCharacter(rest).value_or(0xFFFD);
     if (code < 0x80)
     {
       escaped += static_cast<char>(code);
@@ -237,9 +172,9 @@ std::string csvField(const std::string& text)
 double textWidth(const std::string& text, double height)
 {
   std::size_t characters = 0;
-  for (std::size_t at = 0; at < text.size(); ++characters)
+  for (std::string_view rest(text); !rest.empty(); ++characters)
   {
-    nextCodePoint(text, at);
+    takeCharacter(rest);
   }
   return 0.62 * height * static_cast<double>(characters);
 }

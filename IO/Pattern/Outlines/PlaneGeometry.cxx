@@ -18,6 +18,16 @@ void addSegments(const Points2& points, bool closed, Segments& segments)
   }
 }
 
+Box boxOf(const Points2& points)
+{
+  Box box;
+  for (const Point2& p : points)
+  {
+    box.extend(p);
+  }
+  return box;
+}
+
 double polylineLength(const Points2& line)
 {
   double length = 0.0;
@@ -54,11 +64,8 @@ Point2 nearestPoint(const Point2& point, const Segments& segments)
   Point2 nearest = point;
   for (const Segment& segment : segments)
   {
-    const Point2 side = segment.to - segment.from;
-    const double length = side.squaredNorm();
-    const double at =
-      length > 0.0 ? std::clamp((point - segment.from).dot(side) / length, 0.0, 1.0) : 0.0;
-    const Point2 place = segment.from + at * side;
+    const double at = fractionAlong(segment.from, segment.to, point);
+    const Point2 place = segment.from + at * (segment.to - segment.from);
     const double squared = (place - point).squaredNorm();
     if (squared < least)
     {
@@ -114,16 +121,20 @@ bool inside(const Point2& point, const Segments& borders)
 
 Point2 widestPlace(const Segments& borders, const Segments& obstacles, double& clearance)
 {
+  clearance = 0.0;
+  if (borders.empty())
+  {
+    return Point2::Zero();
+  }
   Box box;
   for (const Segment& side : borders)
   {
-    box.add(side.from);
-    box.add(side.to);
+    box.extend(side.from);
+    box.extend(side.to);
   }
-  Point2 best = box.low;
-  clearance = 0.0;
-  Point2 center = (box.low + box.high) / 2.0;
-  Point2 half = box.extent() / 2.0;
+  Point2 best = box.min();
+  Point2 center = box.center();
+  Point2 half = box.sizes() / 2.0;
   // A grid, and finer ones around the best place found.
   constexpr int steps = 24;
   for (int level = 0; level < 4; ++level)

@@ -47,16 +47,8 @@ Points2 thinned(const Points2& polygon, double distance);
 /// allows; sharp corners need not be among them.
 Points2 simplified(const Points2& polygon, double distance);
 
-struct Box
-{
-  Point2 low{ Point2::Constant(1e300) };
-  Point2 high{ Point2::Constant(-1e300) };
+using Box = Eigen::AlignedBox2d;
 
-  void add(const Point2& p)
-  {
-    this->low = this->low.cwiseMin(p);
-    this->high = this->high.cwiseMax(p);
-  }
-  Point2 extent() const { return this->high - this->low; }
-};
+/// Around points.
+Box boxOf(const Points2& points);
 }
