@@ -34,7 +34,7 @@ class Sizes(command.CommandTest):
         self.assertAlmostEqual(self.sides(report)[1], 100.0, delta=1e-9)
 
     def test_an_obj_file_states_its_unit(self):
-        text = command.obj(*plate(60, 80))
+        text = command.obj(*command.grid(6, 8, lambda i, j: (10.0 * i, 10.0 * j, 0.0)))
         for comment, unit in (("# units: mm", "mm"), ("#Units = Centimeters", "cm"), ("# File units: metres", "m"),
                               ("# unit inch", "inch")):
             self.write("plate.obj", comment + "\n" + text)

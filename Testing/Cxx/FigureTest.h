@@ -151,6 +151,32 @@ int run(const Body& body)
   }
   return checks.result();
 }
+
+inline void drawFrontAndBack(figures::Figure& figure, const std::vector<figures::Piece>& pieces)
+{
+  figures::drawSpace(figure.add(), { pieces[0] }, { 0.0, 0.0, 1.0 });
+  figures::drawSpace(figure.add(), { pieces[1] }, { 0.0, 0.0, -1.0 });
+}
+
+/// A front and a back in space, and by all three methods.
+inline int drawMethods(int argc, char* argv[], const char* front, const char* back)
+{
+  return run([&](Checks& checks) {
+    const std::string data = dataFolder(argc, argv);
+    const std::vector<figures::Piece> pieces{ figures::readPiece(data, front),
+      figures::readPiece(data, back) };
+    const Methods methods(pieces);
+    methods.expect(checks);
+
+    figures::Figure figure(1000, 1000);
+    drawFrontAndBack(figure, pieces);
+    figures::drawFlat(figure.add(), methods.progressive);
+    figure.nextRow();
+    figures::drawFlat(figure.add(), methods.global);
+    figures::drawFlat(figure.add(), methods.conformal);
+    compare(figure, argc, argv, checks);
+  });
+}
 }
 
 #endif

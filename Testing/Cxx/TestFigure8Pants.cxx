@@ -4,15 +4,6 @@
 // global.
 #include "FigureTest.h"
 
-namespace
-{
-void drawViews(figures::Figure& figure, const std::vector<figures::Piece>& pieces)
-{
-  figures::drawSpace(figure.add(), { pieces[0] }, { 0.0, 0.0, 1.0 });
-  figures::drawSpace(figure.add(), { pieces[1] }, { 0.0, 0.0, -1.0 });
-}
-}
-
 int TestFigure8Pants(int argc, char* argv[])
 {
   return figureTest::run([&](figureTest::Checks& checks) {
@@ -36,12 +27,12 @@ int TestFigure8Pants(int argc, char* argv[])
     }
 
     figures::Figure figure(1000, 1000);
-    drawViews(figure, pieces1);
+    figureTest::drawFrontAndBack(figure, pieces1);
     figures::drawFlat(figure.add(), set1.progressive);
     figures::drawFlat(figure.add(), set1.global);
     figures::drawFlat(figure.add(), set1.conformal);
     figure.nextRow();
-    drawViews(figure, pieces2);
+    figureTest::drawFrontAndBack(figure, pieces2);
     figures::drawFlat(figure.add(), set2.progressive);
     figures::drawFlat(figure.add(), set2.global);
     figureTest::compare(figure, argc, argv, checks);
