@@ -9,23 +9,18 @@
 #include <vtkPatternWriter.h>
 #include <vtkStringArray.h>
 #include <vtkTextActor.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QSpinBox>
 #include <QTableWidget>
-#include <QTemporaryDir>
 
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <initializer_list>
-#include <iterator>
 #include <limits>
 #include <regex>
 #include <set>

@@ -7,9 +7,6 @@
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
 
-#include <numeric>
-#include <thread>
-
 using namespace flattening;
 using namespace testmeshes;
 

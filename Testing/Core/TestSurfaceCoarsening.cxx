@@ -8,8 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
 using namespace flattening;
 using namespace testmeshes;
 

@@ -14,7 +14,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
-#include <map>
 
 #ifdef __linux__
 #include <sys/resource.h>

@@ -4,7 +4,6 @@
 #include "../Core/MeshTriangles.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace hostile
