@@ -167,13 +167,9 @@ private:
     return refused;
   }
 
-  bool withinBound(double strain) const
-  {
-    return this->Options.search.bound > 0.0 && strain <= this->Options.search.bound;
-  }
-
   /// Whether one set is before another: what has a flattening before what has none; then what meets
-  /// the bound by its price, before what does not by its strain. Without a bound by the product of
+  /// the bound by its price, before what does not by how many pieces are folded or lie over
+  /// themselves, and its strain. Without a bound by the product of
   /// the mean of the rigid energy and, counted twice, the square of the mean change of area.
   bool better(const CutSet& a, const CutSet& b) const
   {
@@ -190,8 +186,9 @@ private:
       }
       const double waste = search.pieces > 0 ? 0.0 : wastePrice * outcome.waste / this->Area;
       const double price = waste + priceOf(set.cuts, search.fixedPrice, std::sqrt(this->Area / pi));
-      return this->withinBound(outcome.strainP95) ? std::pair(0, price)
-                                                  : std::pair(1, outcome.strainP95);
+      return this->isFlat(set)
+        ? std::pair(0, price)
+        : std::pair(1, static_cast<double>(outcome.faults()) + outcome.strainP95);
     };
     return merit(a) < merit(b);
   }
@@ -210,12 +207,7 @@ private:
 
   bool isFlat(const CutSet& set) const
   {
-    return set.outcome.valid && this->withinBound(set.outcome.strainP95);
-  }
-
-  bool isSoundAndFlat(const CutSet& set) const
-  {
-    return this->isFlat(set) && set.outcome.flipped + set.outcome.overlaps == 0;
+    return this->Options.search.bound > 0.0 && set.outcome.keeps(this->Options.search.bound);
   }
 
   /// The best set whose pieces are no wider than allowed: strips of the uncut surface, as of a
@@ -343,12 +335,14 @@ private:
     const bool charts = !this->hasKeys() &&
       (pieces > 0 || !uncut.outcome.valid ||
         (wanted.bound > 0.0 && wanted.cuts != SuggestedCuts::Darts));
-    const bool chartsFirst = strained || creased;
+    // Single cuts lower strains, and do not part what lies over itself.
+    const bool parting = uncut.outcome.valid && uncut.outcome.strainP95 <= wanted.bound;
+    const bool chartsFirst = strained || creased || parting;
     std::vector<CutSet> found;
     const bool tailored =
       charts && strained && pieces == 0 && wanted.bound > 0.0 && this->Curves.empty();
     CutSet sides = tailored ? this->sideSet(surface) : CutSet();
-    if (this->isSoundAndFlat(sides))
+    if (this->isFlat(sides))
     {
       this->Result.end = SearchEnd::BoundMet;
       return sides;
@@ -358,7 +352,7 @@ private:
     {
       found.push_back(this->chartSet(surface, uncut));
     }
-    const bool few = uncut.outcome.valid && !found.empty() &&
+    const bool few = uncut.outcome.valid && !parting && !found.empty() &&
       static_cast<Index>(found.front().cuts.size()) <= mostAdded;
     if (found.empty() || (pieces == 0 && (few || !this->isFlat(found.front()))))
     {
@@ -420,7 +414,7 @@ private:
     CutSet opened;
     opened.cuts = this->neededCuts(surface);
     opened.outcome = this->Whole.run(linesOf(opened.cuts), this->Budget, this->Run);
-    if (this->isSoundAndFlat(opened) && this->allowed(opened))
+    if (this->isFlat(opened) && this->allowed(opened))
     {
       return opened;
     }
@@ -498,7 +492,7 @@ private:
     set.cutsNeeded = tooMany ? needed : set.cutsNeeded;
     if (set.end == SearchEnd::NothingHelps && wanted.bound > 0.0 && wanted.pieces == 0)
     {
-      if (set.outcome.flipped + set.outcome.overlaps > 0)
+      if (set.outcome.faults() > 0)
       {
         set = this->parted(std::move(set)); // single cuts are hardly found there
       }
@@ -600,8 +594,10 @@ private:
     double area = 0.0;
     for (std::size_t p = 0; p < pieces.size(); ++p)
     {
-      done[p] =
-        options.pieces == 0 && known && this->withinBound(uncut.outcome.pieceStrains[p]) ? 1 : 0;
+      done[p] = options.pieces == 0 && known && this->Options.search.bound > 0.0 &&
+          uncut.outcome.keeps(p, this->Options.search.bound)
+        ? 1
+        : 0;
       area += done[p] ? 0.0 : pieces[p].mesh.area();
     }
     const Index wanted =

@@ -120,12 +120,8 @@ private:
   TrialOutcome& now() { return this->Result.outcome; }
   const TrialOutcome& now() const { return this->Result.outcome; }
 
-  bool withinBound(double strain) const
-  {
-    return this->Search.bound > 0.0 && strain <= this->Search.bound;
-  }
   /// No strain is known of a surface that has no flattening yet.
-  bool met() const { return this->now().valid && this->withinBound(this->now().strainP95); }
+  bool met() const { return this->Search.bound > 0.0 && this->now().keeps(this->Search.bound); }
 
   bool finished()
   {
@@ -257,7 +253,7 @@ private:
     std::vector<std::size_t> order;
     for (std::size_t p = 0; p < pieces.size(); ++p)
     {
-      if (!known || !this->withinBound(this->now().pieceStrains[p]))
+      if (!known || this->Search.bound == 0.0 || !this->now().keeps(p, this->Search.bound))
       {
         order.push_back(p);
       }
@@ -389,7 +385,7 @@ bool openFolds(
     const Index piece = cut.pieceOfTriangle[h / 3];
     const Index curve = cut.curveOfHalfedge[h] - static_cast<Index>(curves);
     if (curve >= 0 && cuts[curve].curve.type == CurveType::Dart &&
-      (flat.outcome.pieceStrains[piece] > bound || flat.outcome.pieceFaults[piece]))
+      !flat.outcome.keeps(piece, bound))
     {
       cuts[curve].curve.type = CurveType::Seam;
       opened = true;

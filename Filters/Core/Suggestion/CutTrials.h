@@ -103,6 +103,20 @@ struct TrialOutcome
   {
     return this->valid ? measure : std::numeric_limits<double>::quiet_NaN();
   }
+  /// Whether a piece is within a bound of the strain, and neither folded nor over another part.
+  bool keeps(std::size_t piece, double bound) const
+  {
+    return this->pieceStrains[piece] <= bound && !this->pieceFaults[piece];
+  }
+  std::ptrdiff_t faults() const
+  {
+    return std::count(this->pieceFaults.begin(), this->pieceFaults.end(), 1);
+  }
+  /// Whether all pieces are.
+  bool keeps(double bound) const
+  {
+    return this->valid && this->strainP95 <= bound && this->faults() == 0;
+  }
   /// Whether the status is no worse than before: nothing more is folded or lies over another part.
   bool soundAfter(const TrialOutcome& before) const
   {

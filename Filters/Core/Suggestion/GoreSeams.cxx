@@ -461,7 +461,7 @@ CutSet fewestGores(const GoreSeams& gores, double triangles, const CutTrials& tr
     return set;
   };
   const auto misses = [&](const CutSet& set) {
-    return !set.cuts.empty() && !(set.outcome.valid && set.outcome.strainP95 <= wanted.bound);
+    return !set.cuts.empty() && !set.outcome.keeps(wanted.bound);
   };
   Index count = std::max(gores.fewest(), wanted.pieces);
   Index missed = count - 1; // this number misses the bound
