@@ -248,7 +248,6 @@ const std::vector<Command>& commands()
         addMaking(app, options);
         addScaling(app, options);
         addCutting(app, options);
-        app.get_option("--effort")->default_str(effortOfMaking);
         addDrawing(app, options.pattern);
       },
       { "--for", "--template", "--height", "--max-strain", "--pieces", "--symmetric", "--effort",

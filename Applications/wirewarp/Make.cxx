@@ -70,9 +70,6 @@ std::vector<DefaultOption> defaultsOfTemplate(const std::string& name)
   return found == all.end() ? std::vector<DefaultOption>() : found->second;
 }
 
-/// Of all kinds: a pattern within some ten seconds.
-const DefaultOption effort{ "--effort", effortOfMaking };
-
 bool isOption(const std::string& argument, const std::string& option)
 {
   return argument == option || argument.rfind(option + '=', 0) == 0;
@@ -262,7 +259,7 @@ void addMaking(CLI::App& app, Options& options)
     ->transform(CLI::IsMember({ "front-back", "gores", "strips", "foam-shell" }, CLI::ignore_case)
                   .description(""))
     ->type_name("TEMPLATE");
-  app.footer(text + "\n  all: " + effort.option + ' ' + effort.value + "\n\n" + app.get_footer());
+  app.footer(text + "\n\n" + app.get_footer());
 }
 
 void checkTemplate(const Options& options)
@@ -284,10 +281,6 @@ std::vector<std::string> withOptionsOfKind(std::vector<std::string> arguments)
     {
       defaults.insert(defaults.end(), kind.defaults.begin(), kind.defaults.end());
     }
-  }
-  if (!hasOption(arguments, "--max-work"))
-  {
-    defaults.push_back(effort);
   }
   const std::vector<std::string> given = arguments;
   for (const DefaultOption& option : defaults)

@@ -15,9 +15,6 @@ struct FilesOfFlattening;
 struct Options;
 
 /// Adds --for, which names what is made.
-/// What --effort is then: a pattern within some ten seconds.
-inline constexpr const char* effortOfMaking = "quick";
-
 void addMaking(CLI::App& app, Options& options);
 
 /// Throws CLI::ValidationError where a template needs an option that is not given.

@@ -88,7 +88,6 @@ class Usage(command.CommandTest):
         said = " ".join(self.run_command("flatten", "--help").stdout.split())
         self.assertRegex(said, r"How the legs of a dart lie: .*straight, or mirrored \(")
         said = " ".join(self.run_command("make", "--help").stdout.split())
-        self.assertIn("--effort EFFORT (quick)", said)  # that of its own default
         self.assertIn("--max-cuts", said)  # which its messages name
 
     def test_option_without_its_value_is_bad_usage(self):

@@ -348,3 +348,23 @@ TEST(SuggestedSets, ACanIsCutAlongItsRims)
     expectExact(can(sides, 3.0), SuggestedCuts::All, 3);
   }
 }
+
+TEST(CurveSuggestion, PartsWhatLiesOverItselfWithoutStrain)
+{
+  // Ramps round an axis: rings of more than a turn in the plane.
+  for (double turns : { 1.02, 1.5, 2.6 })
+  {
+    const TriangleMesh ramp = patch(90, 5, [turns](double i, double j) {
+      const double angle = 2.0 * pi * turns * i / 90.0;
+      const double radius = 1.0 + 0.1 * j;
+      return Point3(radius * std::cos(angle), radius * std::sin(angle), i / 150.0);
+    }).mesh;
+    const FlatteningResult uncut = flattenSurface(ramp, {}, {}, {});
+    ASSERT_EQ(uncut.status.code, StatusCode::Overlap) << turns;
+    const CurveSuggestions suggestions = suggestCurves(ramp, {}, optionsOf(0.05, 0));
+    EXPECT_TRUE(suggestions.boundMet) << turns;
+    EXPECT_LE(suggestions.curves.size(), static_cast<std::size_t>(2.0 * turns)) << turns;
+    const FlatteningResult flat = flattened(ramp, {}, suggestions);
+    EXPECT_EQ(flat.status.code, StatusCode::Ok) << turns;
+  }
+}
