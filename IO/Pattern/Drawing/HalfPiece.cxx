@@ -105,11 +105,7 @@ std::vector<PatternLine> rightParts(const PatternLine& line, const MirrorAxis& a
   }
   for (PatternLine& part : parts)
   {
-    for (const FairSpan& span : part.curve)
-    {
-      sampleSpan(span, sampleDistance, part.points);
-    }
-    part.points.push_back(part.curve.back().control[3]);
+    part.points = sampled(part.curve);
     if (line.curve.empty())
     {
       part.curve.clear();

@@ -274,12 +274,7 @@ private:
       }
       if (!line.curve.empty()) // it is where a wire has collapsed
       {
-        line.points.clear();
-        for (const FairSpan& span : line.curve)
-        {
-          sampleSpan(span, sampleDistance, line.points);
-        }
-        line.points.push_back(line.curve.back().control[3]);
+        line.points = sampled(line.curve);
       }
       if (line.kind == LineKind::DartLeg)
       {

@@ -32,45 +32,35 @@ Garment inCentimetres(Garment garment, double scale)
   return garment;
 }
 
-/// The rigid motion that brings the points of a piece nearest to the surface (W. Kabsch, Acta
-/// Crystallographica A32, 1976).
+/// Lays a panel where the points of its piece are nearest to the surface.
 void place(const DrawingSource& all, std::size_t piece, GarmentPanel& panel)
 {
   const PatternSource& source = all.source;
   const double scale = centimetresPerMillimetre * all.scale();
-  Indices points;
-  for (std::size_t t = 0; t < source.triangles.size(); ++t)
+  Points3 flat;
+  Points3 inSpace;
+  for (std::size_t t = 0; t < source.triangles.size() && !source.inSpace.empty(); ++t)
   {
-    if (source.pieceOfTriangle[t] == static_cast<Index>(piece))
+    for (const Index v : source.triangles[t])
     {
-      points.insert(points.end(), source.triangles[t].begin(), source.triangles[t].end());
+      if (source.pieceOfTriangle[t] == static_cast<Index>(piece))
+      {
+        flat.emplace_back(scale * source.positions[v].x(), scale * source.positions[v].y(), 0.0);
+        inSpace.emplace_back(scale * source.inSpace[v]);
+      }
     }
   }
-  if (source.inSpace.empty())
+  if (flat.empty())
   {
     return;
   }
-  const auto flat = [&](Index v) {
-    const Point2& p = source.positions[v];
-    return Eigen::Vector3d(scale * p.x(), scale * p.y(), 0.0);
+  const auto columns = [](const Points3& points) {
+    return Eigen::Map<const Eigen::Matrix3Xd>(
+      points.front().data(), 3, static_cast<Eigen::Index>(points.size()));
   };
-  Eigen::Vector3d flatMean = Eigen::Vector3d::Zero();
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const Index v : points)
-  {
-    flatMean += flat(v) / static_cast<double>(points.size());
-    mean += scale * source.inSpace[v] / static_cast<double>(points.size());
-  }
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Index v : points)
-  {
-    spread += (scale * source.inSpace[v] - mean) * (flat(v) - flatMean).transpose();
-  }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(spread, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Vector3d signs(
-    1.0, 1.0, (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0);
-  const Eigen::Matrix3d turn = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
-  panel.translation = mean - turn * flatMean;
+  const Eigen::Matrix4d motion = Eigen::umeyama(columns(flat), columns(inSpace), false);
+  const Eigen::Matrix3d turn = motion.topLeftCorner<3, 3>();
+  panel.translation = motion.topRightCorner<3, 1>();
   panel.rotation = 180.0 / pi *
     Eigen::Vector3d(std::atan2(turn(2, 1), turn(2, 2)),
       std::asin(std::clamp(-turn(2, 0), -1.0, 1.0)), std::atan2(turn(1, 0), turn(0, 0)));

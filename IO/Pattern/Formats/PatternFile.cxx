@@ -105,13 +105,15 @@ Status makePatternFile(
   {
     return makeGradeFile(options, drawing, content);
   }
-  if (options.grading && source.gradePoints.empty())
+  std::optional<PatternSource> graded;
+  if (options.grading)
   {
-    PatternSource graded = source;
-    FileOptions base = options;
-    base.grading = nullptr;
-    Status status = addGradePoints(*options.grading, graded);
-    return status.ok() ? makePatternFile(graded, base, drawing, content) : status;
+    graded = source;
+    Status status = addGradePoints(*options.grading, *graded);
+    if (!status.ok())
+    {
+      return status;
+    }
   }
   const bool onFabric = options.fabric.width != 0.0 &&
     (options.format == FileFormat::Svg || options.format == FileFormat::Pdf ||
@@ -119,7 +121,7 @@ Status makePatternFile(
   PatternOptions drawn = options.pattern;
   drawn.oneLayer = onFabric;
   std::optional<DrawingSource> all;
-  Status status = prepareDrawing(source, drawn, options.fair, all);
+  Status status = prepareDrawing(graded ? *graded : source, drawn, options.fair, all);
   if (status.ok())
   {
     status = buildPattern(*all, drawing);

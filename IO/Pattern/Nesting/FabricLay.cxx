@@ -7,6 +7,7 @@
 #include "Outlines/PatternText.h"
 #include "Outlines/PlaneGeometry.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -24,14 +25,16 @@ constexpr std::size_t mostOrders = 300;
 constexpr std::size_t mostCopies = 1000;
 
 /// A motion of the plane that may turn a piece over.
-struct Motion
-{
-  Eigen::Matrix2d turn = Eigen::Matrix2d::Identity();
-  Point2 shift = Point2::Zero();
+using Motion = Eigen::Affine2d;
 
-  Point2 operator()(const Point2& p) const { return this->turn * p + this->shift; }
-  bool turnsOver() const { return this->turn.determinant() < 0.0; }
-};
+Points2 moved(Points2 points, const Motion& motion)
+{
+  for (Point2& p : points)
+  {
+    p = motion * p;
+  }
+  return points;
+}
 
 const PatternLine* cutLineOf(const PatternPiece& piece)
 {
@@ -44,21 +47,19 @@ const PatternLine* cutLineOf(const PatternPiece& piece)
 /// at the origin.
 Motion motionOf(const PatternPiece& piece, bool turnedOver, bool upsideDown)
 {
-  Motion motion;
+  Motion motion = Motion::Identity();
   const Point2 grain = piece.grain.to - piece.grain.from;
   const double length = grain.norm();
   const Point2 along = length > 0.0 ? Point2(grain / length) : Point2(0.0, 1.0);
   const double sign = upsideDown ? -1.0 : 1.0;
   // Rows: what becomes x, and y.
-  motion.turn << along.y(), -along.x(), along.x(), along.y();
-  motion.turn *= sign;
+  motion.linear() << along.y(), -along.x(), along.x(), along.y();
+  motion.linear() *= sign;
   if (turnedOver)
   {
-    motion.turn.row(0) *= -1.0;
+    motion.linear().row(0) *= -1.0;
   }
-  Points2 moved = cutLineOf(piece)->points;
-  std::transform(moved.begin(), moved.end(), moved.begin(), motion);
-  motion.shift = -boxOf(moved).min();
+  motion.translation() = -boxOf(moved(cutLineOf(piece)->points, motion)).min();
   return motion;
 }
 
@@ -66,23 +67,24 @@ Motion motionOf(const PatternPiece& piece, bool turnedOver, bool upsideDown)
 PatternPiece movedPiece(const PatternPiece& piece, const Motion& motion)
 {
   PatternPiece copy = piece;
-  forEachPoint(copy, [&motion](Point2& p) { p = motion(p); });
+  forEachPoint(copy, [&motion](Point2& p) { p = motion * p; });
   // How many are cut is what lies on the cloth.
   copy.texts.erase(std::remove_if(copy.texts.begin(), copy.texts.end(),
                      [](const PatternText& text) {
                        return text.role == TextRole::Label && text.text.rfind("cut ", 0) == 0;
                      }),
     copy.texts.end());
+  const bool turnsOver = motion.linear().determinant() < 0.0;
   for (PatternText& text : copy.texts)
   {
-    const Point2 along = motion.turn * Point2(std::cos(text.angle), std::sin(text.angle));
+    const Point2 along = motion.linear() * Point2(std::cos(text.angle), std::sin(text.angle));
     text.angle = std::atan2(along.y(), along.x());
-    if (motion.turnsOver() && text.role == TextRole::Title)
+    if (turnsOver && text.role == TextRole::Title)
     {
       text.text += ", turned over";
     }
     // Letters are never turned over; of a line they run from its other end.
-    if (motion.turnsOver() && std::cos(text.angle) < 0.0)
+    if (turnsOver && std::cos(text.angle) < 0.0)
     {
       text.angle += text.angle > 0.0 ? -pi : pi;
     }
@@ -190,8 +192,7 @@ private:
       }
       Kind::Way way;
       way.motion = motionOf(piece, turnedOver, upsideDown);
-      Points2 polygon = cutLineOf(piece)->points;
-      std::transform(polygon.begin(), polygon.end(), polygon.begin(), way.motion);
+      Points2 polygon = moved(cutLineOf(piece)->points, way.motion);
       kind.extent = boxOf(polygon).max();
       if (!this->fits(kind))
       {

@@ -89,6 +89,17 @@ void sampleSpan(const FairSpan& span, double distance, Points2& points)
   }
 }
 
+Points2 sampled(const std::vector<FairSpan>& curve)
+{
+  Points2 points;
+  for (const FairSpan& span : curve)
+  {
+    sampleSpan(span, sampleDistance, points);
+  }
+  points.push_back(curve.back().control[3]);
+  return points;
+}
+
 FairSpan partOf(const FairSpan& span, double from, double to)
 {
   FairSpan part;

@@ -32,6 +32,9 @@ inline constexpr double sampleDistance = 0.02;
 /// Adds points along a curve, without its last one, whose chords are within a distance of it.
 void sampleSpan(const FairSpan& span, double distance, Points2& points);
 
+/// A curve as it is drawn, from end to end.
+Points2 sampled(const std::vector<FairSpan>& curve);
+
 /// The part of a Bezier curve between two places, or the way back where they descend.
 FairSpan partOf(const FairSpan& span, double from, double to);
 
