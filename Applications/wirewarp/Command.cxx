@@ -117,7 +117,7 @@ int run(const Options& options)
   const FilesOfFlattening written = flattenToFiles(options);
   if (written.result.refused())
   {
-    std::cerr << "wirewarp: error: " << plainText(written.result.message) << '\n';
+    std::cerr << messageLine("error", written.result.message);
     return written.result.exitCode;
   }
   if (!options.quiet && options.command == "make" && !options.table)
@@ -154,19 +154,15 @@ void wirewarp::runCommand(int argc, char** argv)
     }
     finishOutput();
   }
-  catch (const InputError& error)
-  {
-    std::cerr << "wirewarp: error: " << plainText(error.what()) << '\n';
-    exitCode = InputRefused;
-  }
   catch (const std::bad_alloc&)
   {
-    std::cerr << "wirewarp: error: OutOfMemory: memory ran out; " << wayOutOfMemory << '\n';
+    std::cerr << messageLine(
+      "error", std::string("OutOfMemory: memory ran out; ") + wayOutOfMemory);
     exitCode = InputRefused;
   }
   catch (const std::exception& error)
   {
-    std::cerr << "wirewarp: error: " << plainText(error.what()) << '\n';
+    std::cerr << messageLine("error", error.what());
     exitCode = InputRefused;
   }
   leave(exitCode);

@@ -639,6 +639,11 @@ std::string meantBy(const CLI::App& app, const std::vector<std::string>& unknown
 
 std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
 {
+  const auto refuse = [&exitCode](const std::string& fault, const std::string& command) {
+    std::cerr << messageLine("error", fault) << "Try 'wirewarp " << command << "--help'.\n";
+    exitCode = BadUsage;
+    return std::nullopt;
+  };
   Options options;
   std::vector<std::string> arguments = argumentsOf(argc, argv);
   const auto all = std::find(arguments.begin(), arguments.end(), "--help-all");
@@ -655,11 +660,9 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
     const std::string meant = commandMeantBy(arguments[first]);
     if (!meant.empty())
     {
-      std::cerr << "wirewarp: error: " << plainText(inQuotes(arguments[first]))
-                << " is neither a command nor a file; did you mean wirewarp " << meant
-                << "?\nTry 'wirewarp --help'.\n";
-      exitCode = BadUsage;
-      return std::nullopt;
+      return refuse(inQuotes(arguments[first]) +
+          " is neither a command nor a file; did you mean wirewarp " + meant + "?",
+        "");
     }
     arguments.insert(arguments.begin() + static_cast<std::ptrdiff_t>(first), "flatten");
   }
@@ -720,18 +723,12 @@ std::optional<Options> parseCommandLine(int argc, char** argv, int& exitCode)
   }
   catch (const InputError& error)
   {
-    std::cerr << "wirewarp: error: " << plainText(error.what()) << "\nTry 'wirewarp "
-              << chosen->get_name() << " --help'.\n";
-    exitCode = BadUsage;
-    return std::nullopt;
+    return refuse(error.what(), chosen->get_name() + ' ');
   }
   catch (const CLI::ParseError& error)
   {
-    std::cerr << "wirewarp: error: " << plainText(error.what())
-              << plainText(meantBy(*chosen, app.remaining())) << "\nTry 'wirewarp "
-              << (chosen == &app ? "" : chosen->get_name() + ' ') << "--help'.\n";
-    exitCode = BadUsage;
-    return std::nullopt;
+    return refuse(error.what() + meantBy(*chosen, app.remaining()),
+      chosen == &app ? "" : chosen->get_name() + ' ');
   }
   return options;
 }

@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace wirewarp
 {
@@ -158,52 +159,50 @@ void takeFolder(Options& options, const std::string& path)
   options.outputGiven = true;
 }
 
-/// Where the command writes to unless told otherwise.
+std::string stemOf(const Options& options)
+{
+  return fs::u8path(options.batch.empty() ? options.surface : options.batch).stem().string();
+}
+
+/// Where the command writes to that is told nothing, but for what it draws.
 void takeDefaults(Options& options)
 {
-  const std::string& command = options.command;
-  const fs::path input = fs::u8path(options.batch.empty() ? options.surface : options.batch);
-  const std::string stem = input.stem().string();
-  const fs::path within = fs::u8path(options.source);
-  const auto beside = [&](const std::string& name) {
-    return within.empty() ? stem + "_" + name : (within / fs::u8path(name)).string();
-  };
-  if (command == "flatten" || command == "batch")
+  static const std::map<std::string, std::string> folders{ { "flatten", "_flat" },
+    { "batch", "_flat" }, { "sew", "_sewn" }, { "reshape", "_reshaped" } };
+  const auto folder = folders.find(options.command);
+  if (options.command == "sew" && !options.source.empty())
   {
-    options.output = stem + "_flat";
+    options.sewnFile =
+      (fs::u8path(options.source) / ("sewn" + std::string(dataExtension))).string();
   }
-  else if (command == "cut")
+  else if (folder != folders.end())
   {
-    options.curvesFile = stem + "_cuts" + dataExtension;
+    options.output = stemOf(options) + folder->second;
   }
-  else if (command == "pattern" || command == "make")
+  else if (options.command == "cut")
   {
-    takeFile(options, beside("pattern.pdf"));
+    options.curvesFile = stemOf(options) + "_cuts" + dataExtension;
   }
-  else if (command == "nest")
+}
+
+/// What the command draws that names no file for it: in its folder, or that of the source, or
+/// beside the surface.
+void takeDrawn(Options& options)
+{
+  static const std::map<std::string, std::vector<std::string>> drawn{ { "make", { "pattern.pdf" } },
+    { "pattern", { "pattern.pdf" } }, { "nest", { "lay.svg" } },
+    { "grade", { "nest.svg", "rules.csv" } }, { "picture", { "picture.png" } } };
+  const auto names = drawn.find(options.command);
+  if (names == drawn.end() || options.pattern.any() || options.picture.any())
   {
-    takeFile(options, beside("lay.svg"));
+    return;
   }
-  else if (command == "grade")
+  const fs::path folder = fs::u8path(options.output.empty() ? options.source : options.output);
+  for (const std::string& name : names->second)
   {
-    takeFile(options, stem + "_nest.svg");
-    takeFile(options, stem + "_rules.csv");
-  }
-  else if (command == "sew" && within.empty())
-  {
-    options.output = stem + "_sewn";
-  }
-  else if (command == "sew")
-  {
-    options.sewnFile = (within / ("sewn" + std::string(dataExtension))).string();
-  }
-  else if (command == "reshape")
-  {
-    options.output = stem + "_reshaped";
-  }
-  else if (command == "picture")
-  {
-    options.picture.path = within.empty() ? stem + ".png" : (within / "picture.png").string();
+    const std::string beside = name == "picture.png" ? ".png" : "_" + name;
+    takeFile(
+      options, folder.empty() ? stemOf(options) + beside : (folder / fs::u8path(name)).string());
   }
 }
 }
@@ -225,24 +224,7 @@ void resolveOutputs(Options& options)
   {
     takeDefaults(options);
   }
-  else if (options.command == "picture" && options.picture.path.empty())
-  {
-    options.picture.path = (fs::u8path(options.output) / "picture.png").string();
-  }
-  else if ((options.command == "pattern" || options.command == "make" ||
-             options.command == "nest") &&
-    options.pattern.files.empty())
-  {
-    const std::string name = options.command == "nest" ? "lay.svg" : "pattern.pdf";
-    takeFile(options,
-      options.output.empty() ? fs::u8path(options.surface).stem().string() + "_" + name
-                             : (fs::u8path(options.output) / name).string());
-  }
-  else if (options.command == "grade" && options.pattern.files.empty())
-  {
-    takeFile(options, (fs::u8path(options.output) / "nest.svg").string());
-    takeFile(options, (fs::u8path(options.output) / "rules.csv").string());
-  }
+  takeDrawn(options);
   if (!options.batch.empty()) // whose surfaces have files of their own
   {
     return;

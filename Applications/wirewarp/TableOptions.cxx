@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iomanip>
 #include <limits>
 #include <map>
@@ -31,6 +32,19 @@ std::string exactly(double value)
   std::ostringstream text;
   text << std::setprecision(17) << value;
   return text.str();
+}
+
+/// Checks what is given, and may rewrite it. \param isValid of the text \param fault of one that is
+/// not, behind it
+CLI::Validator checked(std::function<bool(std::string&)> isValid, const std::string& fault,
+  const std::string& description)
+{
+  return CLI::Validator(
+    [isValid = std::move(isValid), fault](std::string& text) {
+      const std::string given = text;
+      return isValid(text) ? std::string() : inQuotes(given) + fault;
+    },
+    description);
 }
 
 /// Reads a length that may have a unit, and is in mm without.
@@ -170,18 +184,16 @@ private:
 
   static CLI::Validator within(const flattening::Option& option)
   {
-    return CLI::Validator(
-      [&option](std::string& text) {
+    const bool whole = option.type == OptionType::Integer;
+    return checked(
+      [&option, whole](const std::string& text) {
         double value = 0.0;
         long long count = 0;
-        const bool whole = option.type == OptionType::Integer;
         const bool read = whole ? parseInteger(text, count) : parseNumber(text, value);
-        const bool valid = read && isValid(option, whole ? static_cast<double>(count) : value);
-        return valid ? std::string()
-                     : inQuotes(text) +
-            (whole ? " is not a whole number " : " is not a number in ") + rangeOf(option);
+        return read && isValid(option, whole ? static_cast<double>(count) : value);
       },
-      (option.type == OptionType::Integer ? "" : "in ") + rangeOf(option));
+      (whole ? " is not a whole number " : " is not a number in ") + rangeOf(option),
+      (whole ? "" : "in ") + rangeOf(option));
   }
 
   CLI::Option* addNumber(const std::string& name, const flattening::Option& option)
@@ -352,60 +364,49 @@ EaseRequest easeRequest(const std::string& entry)
 
 CLI::Validator length(std::function<bool(double)> isValid, const std::string& range)
 {
-  return CLI::Validator(
-    [isValid = std::move(isValid), range](std::string& text) {
+  return checked(
+    [isValid = std::move(isValid)](std::string& text) {
       double value = 0.0;
-      if (!inMillimetres(text, value) || !isValid(value))
-      {
-        return inQuotes(text) + " is not a length in " + range + " mm, such as 12, 12mm or 0.5in";
-      }
+      const bool valid = inMillimetres(text, value) && isValid(value);
       text = exactly(value);
-      return std::string();
+      return valid;
     },
-    "");
+    " is not a length in " + range + " mm, such as 12, 12mm or 0.5in", "");
 }
 
 CLI::Validator number(double least, double most, const std::string& range)
 {
-  return CLI::Validator(
-    [least, most, range](std::string& text) {
+  return checked(
+    [least, most](const std::string& text) {
       double value = 0.0;
-      const bool valid = parseNumber(text, value) && value >= least && value <= most;
-      return valid ? std::string() : inQuotes(text) + " is not a number in " + range;
+      return parseNumber(text, value) && value >= least && value <= most;
     },
-    "in " + range);
+    " is not a number in " + range, "in " + range);
 }
 
 CLI::Validator percentage(double least, double most, const std::string& range)
 {
-  return CLI::Validator(
-    [least, most, range](std::string& text) {
+  return checked(
+    [least, most](std::string& text) {
       const bool percent = !text.empty() && text.back() == '%';
+      text.resize(text.size() - (percent ? 1 : 0));
       double value = 0.0;
-      if (!parseNumber(percent ? text.substr(0, text.size() - 1) : text, value))
-      {
-        return inQuotes(text) + " is not a number in " + range + " or as much in %";
-      }
-      value = percent ? value / 100.0 : value;
-      if (!(value >= least && value <= most))
-      {
-        return inQuotes(text) + " is not a number in " + range + " or as much in %";
-      }
+      const bool read = parseNumber(text, value);
+      value /= percent ? 100.0 : 1.0;
       text = exactly(value);
-      return std::string();
+      return read && value >= least && value <= most;
     },
-    "");
+    " is not a number in " + range + " or as much in %", "");
 }
 
 CLI::Validator wholeNumber(long long least, long long most, const std::string& range)
 {
-  return CLI::Validator(
-    [least, most, range](std::string& text) {
+  return checked(
+    [least, most](const std::string& text) {
       long long value = 0;
-      const bool valid = parseInteger(text, value) && value >= least && value <= most;
-      return valid ? std::string() : inQuotes(text) + " is not a whole number " + range;
+      return parseInteger(text, value) && value >= least && value <= most;
     },
-    range);
+    " is not a whole number " + range, range);
 }
 
 void addMethods(CLI::App& app, Options& options)
@@ -529,14 +530,12 @@ void addSurfaceLength(CLI::App& app, const char* property, Options& options)
         options.unitsOfLengths[property] = length.unit;
       },
       option.help)
-    ->check(CLI::Validator(
-      [&option](std::string& text) {
+    ->check(checked(
+      [&option](const std::string& text) {
         Length length;
-        return parseLength(text, length) && isValid(option, length.value)
-          ? std::string()
-          : inQuotes(text) + " is not a length from 0, such as 1.5, 1.5m or 150cm";
+        return parseLength(text, length) && isValid(option, length.value);
       },
-      ""))
+      " is not a length from 0, such as 1.5, 1.5m or 150cm", ""))
     ->type_name("LENGTH")
     ->default_str(options.values.text(property));
 }

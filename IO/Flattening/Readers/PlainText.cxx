@@ -31,4 +31,9 @@ std::string plainText(std::string_view text)
   }
   return plain;
 }
+
+std::string messageLine(std::string_view kind, std::string_view text)
+{
+  return std::string("wirewarp: ").append(kind).append(": ").append(plainText(text)).append("\n");
+}
 }

@@ -10,4 +10,7 @@ namespace wirewarp
 /// each byte that is no UTF-8 becomes a question mark. Names in files may hold what would colour,
 /// move or overwrite what stands on the screen.
 std::string plainText(std::string_view text);
+
+/// The line of an error, a warning or a note, which is the kind.
+std::string messageLine(std::string_view kind, std::string_view text);
 }
