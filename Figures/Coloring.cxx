@@ -19,6 +19,10 @@ namespace figures
 {
 namespace
 {
+/// In the order of the enumeration.
+constexpr std::array<const char*, 11> names{ "developability", "homogeneity", "aspect-ratio",
+  "area", "strain", "stretch", "warp", "weft", "shear", "distance", "piece" };
+
 /// Nine colors of viridis, from its dark end to its light one (N. Smith, S. van der Walt,
 /// matplotlib 1.5, CC0); between them CIELAB interpolation is at most 3.7 off the map's 256 colors
 /// (CIE 1976).
@@ -209,51 +213,15 @@ ColorMap colorMapOf(Coloring coloring, const FlatPiece& piece)
 //------------------------------------------------------------------------------
 const char* nameOf(Coloring coloring)
 {
-  switch (coloring)
-  {
-    case Coloring::Developability:
-      return "developability";
-    case Coloring::AspectRatio:
-      return "aspect-ratio";
-    case Coloring::Area:
-      return "area";
-    case Coloring::Strain:
-      return "strain";
-    case Coloring::Stretch:
-      return "stretch";
-    case Coloring::Warp:
-      return "warp";
-    case Coloring::Weft:
-      return "weft";
-    case Coloring::Shear:
-      return "shear";
-    case Coloring::Distance:
-      return "distance";
-    case Coloring::Piece:
-      return "piece";
-    default:
-      return "homogeneity";
-  }
+  return names[static_cast<std::size_t>(coloring)];
 }
 
 //------------------------------------------------------------------------------
 std::optional<Coloring> coloringOf(const std::string& name)
 {
-  for (const Coloring coloring : { Coloring::Strain, Coloring::Distance, Coloring::Piece })
-  {
-    if (name == nameOf(coloring))
-    {
-      return coloring;
-    }
-  }
-  const auto isCalled = [&name](Coloring coloring) { return name == nameOf(coloring); };
-  const auto* found = std::find_if(colorings.begin(), colorings.end(), isCalled);
-  if (found != colorings.end())
-  {
-    return *found;
-  }
-  found = std::find_if(threadColorings.begin(), threadColorings.end(), isCalled);
-  return found == threadColorings.end() ? std::nullopt : std::optional<Coloring>(*found);
+  const auto* const found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? std::nullopt
+                              : std::make_optional(static_cast<Coloring>(found - names.begin()));
 }
 
 //------------------------------------------------------------------------------

@@ -235,33 +235,33 @@ void Drawing::addCategories(const PolyData& surface, const char* array)
 }
 
 //------------------------------------------------------------------------------
-void Drawing::addWires(const PolyData& wires, DartSides sides)
+std::array<WireGroup, 5> groupWires(vtkPolyData* wires, DartSides sides)
 {
+  std::array<WireGroup, 5> groups{ { { accessoryColor, {} }, { keyColor, {} }, { dartColor, {} },
+    { seamColor, {} }, { boundaryColor, {} } } };
   vtkDataArray* const types = wires->GetCellData()->GetArray("CurveType");
   vtkDataArray* const boundary = wires->GetCellData()->GetArray("Boundary");
-  std::vector<vtkIdType> black;
-  std::vector<vtkIdType> green;
-  std::vector<vtkIdType> red;
-  std::vector<vtkIdType> blue;
-  std::vector<vtkIdType> purple;
   for (vtkIdType cell = 0; cell < wires->GetNumberOfCells(); ++cell)
   {
     const int type = valueAt(types, cell, 0);
     // The sides of an opened dart bound the piece.
     const bool dart = type == 2 && sides == DartSides::Blue;
     const bool bounds = type < 0 || (!dart && valueAt(boundary, cell, 0) != 0);
-    (bounds         ? black
-        : type == 0 ? green
-        : type == 1 ? red
-        : type == 2 ? blue
-                    : purple)
-      .push_back(cell);
+    const auto kind = static_cast<std::size_t>(std::min(type, 3));
+    groups[bounds ? groups.size() - 1 : kind].cells.push_back(cell);
   }
-  this->addEdges(wires, green, accessoryColor, 1.0);
-  this->addEdges(wires, red, keyColor, 2.0);
-  this->addEdges(wires, blue, dartColor, 3.0);
-  this->addEdges(wires, purple, seamColor, 3.0);
-  this->addEdges(wires, black, boundaryColor, 3.0);
+  return groups;
+}
+
+//------------------------------------------------------------------------------
+void Drawing::addWires(const PolyData& wires, DartSides sides)
+{
+  double lift = 1.0;
+  for (const WireGroup& group : groupWires(wires, sides))
+  {
+    this->addEdges(wires, group.cells, group.color, lift);
+    lift = std::min(lift + 1.0, 3.0);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -104,6 +104,16 @@ constexpr Vector keyColor{ 0.85, 0.0, 0.0 };
 constexpr Vector dartColor{ 0.0, 0.2, 0.9 };
 constexpr Vector seamColor{ 0.6, 0.0, 0.75 };
 
+/// Wires of one color.
+struct WireGroup
+{
+  Vector color;
+  std::vector<vtkIdType> cells;
+};
+
+/// Accessory and key curves, darts, seams and the boundary, those drawn over others last.
+std::array<WireGroup, 5> groupWires(vtkPolyData* wires, DartSides sides);
+
 /// The axis y or z along which a surface is larger.
 Vector upOf(const PolyData& surface);
 

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -50,28 +51,12 @@ QKeySequence keyOf(const QString& key)
 
 bool isSwitch(int action)
 {
-  switch (action)
-  {
-    case vtkFeatureCurveWidget::NEW_CURVE:
-    case vtkFeatureCurveWidget::FREEHAND:
-    case vtkFeatureCurveWidget::CLOSE:
-    case vtkFeatureCurveWidget::JOIN:
-    case vtkFeatureCurveWidget::OFFSET:
-    case vtkFeatureCurveWidget::MIRROR:
-    case vtkFeatureCurveWidget::MAKE_ACCESSORY:
-    case vtkFeatureCurveWidget::MAKE_KEY:
-    case vtkFeatureCurveWidget::MAKE_DART:
-    case vtkFeatureCurveWidget::MAKE_SEAM:
-    case vtkFeatureCurveWidget::STRAIGHT_KEY:
-    case vtkFeatureCurveWidget::GEODESIC:
-    case vtkFeatureCurveWidget::SECTION:
-    case vtkFeatureCurveWidget::EDGES:
-    case vtkFeatureCurveWidget::SPLINE:
-    case vtkFeatureCurveWidget::SNAP:
-      return true;
-    default:
-      return false;
-  }
+  using Widget = vtkFeatureCurveWidget;
+  static const std::set<int> switches{ Widget::NEW_CURVE, Widget::FREEHAND, Widget::CLOSE,
+    Widget::JOIN, Widget::OFFSET, Widget::MIRROR, Widget::MAKE_ACCESSORY, Widget::MAKE_KEY,
+    Widget::MAKE_DART, Widget::MAKE_SEAM, Widget::STRAIGHT_KEY, Widget::GEODESIC, Widget::SECTION,
+    Widget::EDGES, Widget::SPLINE, Widget::SNAP };
+  return switches.count(action) > 0;
 }
 
 /// Signs of vtkFeatureCurveWidget::Actions in their order; the types of curves have squares in
@@ -116,12 +101,12 @@ void addEnabled(const QList<QAction*>& actions, std::map<QString, QAction*>& fou
 
 //------------------------------------------------------------------------------
 QAction* EditorWindow::addAction(
-  QMenu* menu, const QString& name, const QString& key, void (EditorWindow::*run)())
+  QMenu* menu, const QString& name, const QString& key, const std::function<void()>& run)
 {
   QAction* const action = menu->addAction(name);
   action->setShortcut(QKeySequence(key));
   action->setIconText(name + "  [" + key + "]");
-  QObject::connect(action, &QAction::triggered, [this, run] { (this->*run)(); });
+  QObject::connect(action, &QAction::triggered, run);
   return action;
 }
 
@@ -129,35 +114,42 @@ QAction* EditorWindow::addAction(
 void EditorWindow::makeFileMenu()
 {
   QMenu* const menu = this->menuBar()->addMenu("&File");
-  this->addAction(menu, "Open surface...", "Ctrl+O", &EditorWindow::askSurface);
-  QAction* const open =
-    this->addAction(menu, "Open curves...", "Ctrl+Shift+O", &EditorWindow::askCurves);
+  this->addAction(menu, "Open surface...", "Ctrl+O",
+    [this] { this->askOpen("Open surface", surfaceFiles, &EditorWindow::openSurface); });
+  QAction* const open = this->addAction(menu, "Open curves...", "Ctrl+Shift+O", [this] {
+    this->askOpen(
+      "Open curves", "Curves (*.vtp *.vtk *.obj *.csv *.dxf *.txt)", &EditorWindow::openCurves);
+  });
   QMenu* const seams = menu->addMenu("Seams from faces");
   for (const auto& [words, source] : seamSources)
   {
-    QAction* const action = seams->addAction(words);
-    action->setShortcut(QKeySequence("Ctrl+" + QString::number(seams->actions().size())));
-    QObject::connect(action, &QAction::triggered, [this, source = source] {
-      if (this->mayForgetCurves())
-      {
-        this->takeSeams(source);
-      }
-    });
+    this->addAction(seams, words, "Ctrl+" + QString::number(seams->actions().size() + 1),
+      [this, source = source] {
+        if (this->mayForgetCurves())
+        {
+          this->takeSeams(source);
+        }
+      });
   }
-  QAction* const save = this->addAction(menu, "Save curves...", "Ctrl+S", &EditorWindow::askSave);
-  QAction* const surface =
-    this->addAction(menu, "Save surface...", "Ctrl+Shift+S", &EditorWindow::askSaveSurface);
+  QAction* const save =
+    this->addAction(menu, "Save curves...", "Ctrl+S", [this] { this->askSave(); });
+  QAction* const surface = this->addAction(menu, "Save surface...", "Ctrl+Shift+S", [this] {
+    this->askWrite("Save surface", ".vtp", "Surfaces (*.vtp)", &EditorWindow::saveSurface);
+  });
   menu->addSeparator();
-  QAction* const pattern =
-    this->addAction(menu, "Export pattern...", "Ctrl+E", &EditorWindow::askPattern);
-  this->addAction(menu, "Pattern options...", "Ctrl+Shift+E", &EditorWindow::askPatternOptions);
+  QAction* const pattern = this->addAction(menu, "Export pattern...", "Ctrl+E", [this] {
+    this->askWrite("Export pattern", ".pdf", "Patterns (*.pdf *.svg *.dxf *.plt *.json)",
+      &EditorWindow::savePattern);
+  });
+  this->addAction(
+    menu, "Pattern options...", "Ctrl+Shift+E", [this] { this->askPatternOptions(); });
   this->SurfaceActions = { open, seams->menuAction(), save, surface, pattern };
   this->BarActions = { save, pattern };
-  this->addAction(menu, "Save picture...", "Ctrl+P", &EditorWindow::askPicture);
+  this->addAction(menu, "Save picture...", "Ctrl+P", [this] {
+    this->askWrite("Save picture", ".png", "Pictures (*.png)", &EditorWindow::savePicture);
+  });
   menu->addSeparator();
-  QAction* const quit = menu->addAction("Quit");
-  quit->setShortcut(QKeySequence("Ctrl+Q"));
-  QObject::connect(quit, &QAction::triggered, [this] { this->close(); });
+  this->addAction(menu, "Quit", "Ctrl+Q", [this] { this->close(); });
 }
 
 //------------------------------------------------------------------------------
@@ -189,9 +181,9 @@ void EditorWindow::makeHandActions()
     });
     this->HandActions[static_cast<std::size_t>(id)] = action;
   }
-  this->addAction(edit, "Find a command...", "Ctrl+K", &EditorWindow::askCommand);
+  this->addAction(edit, "Find a command...", "Ctrl+K", [this] { this->askCommand(); });
   this->OffsetAction =
-    this->addAction(curve, "Offset by a distance...", "Ctrl+L", &EditorWindow::askOffset);
+    this->addAction(curve, "Offset by a distance...", "Ctrl+L", [this] { this->askOffset(); });
   this->OffsetAction->setIcon(
     signIcon(signs[static_cast<std::size_t>(vtkFeatureCurveWidget::OFFSET)], *this));
 }
@@ -201,7 +193,7 @@ void EditorWindow::makeProposalMenu(QVBoxLayout* side)
 {
   QMenu* const menu = this->menuBar()->addMenu("&Proposals");
   this->SurfaceActions.push_back(
-    this->addAction(menu, "Propose cuts", "F6", &EditorWindow::askProposals));
+    this->addAction(menu, "Propose cuts", "F6", [this] { this->askProposals(); }));
   this->Proposed = new ProposalBox(menu);
   side->insertWidget(1, this->Proposed);
   this->connectProposals();
@@ -220,15 +212,15 @@ void EditorWindow::makeViewMenu()
   for (std::size_t k = 0; k < colorings.size(); ++k)
   {
     const figures::Coloring coloring = colorings[k];
-    QAction* const action = menu->addAction(QString("Colors: %1").arg(figures::nameOf(coloring)));
-    action->setShortcut(QKeySequence(QString::number(k + 1)));
+    QAction* const action =
+      this->addAction(menu, QString("Colors: %1").arg(figures::nameOf(coloring)),
+        QString::number(k + 1), [this, coloring] {
+          this->Coloring = coloring;
+          this->showResult();
+        });
     action->setCheckable(true);
     action->setChecked(coloring == this->Coloring);
     group->addAction(action);
-    QObject::connect(action, &QAction::triggered, [this, coloring] {
-      this->Coloring = coloring;
-      this->showResult();
-    });
   }
   // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): the group's parent deletes it
   QAction* const edges = menu->addAction("Edges of the mesh");
@@ -238,13 +230,11 @@ void EditorWindow::makeViewMenu()
     this->SpaceScene.setEdges(shown);
     this->showResult();
   });
-  this->addAction(menu, "Whole view", "R", &EditorWindow::resetViews);
+  this->addAction(menu, "Whole view", "R", [this] { this->resetViews(); });
   for (const auto& [name, key, axis] : { std::tuple("From the front", "F2", 0),
          std::tuple("From the side", "F4", 1), std::tuple("From above", "F5", 2) })
   {
-    QAction* const action = menu->addAction(name);
-    action->setShortcut(QKeySequence(key));
-    QObject::connect(action, &QAction::triggered, [this, axis = axis] { this->lookAlong(axis); });
+    this->addAction(menu, name, key, [this, axis = axis] { this->lookAlong(axis); });
   }
 }
 
@@ -320,7 +310,8 @@ void EditorWindow::askCommand()
 }
 
 //------------------------------------------------------------------------------
-std::string EditorWindow::askOpen(const QString& title, const QString& kinds)
+void EditorWindow::askOpen(
+  const QString& title, const QString& kinds, bool (EditorWindow::*open)(const std::string&))
 {
   const QString file = this->mayForgetCurves()
     ? QFileDialog::getOpenFileName(this, title, this->Folder, kinds)
@@ -328,28 +319,7 @@ std::string EditorWindow::askOpen(const QString& title, const QString& kinds)
   if (!file.isEmpty())
   {
     this->Folder = QFileInfo(file).absolutePath();
-  }
-  return file.toStdString();
-}
-
-//------------------------------------------------------------------------------
-void EditorWindow::askSurface()
-{
-  const std::string file = this->askOpen("Open surface", surfaceFiles);
-  if (!file.empty())
-  {
-    this->openSurface(file);
-  }
-}
-
-//------------------------------------------------------------------------------
-void EditorWindow::askCurves()
-{
-  const std::string file =
-    this->askOpen("Open curves", "Curves (*.vtp *.vtk *.obj *.csv *.dxf *.txt)");
-  if (!file.empty())
-  {
-    this->openCurves(file);
+    (this->*open)(file.toStdString());
   }
 }
 
@@ -380,36 +350,20 @@ std::string EditorWindow::askFile(const QString& title, const QString& name, con
 }
 
 //------------------------------------------------------------------------------
+void EditorWindow::askWrite(const QString& title, const QString& ending, const QString& kinds,
+  bool (EditorWindow::*write)(const std::string&))
+{
+  const std::string file = this->askFile(title, QString::fromStdString(this->Name) + ending, kinds);
+  if (!file.empty())
+  {
+    (this->*write)(file);
+  }
+}
+
+//------------------------------------------------------------------------------
 void EditorWindow::askSave()
 {
-  const std::string file = this->askFile(
-    "Save curves", QString::fromStdString(this->Name + "_curves.vtp"), "Curves (*.vtp)");
-  if (!file.empty())
-  {
-    this->saveCurves(file);
-  }
-}
-
-//------------------------------------------------------------------------------
-void EditorWindow::askSaveSurface()
-{
-  const std::string file =
-    this->askFile("Save surface", QString::fromStdString(this->Name + ".vtp"), "Surfaces (*.vtp)");
-  if (!file.empty())
-  {
-    this->saveSurface(file);
-  }
-}
-
-//------------------------------------------------------------------------------
-void EditorWindow::askPattern()
-{
-  const std::string file = this->askFile("Export pattern",
-    QString::fromStdString(this->Name + ".pdf"), "Patterns (*.pdf *.svg *.dxf *.plt *.json)");
-  if (!file.empty())
-  {
-    this->savePattern(file);
-  }
+  this->askWrite("Save curves", "_curves.vtp", "Curves (*.vtp)", &EditorWindow::saveCurves);
 }
 
 //------------------------------------------------------------------------------
@@ -438,17 +392,6 @@ void EditorWindow::askPatternOptions()
       }
     }
     this->Curves->JoinCommandsSince(before);
-  }
-}
-
-//------------------------------------------------------------------------------
-void EditorWindow::askPicture()
-{
-  const std::string file =
-    this->askFile("Save picture", QString::fromStdString(this->Name + ".png"), "Pictures (*.png)");
-  if (!file.empty())
-  {
-    this->savePicture(file);
   }
 }
 }

@@ -25,6 +25,7 @@
 #include <QVBoxLayout>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -115,22 +116,21 @@ private:
   void connectHand();
   void connectProposals();
   QAction* addAction(
-    QMenu* menu, const QString& name, const QString& key, void (EditorWindow::*run)());
+    QMenu* menu, const QString& name, const QString& key, const std::function<void()>& run);
 
   /// Does what is chosen of all that the menus have now.
   void askCommand();
-  void askSurface();
-  void askCurves();
-  /// A file to be read, or "".
-  std::string askOpen(const QString& title, const QString& kinds);
+  /// Opens a file that the user chooses.
+  void askOpen(
+    const QString& title, const QString& kinds, bool (EditorWindow::*open)(const std::string&));
   /// A file to be written, or "": its name gets the extension of the one proposed where it has none
   /// of the kinds.
   std::string askFile(const QString& title, const QString& name, const QString& kinds);
+  /// Writes a file that the user chooses. \param ending of the name that is proposed
+  void askWrite(const QString& title, const QString& ending, const QString& kinds,
+    bool (EditorWindow::*write)(const std::string&));
   void askSave();
-  void askPattern();
   void askPatternOptions();
-  void askPicture();
-  void askSaveSurface();
   void askProposals();
   void askOffset();
   /// As if the mouse's buttons were released.

@@ -8,7 +8,6 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCoordinate.h>
-#include <vtkFeatureCurveAlgorithm.h>
 #include <vtkIdList.h>
 #include <vtkMath.h>
 #include <vtkProperty.h>
@@ -27,51 +26,31 @@ constexpr float wireWidth = 3.0F;    // pixels
 constexpr double shareOfScale = 0.1; // of the view's height, with its title
 constexpr double dimOpacity = 0.35;
 
-/// Kinds of wires that are drawn, those drawn over others last.
-constexpr std::array<figures::Vector, 5> wireColors{ { figures::accessoryColor, figures::keyColor,
-  figures::dartColor, figures::seamColor, figures::boundaryColor } };
-constexpr std::size_t boundaryKind = wireColors.size() - 1;
-constexpr std::size_t unseenKind = wireColors.size();
-
-std::size_t kindOf(vtkCellData* wires, vtkIdType cell)
-{
-  vtkDataArray* const types = wires->GetArray("CurveType");
-  vtkDataArray* const boundary = wires->GetArray("Boundary");
-  // No line of the pattern. Black as the outline it looked like a cut.
-  vtkDataArray* const connectors = wires->GetArray("Connector");
-  if (connectors && connectors->GetComponent(cell, 0) != 0.0)
-  {
-    return unseenKind;
-  }
-  const int type = types ? static_cast<int>(types->GetComponent(cell, 0)) : -1;
-  // The banks of a dart are shown as such, although they bound the piece.
-  const bool dart = type == vtkFeatureCurveAlgorithm::DART;
-  const bool bounds = boundary && boundary->GetComponent(cell, 0) != 0.0;
-  return type < 0 || (bounds && !dart) ? boundaryKind : static_cast<std::size_t>(type);
-}
-
 vtkIdType pieceCount(vtkPolyData* flat)
 {
   vtkDataArray* const ids = flat->GetCellData()->GetArray("PieceId");
   return ids && ids->GetNumberOfTuples() > 0 ? static_cast<vtkIdType>(ids->GetRange()[1]) + 1 : 0;
 }
 
-/// The wires with a colour each, in the order in which they are drawn.
+/// The wires with a color each, in the order in which they are drawn. The sides of a dart are shown
+/// as such, although they bound the piece.
 figures::PolyData colored(const figures::PolyData& wires)
 {
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
+  // No lines of the pattern. Black as the outline they looked like cuts.
+  vtkDataArray* const connectors = wires->GetCellData()->GetArray("Connector");
   vtkNew<vtkIdList> ids;
-  for (std::size_t kind = 0; kind < wireColors.size(); ++kind)
+  for (const figures::WireGroup& group : figures::groupWires(wires, figures::DartSides::Blue))
   {
-    for (vtkIdType cell = 0; cell < wires->GetNumberOfCells(); ++cell)
+    for (const vtkIdType cell : group.cells)
     {
-      if (kindOf(wires->GetCellData(), cell) == kind)
+      if (!connectors || connectors->GetComponent(cell, 0) == 0.0)
       {
         wires->GetCellPoints(cell, ids);
         lines->InsertNextCell(ids);
-        const figures::Vector& color = wireColors[kind];
+        const figures::Vector& color = group.color;
         colors->InsertNextTuple3(255.0 * color[0], 255.0 * color[1], 255.0 * color[2]);
       }
     }

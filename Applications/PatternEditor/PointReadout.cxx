@@ -81,30 +81,14 @@ void PointReadout::setPiece(const figures::FlatPiece& piece)
 //------------------------------------------------------------------------------
 vtkIdType PointReadout::cellAt(vtkRenderer* plane, int x, int y)
 {
-  // Where the ray through the pixel meets the plane of the pieces.
-  std::array<std::array<double, 4>, 2> ends{};
-  for (std::size_t k = 0; k < 2; ++k)
-  {
-    plane->SetDisplayPoint(x, y, static_cast<double>(k));
-    plane->DisplayToWorld();
-    plane->GetWorldPoint(ends[k].data());
-    if (ends[k][3] == 0.0)
-    {
-      return -1;
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      ends[k][i] /= ends[k][3];
-    }
-  }
-  const double depth = ends[0][2] - ends[1][2];
-  if (depth == 0.0)
+  plane->SetDisplayPoint(x, y, 0.0); // at any depth: the view is parallel, and along z
+  plane->DisplayToWorld();
+  const double* const world = plane->GetWorldPoint();
+  if (world[3] == 0.0)
   {
     return -1;
   }
-  const double share = ends[0][2] / depth;
-  std::array<double, 3> point{ ends[0][0] + share * (ends[1][0] - ends[0][0]),
-    ends[0][1] + share * (ends[1][1] - ends[0][1]), 0.0 };
+  std::array<double, 3> point{ world[0] / world[3], world[1] / world[3], 0.0 };
   if (!this->Locator)
   {
     this->Locator = vtkSmartPointer<vtkStaticCellLocator>::New();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Proposals.h"
 
+#include "Files.h"
 #include "WindowWords.h"
 
 #include <vtkCallbackCommand.h>
@@ -65,10 +66,7 @@ Proposals propose(vtkPolyData* surface, vtkPolyData* curves, const std::string& 
   const std::function<bool(const std::string&)>& goOn)
 {
   vtkNew<vtkFeatureCurveSuggestion> filter;
-  vtkNew<vtkCallbackCommand> silence;
-  silence->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-  filter->AddObserver(vtkCommand::WarningEvent, silence);
-  filter->AddObserver(vtkCommand::ErrorEvent, silence);
+  figures::silence(filter);
   Watch watch{ &goOn };
   vtkNew<vtkCallbackCommand> progress;
   progress->SetCallback(follow);

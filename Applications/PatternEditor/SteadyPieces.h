@@ -3,8 +3,7 @@
 
 #include "Drawing.h"
 
-#include <array>
-#include <vector>
+#include <Eigen/Core>
 
 namespace editor
 {
@@ -21,7 +20,6 @@ public:
   figures::FlatPiece settle(const figures::FlatPiece& piece);
 
 private:
-  using Place = std::array<double, 2>;
-  std::vector<Place> Shown; ///< of each point of the surface
+  Eigen::Matrix2Xd Shown; ///< a column for each point of the surface
 };
 }

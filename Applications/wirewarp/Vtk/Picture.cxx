@@ -27,17 +27,14 @@ namespace
 {
 std::vector<std::string> coloringNames()
 {
-  std::vector<std::string> names{ figures::nameOf(figures::Coloring::Strain) };
-  for (const figures::Coloring coloring : figures::colorings)
+  using figures::Coloring;
+  std::vector<std::string> names;
+  for (const Coloring coloring : { Coloring::Strain, Coloring::Developability,
+         Coloring::Homogeneity, Coloring::AspectRatio, Coloring::Area, Coloring::Stretch,
+         Coloring::Warp, Coloring::Weft, Coloring::Shear, Coloring::Distance, Coloring::Piece })
   {
     names.emplace_back(figures::nameOf(coloring));
   }
-  for (const figures::Coloring coloring : figures::threadColorings)
-  {
-    names.emplace_back(figures::nameOf(coloring));
-  }
-  names.emplace_back(figures::nameOf(figures::Coloring::Distance));
-  names.emplace_back(figures::nameOf(figures::Coloring::Piece));
   return names;
 }
 
@@ -116,7 +113,7 @@ void addPicture(const Options& options, const Flattening& result, OutputFiles& f
   figures::PatternScene scene;
   const figures::PolyData flat = polyDataOf(*result.flat);
   scene.piece = { flat, polyDataOf(*result.wires, flat->GetPoints()), polyDataOf(*result.cut),
-    tableOf(result.tables.pieces), tableOf(result.curveTable) };
+    tableOf(result.tables.pieces), tableOf(result.tables.curves) };
   scene.coloring = figures::coloringOf(options.picture.coloring).value();
   scene.range = { options.picture.range[0], options.picture.range[1] };
   demand(scene.coloring != figures::Coloring::Distance || result.sewn != nullptr,
