@@ -3,7 +3,6 @@
 
 #include "CurvedPolyData.h"
 #include "Distribution.h"
-#include "FieldArrays.h"
 #include "FilterExecution.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "ListChanges.h"
@@ -26,9 +25,7 @@
 #include <map>
 #include <memory>
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 /// What a filter keeps from one run to the next.
 struct KeptRun
@@ -36,7 +33,6 @@ struct KeptRun
   std::shared_ptr<CurvedPolyData> source;
   FlatteningCache pieces;
 };
-}
 }
 
 namespace
@@ -184,7 +180,7 @@ void vtkFeatureCurveAlgorithm::FinishData(vtkInformationVector* outputVector)
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const flattening::bridge::CurvedPolyData> vtkFeatureCurveAlgorithm::LoadInput(
+std::shared_ptr<flattening::bridge::CurvedPolyData> vtkFeatureCurveAlgorithm::LoadInput(
   vtkInformationVector** inputVector)
 {
   const flattening::bridge::ConnectedCurves connected =

@@ -213,8 +213,7 @@ protected:
   /**
    * Reads surface and curves. Null after a refusal, which has been told then.
    */
-  std::shared_ptr<const flattening::bridge::CurvedPolyData> LoadInput(
-    vtkInformationVector** inputVector);
+  std::shared_ptr<flattening::bridge::CurvedPolyData> LoadInput(vtkInformationVector** inputVector);
 
   /**
    * What the run before this one kept of the pieces; null without Caching.

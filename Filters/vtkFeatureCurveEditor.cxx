@@ -21,9 +21,7 @@
 #include <memory>
 #include <new>
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 /// What is behind a vtkFeatureCurveEditor with a surface.
 class CurveEditorModel
@@ -81,7 +79,6 @@ inline std::size_t idOf(int id)
   return static_cast<std::size_t>(id);
 }
 }
-}
 
 using namespace flattening;
 using bridge::clampedKind;
@@ -94,6 +91,14 @@ vtkStandardNewMacro(vtkFeatureCurveEditor);
 
 namespace
 {
+/// Without nodes where there is none of the number.
+const EditedCurve& curveOf(const bridge::CurveEditorModel* drawn, int curve)
+{
+  static const EditedCurve empty;
+  const EditedCurve* const found = drawn ? drawn->curve(curve) : nullptr;
+  return found ? *found : empty;
+}
+
 const char* const noSurface = "there is no surface to draw on; give one by SetSurface()";
 const char* const notFinite = "a point is not finite";
 
@@ -164,71 +169,61 @@ int vtkFeatureCurveEditor::GetNumberOfCurves() const
 //------------------------------------------------------------------------------
 std::string vtkFeatureCurveEditor::GetCurveName(int curve) const
 {
-  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
-  return found ? found->traits.name : "";
+  return curveOf(this->Drawn.get(), curve).traits.name;
 }
 
 //------------------------------------------------------------------------------
 int vtkFeatureCurveEditor::GetCurveType(int curve) const
 {
-  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
-  return found ? static_cast<int>(found->traits.type) : 0;
+  return static_cast<int>(curveOf(this->Drawn.get(), curve).traits.type);
 }
 
 //------------------------------------------------------------------------------
 int vtkFeatureCurveEditor::GetCurveKeyShape(int curve) const
 {
-  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
-  return found ? static_cast<int>(found->traits.keyShape) : 0;
+  return static_cast<int>(curveOf(this->Drawn.get(), curve).traits.keyShape);
 }
 
 //------------------------------------------------------------------------------
 double vtkFeatureCurveEditor::GetCurveTolerance(int curve) const
 {
-  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
-  return found ? found->traits.tolerance : 0.0;
+  return curveOf(this->Drawn.get(), curve).traits.tolerance;
 }
 
 //------------------------------------------------------------------------------
 double vtkFeatureCurveEditor::GetCurveEase(int curve) const
 {
-  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
-  return found ? found->traits.ease.fraction : 0.0;
+  return curveOf(this->Drawn.get(), curve).traits.ease.fraction;
 }
 
 //------------------------------------------------------------------------------
 int vtkFeatureCurveEditor::GetCurveEasedPiece(int curve) const
 {
-  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
-  return found ? static_cast<int>(found->traits.ease.piece) : -1;
+  return static_cast<int>(curveOf(this->Drawn.get(), curve).traits.ease.piece);
 }
 
 //------------------------------------------------------------------------------
 bool vtkFeatureCurveEditor::GetCurveClosed(int curve) const
 {
-  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
-  return found && found->closed;
+  return curveOf(this->Drawn.get(), curve).closed;
 }
 
 //------------------------------------------------------------------------------
 bool vtkFeatureCurveEditor::GetCurveMirrored(int curve) const
 {
-  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
-  return found && found->traits.mirrored;
+  return curveOf(this->Drawn.get(), curve).traits.mirrored;
 }
 
 //------------------------------------------------------------------------------
 double vtkFeatureCurveEditor::GetCurveLength(int curve) const
 {
-  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
-  return found ? lengthOf(*found) : 0.0;
+  return lengthOf(curveOf(this->Drawn.get(), curve));
 }
 
 //------------------------------------------------------------------------------
 int vtkFeatureCurveEditor::GetNumberOfNodes(int curve) const
 {
-  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
-  return found ? static_cast<int>(found->nodes.size()) : 0;
+  return static_cast<int>(curveOf(this->Drawn.get(), curve).nodes.size());
 }
 
 //------------------------------------------------------------------------------
@@ -243,8 +238,7 @@ void vtkFeatureCurveEditor::GetNode(int curve, int node, double point[3]) const
 //------------------------------------------------------------------------------
 int vtkFeatureCurveEditor::GetNumberOfSegments(int curve) const
 {
-  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
-  return found ? static_cast<int>(found->segments.size()) : 0;
+  return static_cast<int>(curveOf(this->Drawn.get(), curve).segments.size());
 }
 
 //------------------------------------------------------------------------------
@@ -272,8 +266,7 @@ void vtkFeatureCurveEditor::GetCurves(vtkPolyData* curves) const
 //------------------------------------------------------------------------------
 void vtkFeatureCurveEditor::GetCurve(int curve, vtkPolyData* line) const
 {
-  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
-  bridge::writeCurve(found ? *found : EditedCurve(), line);
+  bridge::writeCurve(curveOf(this->Drawn.get(), curve), line);
 }
 
 //------------------------------------------------------------------------------
@@ -479,11 +472,7 @@ template <typename Change>
 bool vtkFeatureCurveEditor::Describe(int curve, const Change& change)
 {
   return this->Carry([&](CurveEditor& editor) {
-    CurveTraits traits;
-    if (const EditedCurve* const found = this->Drawn->curve(curve))
-    {
-      traits = found->traits;
-    }
+    CurveTraits traits = curveOf(this->Drawn.get(), curve).traits;
     change(traits);
     return editor.describe(idOf(curve), traits);
   });
@@ -658,14 +647,14 @@ double vtkFeatureCurveEditor::PreviewSegment(
 //------------------------------------------------------------------------------
 double vtkFeatureCurveEditor::GetDistance(int curve, const double point[3]) const
 {
-  const EditedCurve* const found = this->Drawn ? this->Drawn->curve(curve) : nullptr;
-  if (!found || found->segments.empty() || !isFinite(point))
+  const EditedCurve& found = curveOf(this->Drawn.get(), curve);
+  if (found.segments.empty() || !isFinite(point))
   {
     return vtkMath::Nan();
   }
   const DrawingSurface& surface = this->Drawn->editor.surface();
   const PathDistance distance =
-    distanceFrom(surface.graph(), wholePath(*found), surface.pointNear(pointOf(point)));
+    distanceFrom(surface.graph(), wholePath(found), surface.pointNear(pointOf(point)));
   return distance.way.status.refused() ? vtkMath::Nan()
     : distance.left                    ? distance.way.length
                                        : -distance.way.length;

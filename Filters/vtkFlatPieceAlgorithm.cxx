@@ -6,14 +6,13 @@
 #include "Distribution.h"
 #include "FilterExecution.h"
 #include "Flattening/PieceArrangement.h"
-#include "Flattening/SurfaceFlattening.h"
 #include "FlatteningOutput.h"
 #include "Input/ClothInput.h"
 #include "Input/CurvedSurface.h"
 #include "ListChanges.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
-#include "Report/FlatteningArrays.h"
+#include "Report/FlatteningRun.h"
 #include "Report/FlatteningTables.h"
 #include "Report/PieceSizes.h"
 
@@ -34,9 +33,7 @@
 #include <numeric>
 #include <vector>
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 namespace
 {
@@ -181,7 +178,6 @@ void layBeside(vtkDataObject* surfaces, vtkDataObject* flat, double spacing,
 }
 }
 }
-}
 
 namespace
 {
@@ -313,53 +309,48 @@ int vtkFlatPieceAlgorithm::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->Begin(outputVector);
-  flattening::FlatteningOptions options = this->Settings();
-  const auto source = this->LoadInput(inputVector);
-  if (source &&
-    this->Conclude(source->pinVertices({ this->Pins[0], this->Pins[1] }, options.conformal.pins)))
+  if (const auto source = this->LoadInput(inputVector))
   {
-    this->Warn(flattening::describeShortEnds(*source));
-    const flattening::FlatteningResult result = flattening::flattenSurface(source->imprinted.mesh,
-      source->imprinted.curves, options, flattening::bridge::executionOf(this), this->KeptPieces());
-    if (this->Conclude(source->outcomeOfStage(
-          result.status, result.status.refused() ? nullptr : result.cut.get())))
-    {
-      if (!result.leftOut.empty())
-      {
-        this->Warn({ flattening::describeLeftOut(*source, result) });
-      }
-      this->Warn(flattening::describeVerdicts(*source, result));
-      const std::string unit = this->LengthUnitOf(inputVector);
-      this->WriteFlattening(*source, result, options, unit, outputVector);
-      if (!unit.empty() && !this->SizeWarning.empty())
-      {
-        this->Warn({ this->SizeWarning });
-      }
-    }
+    const flattening::FlatteningOptions options = this->Settings();
+    flattening::FlatteningRun run(*source);
+    const auto result = run.flatten(options, { this->Pins[0], this->Pins[1] },
+      flattening::bridge::executionOf(this), this->KeptPieces());
+    this->TakeResult(run, *source, result ? &*result : nullptr, options, inputVector, outputVector);
   }
   this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
   return 1;
 }
 
 //------------------------------------------------------------------------------
-void vtkFlatPieceAlgorithm::WriteFlattening(const flattening::bridge::CurvedPolyData& source,
-  const flattening::FlatteningResult& result, const flattening::FlatteningOptions& options,
-  const std::string& unit, vtkInformationVector* outputVector)
+bool vtkFlatPieceAlgorithm::TakeResult(const flattening::FlatteningRun& run,
+  const flattening::bridge::CurvedPolyData& source, const flattening::FlatteningResult* result,
+  const flattening::FlatteningOptions& options, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
 {
   namespace bridge = flattening::bridge;
+  this->Warn(run.warnings);
+  if (!this->Conclude(run.status) || !result)
+  {
+    return false;
+  }
   vtkPolyData* const flat = vtkPolyData::GetData(outputVector, 0);
-  bridge::writeFlattening(source, result, options, flat, vtkPolyData::GetData(outputVector, 1),
+  bridge::writeFlattening(source, *result, options, flat, vtkPolyData::GetData(outputVector, 1),
     vtkPolyData::GetData(outputVector, 2));
-  bridge::writeTable(
-    flattening::pieceTable(source, result, unit, bridge::textsOfCells(flat, "PieceName")),
-    vtkTable::GetData(outputVector, piecePort));
-  bridge::writeTable(
-    flattening::curveTable(result.curves), vtkTable::GetData(outputVector, curvePort));
-  this->Reports = std::make_unique<bridge::KeptTables>(flattening::ReportTables(source, result));
-  this->SizeWarning = flattening::sizeWarning(flattening::pieceSizes(result), unit);
-  const flattening::StageSeconds& seconds = result.seconds;
+  const std::string unit = this->LengthUnitOf(inputVector);
+  const flattening::ReportTables tables(
+    source, *result, unit, bridge::textsOfCells(flat, "PieceName"));
+  bridge::writeTable(tables.pieces, vtkTable::GetData(outputVector, piecePort));
+  bridge::writeTable(tables.curves, vtkTable::GetData(outputVector, curvePort));
+  this->Reports = std::make_unique<bridge::KeptTables>(tables);
+  this->SizeWarning = flattening::sizeWarning(flattening::pieceSizes(*result), unit);
+  if (!unit.empty() && !this->SizeWarning.empty())
+  {
+    this->Warn({ this->SizeWarning });
+  }
+  const flattening::StageSeconds& seconds = result->seconds;
   const double all[4] = { seconds.wires, seconds.interior, seconds.quality, seconds.total };
   std::copy_n(all, 4, this->Seconds);
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -68,6 +68,7 @@ namespace flattening
 {
 struct FlatteningOptions;
 struct FlatteningResult;
+struct FlatteningRun;
 namespace bridge
 {
 struct KeptTables;
@@ -244,11 +245,13 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /**
-   * Writes a result to the five outputs and keeps it for the methods.
+   * Tells how a run ended, and writes its result, null for none, to the five outputs. Returns
+   * whether there is one.
    */
-  void WriteFlattening(const flattening::bridge::CurvedPolyData& source,
-    const flattening::FlatteningResult& result, const flattening::FlatteningOptions& options,
-    const std::string& unit, vtkInformationVector* outputVector);
+  bool TakeResult(const flattening::FlatteningRun& run,
+    const flattening::bridge::CurvedPolyData& source, const flattening::FlatteningResult* result,
+    const flattening::FlatteningOptions& options, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector);
 
   vtkIdType Pins[2] = { -1, -1 }; ///< of the conformal map
 

@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFlatteningAlgorithm.h"
 
+#include "AttributeArrays.h"
 #include "Base/LengthUnit.h"
 #include "Base/Memory.h"
 #include "Distribution.h"
-#include "FieldArrays.h"
 #include "Input/StatusWords.h"
 #include "ListChanges.h"
 #include "OptionProperties.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
-#include "Surface/SurfaceHealing.h"
-#include "Surface/SurfacePreparation.h"
-#include "SurfaceInput.h"
-#include "SurfaceOutput.h"
 
 #include "vtkAbstractArray.h"
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -26,17 +20,11 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
-#include <cstring>
-
 #include <algorithm>
 #include <new>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -56,40 +44,15 @@ flattening::OptionOwner ownerOf(const vtkObject* object)
   return owner;
 }
 
-// The public codes are Core's.
+// The public codes are Core's, in its order.
 constexpr bool same(int publicCode, StatusCode code)
 {
   return publicCode == static_cast<int>(code);
 }
 static_assert(same(vtkFlatteningAlgorithm::OK, StatusCode::Ok), "");
-static_assert(same(vtkFlatteningAlgorithm::CANCELLED, StatusCode::Cancelled), "");
-static_assert(same(vtkFlatteningAlgorithm::EMPTY_SURFACE, StatusCode::EmptySurface), "");
-static_assert(same(vtkFlatteningAlgorithm::NON_FINITE_POINT, StatusCode::NonFinitePoint), "");
-static_assert(same(vtkFlatteningAlgorithm::INVALID_POINT_ID, StatusCode::InvalidPointId), "");
-static_assert(
-  same(vtkFlatteningAlgorithm::DEGENERATE_TRIANGLE, StatusCode::DegenerateTriangle), "");
-static_assert(same(vtkFlatteningAlgorithm::NON_MANIFOLD_EDGE, StatusCode::NonManifoldEdge), "");
-static_assert(same(vtkFlatteningAlgorithm::NON_MANIFOLD_VERTEX, StatusCode::NonManifoldVertex), "");
-static_assert(same(vtkFlatteningAlgorithm::NOT_ORIENTABLE, StatusCode::NotOrientable), "");
-static_assert(same(vtkFlatteningAlgorithm::CLOSED_SURFACE, StatusCode::ClosedSurface), "");
 static_assert(same(vtkFlatteningAlgorithm::HANDLE, StatusCode::Handle), "");
-static_assert(same(vtkFlatteningAlgorithm::CURVE_TOO_SHORT, StatusCode::CurveTooShort), "");
-static_assert(
-  same(vtkFlatteningAlgorithm::CURVE_POINT_OFF_SURFACE, StatusCode::CurvePointOffSurface), "");
-static_assert(
-  same(vtkFlatteningAlgorithm::CURVE_LEAVES_SURFACE, StatusCode::CurveLeavesSurface), "");
-static_assert(same(vtkFlatteningAlgorithm::CURVE_NOT_ON_EDGES, StatusCode::CurveNotOnEdges), "");
-static_assert(same(vtkFlatteningAlgorithm::INVALID_CURVE, StatusCode::InvalidCurve), "");
-static_assert(same(vtkFlatteningAlgorithm::INVALID_OPTION, StatusCode::InvalidOption), "");
-static_assert(same(vtkFlatteningAlgorithm::OUT_OF_MEMORY, StatusCode::OutOfMemory), "");
-static_assert(same(vtkFlatteningAlgorithm::NUMERICAL_FAILURE, StatusCode::NumericalFailure), "");
 static_assert(same(vtkFlatteningAlgorithm::NUMERICAL_FAILURE, StatusCode::LastRefusal), "");
-static_assert(same(vtkFlatteningAlgorithm::NOT_CONVERGED, StatusCode::NotConverged), "");
-static_assert(same(vtkFlatteningAlgorithm::INCOMPATIBLE_KEYS, StatusCode::IncompatibleKeys), "");
 static_assert(same(vtkFlatteningAlgorithm::LENGTH_ERROR, StatusCode::LengthError), "");
-static_assert(same(vtkFlatteningAlgorithm::FLIPPED_TRIANGLES, StatusCode::FlippedTriangles), "");
-static_assert(same(vtkFlatteningAlgorithm::OVERLAP, StatusCode::Overlap), "");
-static_assert(same(vtkFlatteningAlgorithm::MISSING_GRAIN, StatusCode::MissingGrain), "");
 static_assert(same(vtkFlatteningAlgorithm::BEYOND_LIMITS, StatusCode::BeyondLimits), "");
 
 /// Set while it lives.
@@ -136,8 +99,8 @@ void vtkFlatteningAlgorithm::SetLengthUnitOf(vtkDataObject* data, const std::str
   const flattening::Unit known = flattening::unitNamed(unit);
   if (known != flattening::Unit::Unspecified)
   {
-    flattening::bridge::addStrings(
-      data->GetFieldData(), "LengthUnit", { flattening::unitName(known) });
+    flattening::bridge::addColumns(data->GetFieldData(),
+      { { "LengthUnit", std::vector<std::string>{ flattening::unitName(known) } } });
   }
 }
 
@@ -487,94 +450,7 @@ const char* vtkFlatteningAlgorithm::GetRemedyName(int remedy)
 //------------------------------------------------------------------------------
 const char* vtkFlatteningAlgorithm::GetRemedySentence(const char* name)
 {
-  for (int k = 0; name && k < flattening::remedyCount; ++k)
-  {
-    if (std::strcmp(GetRemedyName(k), name) == 0)
-    {
-      return flattening::remedySentence(static_cast<flattening::Remedy>(k));
-    }
-  }
-  return nullptr;
-}
-
-//------------------------------------------------------------------------------
-void vtkFlatteningAlgorithm::Triangulate(vtkPolyData* surface, vtkPolyData* triangles)
-{
-  using namespace flattening;
-  triangles->Initialize();
-  const flattening::SurfaceTriangles read = bridge::readTriangles(surface);
-  const auto exists = [&read](Index p) {
-    return p >= 0 && p < static_cast<Index>(read.points.size()) && isUsable(read.points[p]);
-  };
-  if (std::all_of(read.triangles.begin(), read.triangles.end(),
-        [&exists](const Triangle& t) { return std::all_of(t.begin(), t.end(), exists); }))
-  {
-    triangles->SetPoints(surface->GetPoints());
-    triangles->SetPolys(bridge::makeTriangles(read.triangles));
-    triangles->GetPointData()->ShallowCopy(surface->GetPointData());
-    triangles->GetFieldData()->ShallowCopy(surface->GetFieldData());
-    bridge::copyCellData(surface->GetCellData(), read.cellOfTriangle, triangles);
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkStringArray> vtkFlatteningAlgorithm::Heal(
-  vtkPolyData* surface, vtkPolyData* triangles)
-{
-  using namespace flattening;
-  auto sentences = vtkSmartPointer<vtkStringArray>::New();
-  const flattening::LoadedSurface loaded =
-    bridge::loadSurface(surface, CoincidentPoints::Automatic, flattening::Defects::Heal);
-  for (const std::string& sentence : loaded.mendings)
-  {
-    sentences->InsertNextValue(sentence);
-  }
-  const HealedSurface& healed = loaded.prepared;
-  if (!loaded.outcome.ok() || healed.mendings.empty())
-  {
-    Triangulate(surface, triangles);
-    if (!loaded.outcome.ok())
-    {
-      sentences->InsertNextValue(loaded.outcome.message);
-    }
-    return sentences;
-  }
-  triangles->Initialize();
-  vtkPointData* const data = triangles->GetPointData();
-  data->DeepCopy(surface->GetPointData());
-  const vtkNew<vtkPoints> points;
-  points->DeepCopy(surface->GetPoints());
-  Indices pointOf;
-  std::vector<char> taken(loaded.input.points.size(), 0);
-  for (const Index p : healed.originalPoint)
-  {
-    pointOf.push_back(p);
-    if (taken[p] != 0)
-    {
-      pointOf.back() = static_cast<Index>(points->InsertNextPoint(surface->GetPoint(p)));
-      for (int k = 0; k < data->GetNumberOfArrays(); ++k)
-      {
-        data->GetAbstractArray(k)->InsertNextTuple(p, data->GetAbstractArray(k));
-      }
-    }
-    taken[p] = 1;
-  }
-  Triangles cells = healed.mesh.triangles();
-  for (Triangle& t : cells)
-  {
-    t = { pointOf[t[0]], pointOf[t[1]], pointOf[t[2]] };
-  }
-  triangles->SetPoints(points);
-  triangles->SetVerts(surface->GetVerts());
-  triangles->SetLines(surface->GetLines());
-  triangles->SetPolys(bridge::makeTriangles(cells));
-  triangles->GetFieldData()->ShallowCopy(surface->GetFieldData());
-  std::vector<std::int64_t> cellOf(surface->GetNumberOfVerts() + surface->GetNumberOfLines());
-  std::iota(cellOf.begin(), cellOf.end(), std::int64_t{ 0 });
-  cellOf.insert(
-    cellOf.end(), loaded.input.cellOfTriangle.begin(), loaded.input.cellOfTriangle.end());
-  bridge::copyCellData(surface->GetCellData(), cellOf, triangles);
-  return sentences;
+  return name ? flattening::remedySentence(name) : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -661,9 +537,9 @@ void vtkFlatteningAlgorithm::Warn(const std::vector<std::string>& messages)
 //------------------------------------------------------------------------------
 void vtkFlatteningAlgorithm::WriteRunStatus(vtkPolyData* output) const
 {
-  vtkFieldData* field = output->GetFieldData();
-  flattening::bridge::addStrings(field, "RunStatus", { this->GetStatusName() });
-  flattening::bridge::addStrings(field, "RunStatusMessage", { this->StatusMessage });
+  flattening::bridge::addColumns(output->GetFieldData(),
+    { { "RunStatus", std::vector<std::string>{ this->GetStatusName() } },
+      { "RunStatusMessage", std::vector<std::string>{ this->StatusMessage } } });
 }
 
 //------------------------------------------------------------------------------

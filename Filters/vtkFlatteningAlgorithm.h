@@ -229,22 +229,6 @@ public:
   ///@}
 
   /**
-   * The polygons and strips of a surface as the triangles that the filters divide them into, with
-   * all points and the data of both, and `vtkOriginalCellIds` (id). Faces may touch themselves, as
-   * those with a bridge to a hole. Empty where a cell names a point that does not exist, or one
-   * with a coordinate that is not finite or beyond 1e60.
-   */
-  static void Triangulate(vtkPolyData* surface, vtkPolyData* triangles);
-
-  /**
-   * The same with defects healed as HealSurface heals them: all points with their ids, behind them
-   * copies of those that were doubled, and the other cells before the triangles. \return a sentence
-   * for each kind of defect; where the surface cannot be healed, one that says why, and the
-   * triangles alone as they are.
-   */
-  static vtkSmartPointer<vtkStringArray> Heal(vtkPolyData* surface, vtkPolyData* triangles);
-
-  /**
    * True where the last run gave no result, or there was none.
    */
   bool IsRefused() const;

@@ -19,9 +19,7 @@
 
 vtkStandardNewMacro(vtkFlatteningQuality);
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 namespace
 {
@@ -43,7 +41,6 @@ void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t most
   field->PassData(fieldArrays(input, warnings));
   addColumns(field, { report.overlapEdges });
   writeTable(report.measures, measures);
-}
 }
 }
 }

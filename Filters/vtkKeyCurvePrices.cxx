@@ -3,9 +3,9 @@
 
 #include "AttributeArrays.h"
 #include "CurvedPolyData.h"
-#include "Design/KeyPrices.h"
 #include "FilterExecution.h"
 #include "Flattening/FlatteningOptions.h"
+#include "Report/FlatteningRun.h"
 #include "Report/KeyPriceReport.h"
 
 #include "vtkInformation.h"
@@ -28,29 +28,25 @@ vtkKeyCurvePrices::vtkKeyCurvePrices()
 }
 
 //------------------------------------------------------------------------------
-int vtkKeyCurvePrices::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkKeyCurvePrices::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->Begin(outputVector);
-  flattening::KeyPrices prices;
-  const auto source = this->LoadInput(inputVector);
-  bool done = false;
-  if (source)
+  if (const auto source = this->LoadInput(inputVector))
   {
-    prices = flattening::priceKeys(source->imprinted.mesh, source->imprinted.curves,
-      this->Settings(), flattening::bridge::executionOf(this));
-    done = this->Conclude(source->outcomeOfStage(prices.status));
+    const flattening::FlatteningOptions options = this->Settings();
+    flattening::FlatteningRun run(*source);
+    const flattening::Execution execution = flattening::bridge::executionOf(this);
+    const auto prices = run.price(options, execution);
+    const auto result =
+      prices ? run.flatten(options, { -1, -1 }, execution, this->KeptPieces()) : std::nullopt;
+    if (this->TakeResult(
+          run, *source, result ? &*result : nullptr, options, inputVector, outputVector))
+    {
+      flattening::bridge::writeTable(flattening::keyPriceTable(source->imprinted.curves, *prices),
+        vtkTable::GetData(outputVector, pricePort));
+    }
   }
-  if (!done)
-  {
-    this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
-    return 1;
-  }
-  this->Superclass::RequestData(request, inputVector, outputVector);
-  if (!this->IsRefused())
-  {
-    flattening::bridge::writeTable(flattening::keyPriceTable(source->imprinted.curves, prices),
-      vtkTable::GetData(outputVector, pricePort));
-  }
+  this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));
   return 1;
 }

@@ -3,55 +3,27 @@
 
 #include "AttributeArrays.h"
 #include "CurvedPolyData.h"
-#include "FieldArrays.h"
 #include "FilterExecution.h"
 #include "FlatteningOutput.h"
 #include "ImprintOutput.h"
 #include "ListChanges.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
-#include "Report/FlatteningArrays.h"
+#include "Report/FlatteningRun.h"
 #include "Report/FlatteningTables.h"
 #include "Report/ReshapingReport.h"
-#include "Reshaping/FlattenableSurface.h"
 #include "SurfaceInput.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <set>
 
 vtkStandardNewMacro(vtkMakeFlattenable);
-
-namespace flattening
-{
-namespace bridge
-{
-namespace
-{
-/// Writes the moved surface and its curves as vtkMakeFlattenable documents.
-/// \param moved the source with its mesh moved
-/// \param warnings get a sentence for each array of the curves that is left out
-void writeMovedSurface(const CurvedPolyData& source, const CurvedPolyData& moved,
-  const FlattenableSurface& result, vtkPolyData* surface, vtkPolyData* curves,
-  std::vector<std::string>& warnings)
-{
-  writeImprint(moved, surface, curves, warnings);
-  // Normals are those of the design.
-  surface->GetPointData()->SetNormals(nullptr);
-  curves->GetPointData()->SetNormals(nullptr);
-  addColumns(surface->GetPointData(), shiftArrays(source.imprinted.mesh, result));
-  surface->GetPointData()->SetActiveScalars("ShiftDistance");
-}
-}
-}
-}
 
 namespace
 {
@@ -115,43 +87,36 @@ int vtkMakeFlattenable::RequestData(vtkInformation* vtkNotUsed(request),
   flattening::FlattenableOptions options = this->OptionsForCore().reshaping;
   options.flattening = this->Settings();
   const flattening::LoadedBody body = bridge::loadBody(vtkPolyData::GetData(inputVector[2]));
-  options.body = body.get();
-  const auto source = this->LoadInput(inputVector);
-  if (source && this->Conclude(body.outcome) &&
-    this->Conclude(flattening::findCurves(this->KeptCurves, *source, options.kept)))
+  if (const auto source = this->LoadInput(inputVector))
   {
-    this->Warn(flattening::describeShortEnds(*source));
-    const flattening::FlattenableSurface result = flattening::makeFlattenable(
-      source->imprinted.mesh, source->imprinted.curves, options, bridge::executionOf(this));
-    if (this->Conclude(source->outcomeOfStage(
-          result.status, result.status.refused() ? nullptr : result.after.cut.get())))
+    flattening::FlatteningRun run(*source);
+    const auto result = run.reshape(this->KeptCurves, body, options, bridge::executionOf(this));
+    bridge::CurvedPolyData moved = *source;
+    moved.imprinted.mesh = result ? result->mesh : flattening::TriangleMesh();
+    if (this->TakeResult(run, moved, result ? &result->after : nullptr, options.flattening,
+          inputVector, outputVector))
     {
       std::vector<std::string> warnings;
-      if (!result.after.leftOut.empty())
+      vtkPolyData* const surface = output(surfacePort);
+      bridge::writeImprint(moved, surface, output(surfacePort + 1), warnings);
+      bridge::addColumns(
+        surface->GetPointData(), flattening::shiftArrays(source->imprinted.mesh, *result));
+      surface->GetPointData()->SetActiveScalars("ShiftDistance");
+      for (const int port : { 2, surfacePort, surfacePort + 1 })
       {
-        warnings.push_back(flattening::describeLeftOut(*source, result.after));
+        output(port)->GetPointData()->SetNormals(nullptr); // those of the design
       }
-      if (!result.boundMet)
-      {
-        warnings.push_back(flattening::describeShortfall(result, options));
-      }
-      const std::string unit = this->LengthUnitOf(inputVector);
-      bridge::CurvedPolyData moved = *source;
-      moved.imprinted.mesh = result.mesh;
-      this->WriteFlattening(moved, result.after, options.flattening, unit, outputVector);
-      output(2)->GetPointData()->SetNormals(nullptr); // those of the design
-      bridge::writeMovedSurface(
-        *source, moved, result, output(surfacePort), output(surfacePort + 1), warnings);
       const vtkNew<vtkPolyData> wires;
       const vtkNew<vtkPolyData> cut;
       bridge::writeFlattening(
-        *source, result.before, options.flattening, output(beforePort), wires, cut);
-      bridge::writeTable(flattening::pieceTable(*source, result.before, unit,
-                           bridge::textsOfCells(output(beforePort), "PieceName")),
+        *source, result->before, options.flattening, output(beforePort), wires, cut);
+      bridge::writeTable(
+        flattening::pieceTable(*source, result->before, this->LengthUnitOf(inputVector),
+          bridge::textsOfCells(output(beforePort), "PieceName")),
         vtkTable::GetData(outputVector, piecesBeforePort));
       bridge::writeTable(
-        flattening::shiftTable(result), vtkTable::GetData(outputVector, measurePort));
-      this->Trials = bridge::makeTable(flattening::shiftTrialTable(result.trials));
+        flattening::shiftTable(*result), vtkTable::GetData(outputVector, measurePort));
+      this->Trials = bridge::makeTable(flattening::shiftTrialTable(result->trials));
       this->Warn(warnings);
     }
   }

@@ -29,9 +29,7 @@
 
 vtkStandardNewMacro(vtkSewnShape);
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 namespace
 {
@@ -68,7 +66,6 @@ Columns seamsOf(vtkPolyData* flat)
     field->AddArray(pairs);
   }
   return columnsOf(field);
-}
 }
 }
 }

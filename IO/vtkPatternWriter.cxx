@@ -4,7 +4,6 @@
 #include "Base/Memory.h"
 #include "Drawing/PatternBuilder.h"
 #include "Fairing/FairBorders.h"
-#include "FieldArrays.h"
 #include "Formats/PatternData.h"
 #include "Formats/PatternFile.h"
 #include "Formats/PatternOptionTable.h"

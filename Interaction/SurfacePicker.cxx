@@ -9,9 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace flattening
-{
-namespace interaction
+namespace flattening::interaction
 {
 namespace
 {
@@ -204,6 +202,5 @@ Symmetry SurfacePicker::symmetry() const
     }
   }
   return best;
-}
 }
 }

@@ -9,9 +9,7 @@
 
 #include <array>
 
-namespace flattening
-{
-namespace interaction
+namespace flattening::interaction
 {
 /// A plane.
 struct Symmetry
@@ -52,5 +50,4 @@ private:
   vtkSmartPointer<vtkPolyData> Surface;
   double Outwards = 0.0; ///< 1 or -1: where the normals of one that surrounds a space point; or 0
 };
-}
 }

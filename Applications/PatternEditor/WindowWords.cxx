@@ -1,50 +1,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WindowWords.h"
 
-#include "VtkRemedies.h"
+#include "Base/RemedyWords.h"
 
 #include <vtkFlatteningAlgorithm.h>
 #include <vtkNew.h>
 #include <vtkPatternWriter.h>
+#include <vtkStringArray.h>
+
+#include <map>
+#include <vector>
 
 namespace editor
 {
 namespace
 {
 /// Options that the window has. A remedy that needs another one is left out.
-constexpr wirewarp::SpellingTable table{
-  { "CurveType", "by their type" },
-  { "Grain", "the grain" },
-  { "LengthTolerance", "by a tolerance" },
-  { "NotchSpacing", "the space of notches in the pattern options" },
-  { "Paper", "paper in the pattern options" },
-};
-
-std::string spellingOf(const std::string& property, const std::string& value)
+std::string spellingOf(const std::string& property, const std::string&)
 {
-  return wirewarp::findSpelling(table, property, value);
+  static const std::map<std::string, std::string> words{ { "CurveType", "by their type" },
+    { "Grain", "the grain" }, { "LengthTolerance", "by a tolerance" },
+    { "NotchSpacing", "the space of notches in the pattern options" },
+    { "Paper", "paper in the pattern options" } };
+  const auto found = words.find(property);
+  return found == words.end() ? std::string() : found->second;
+}
+
+/// \tparam Source a filter or a writer
+template <class Source>
+std::string describeRun(const Source* source)
+{
+  std::vector<flattening::NamedRemedy> remedies;
+  for (vtkIdType k = 0; k < source->GetStatusRemedies()->GetNumberOfValues(); ++k)
+  {
+    remedies.push_back(
+      { source->GetStatusRemedies()->GetValue(k), source->GetStatusRemedySubjects()->GetValue(k) });
+  }
+  return flattening::describeDefect(source->GetStatusDefect(), remedies, spellingOf);
 }
 }
 
 //------------------------------------------------------------------------------
 std::string remedyWords(const std::string& name)
 {
-  return wirewarp::remedyWords(name, spellingOf);
+  return flattening::remedyWords(name, spellingOf);
 }
 
 //------------------------------------------------------------------------------
 std::string messageOf(const vtkFlatteningAlgorithm* filter)
 {
-  return wirewarp::describe(filter->GetStatusDefect(), wirewarp::remediesOf(filter), spellingOf);
+  return describeRun(filter);
 }
 
 //------------------------------------------------------------------------------
 std::string messageOf(const vtkPatternWriter* writer)
 {
-  const std::string defect = writer->GetStatusDefect();
   // What the pipeline refuses has no parts.
-  return defect.empty() ? writer->GetErrorMessage()
-                        : wirewarp::describe(defect, wirewarp::remediesOf(writer), spellingOf);
+  return *writer->GetStatusDefect() ? describeRun(writer) : writer->GetErrorMessage();
 }
 
 //------------------------------------------------------------------------------

@@ -109,14 +109,14 @@ Json flattenEntry(const Options& options, const BatchEntry& entry)
   std::string complaint = writeErrors(result) + warnings(result, entry.folder + ": ");
   if (result.refused())
   {
-    complaint += "wirewarp: error: " + plainText(result.message) + '\n';
+    complaint += messageLine("error", result.message);
   }
   else if (result.exitCode == Flawed)
   {
     complaint += pieceWarnings(result, entry.folder + ": ");
   }
   const double total = secondsSince(start);
-  const double core = result.seconds[3];
+  const double core = result.seconds.total;
   // What is neither reading nor flattening is writing, the report's own file included.
   const double write = result.refused() ? 0.0 : total - (result.secondsTotal - result.secondsWrite);
   const double filter = std::max(0.0, total - result.secondsRead - core - write);
@@ -145,7 +145,7 @@ Json crashedEntry(const BatchEntry& entry)
                { "seconds",
                  { { "read", 0.0 }, { "core", 0.0 }, { "filter", 0.0 }, { "write", 0.0 },
                    { "total", 0.0 } } } } },
-    { "note", "" }, { "complaint", "wirewarp: error: " + plainText(message) + '\n' } };
+    { "note", "" }, { "complaint", messageLine("error", message) } };
 }
 
 void say(const Json& row)

@@ -4,6 +4,7 @@
 #include "BoundaryLoops.h"
 #include "FlagWords.h"
 #include "Flattening.h"
+#include "Input/StatusWords.h"
 #include "InputError.h"
 #include "Options.h"
 #include "OutputFiles.h"
@@ -20,7 +21,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -110,9 +110,7 @@ Shape shapeOf(const TriangleList& list, const std::vector<BoundaryLoop>& loops)
 
 std::string inShort(double value)
 {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4g", value + 0.0); // not -0
-  return text;
+  return flattening::shortNumber(value + 0.0); // not -0
 }
 
 /// The middle of an opening's bounding box.
@@ -277,7 +275,7 @@ int runCheck(const Options& options)
   }
   for (const std::string& note : mend.notes)
   {
-    std::cerr << "wirewarp: warning: " << plainText(note) << '\n';
+    std::cerr << messageLine("warning", note);
   }
   if (!options.surfaceFile.empty())
   {

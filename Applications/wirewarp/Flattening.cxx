@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening.h"
 
-#include "Design/KeyPrices.h"
-#include "Flattening/FlatteningResult.h"
 #include "Input/ClothInput.h"
 #include "Input/StatusWords.h"
 #include "InputError.h"
@@ -15,14 +13,11 @@
 #include "ReadCurves.h"
 #include "ReadSurface.h"
 #include "Report.h"
-#include "Report/FlatteningArrays.h"
 #include "Report/FlatteningData.h"
-#include "Report/FlatteningRun.h"
-#include "Report/FlatteningTables.h"
 #include "Report/KeyPriceReport.h"
-#include "Report/PieceSizes.h"
 #include "Report/ReshapingReport.h"
 #include "Report/SuggestionReport.h"
+#include "Report/SurfaceRun.h"
 #include "Resewing.h"
 #include "Sizes.h"
 #include "Suggestion/RegionWeights.h"
@@ -243,7 +238,7 @@ RunInput readInput(const Options& options, const std::string& base, Flattening& 
   const CurveFiles saved = readSavedCurves(options);
   chooseUnit(options, saved, contents, result);
   contents.surface = mended(options, contents, result);
-  setUnit(contents.surface, result.unit);
+  setUnit(contents.surface, result.unitStated ? result.unit : std::string());
   DataSet owner = contents.surface; // of the curves
   if (!base.empty())
   {
@@ -317,62 +312,20 @@ RunInput readInput(const Options& options, const std::string& base, Flattening& 
   return input;
 }
 
-/// The curves of the surface itself, source 0, and of all others behind them.
-flattening::CurveInput curvesOf(const RunInput& input)
-{
-  flattening::CurveInput read;
-  readCurves(input.surface, 0, read);
-  for (std::size_t k = 0; k < input.curves.size() && read.outcome.ok(); ++k)
-  {
-    readCurves(input.curves[k], static_cast<int>(k) + 1, read);
-  }
-  return read;
-}
-
-/// The weights of --weights: a cell array with a number for each cell.
-Status readWeights(const flattening::SurfaceArrays& arrays, const std::string& name,
-  const flattening::CurvedSurface& source, flattening::RegionWeights& weights)
-{
-  if (name.empty())
-  {
-    return {};
-  }
-  const Column* const values = findColumn(arrays.cells, name);
-  if (!values || values->isText() || values->components != 1)
-  {
-    std::string names;
-    for (const Column& column : arrays.cells)
-    {
-      names +=
-        column.isText() || column.components != 1 ? "" : (names.empty() ? "" : ", ") + column.name;
-    }
-    return { flattening::StatusCode::InvalidOption,
-      values && !values->isText()
-        ? "the cell array \"" + name + "\" has " + std::to_string(values->components) +
-          " numbers a cell"
-        : "the surface has no cell array of numbers named \"" + name + "\"",
-      {},
-      { { flattening::Remedy::Give,
-        names.empty() ? "a cell array with a number for each cell" : "one of " + names } } };
-  }
-  for (const std::int64_t cell : source.surface.input.cellOfTriangle)
-  {
-    weights.push_back(values->number(static_cast<std::size_t>(cell)));
-  }
-  return {};
-}
-
 /// A flattening as it is written: a run of one surface.
-class SurfaceRun
+class CommandRun
 {
 public:
-  SurfaceRun(const Options& options, const RunInput& input, Flattening& result)
+  CommandRun(const Options& options, const RunInput& input, Flattening& result)
     : Given(options)
     , Input(input)
     , Result(result)
     , Settings(structuresOf(options))
-    , Arrays(input.surface, this->Run.source.warnings)
+    , Source(input.surface, input.curves)
+    , Run(Source.run)
   {
+    this->Source.unit = result.unit;
+    this->Source.unitStated = result.unitStated;
     const auto tolerances = tolerancesOf(options);
     const auto elastic = tolerances.find(flattening::boundaryName);
     if (elastic != tolerances.end())
@@ -387,22 +340,9 @@ public:
     }
   }
 
-  flattening::FlatteningRun& run() { return this->Run; }
+  const flattening::FlatteningRun& run() const { return this->Run; }
   const flattening::OptionStructures& settings() const { return this->Settings; }
-
-  /// \return whether the surface can be used
-  bool load(const flattening::Execution& execution)
-  {
-    const bool loaded = this->Run.load(readTriangles(this->Input.surface), curvesOf(this->Input),
-      this->Settings, tolerancesOf(this->Given), execution);
-    const int blamed = this->Run.source.blamed;
-    if (!loaded && blamed > 0 && this->Input.curves.size() > 1)
-    {
-      this->Run.status.message =
-        "connection " + std::to_string(blamed - 1) + " of the curves: " + this->Run.status.message;
-    }
-    return loaded;
-  }
+  const flattening::CurveInput& curves() const { return this->Source.curves; }
 
   void flatten(const flattening::Execution& execution)
   {
@@ -426,17 +366,28 @@ public:
   }
 
 private:
+  /// \return whether the surface can be used
+  bool load(const flattening::Execution& execution)
+  {
+    const bool loaded = this->Run.load(this->Source.triangles(), std::move(this->Source.curves),
+      this->Settings, tolerancesOf(this->Given), execution);
+    const int blamed = this->Run.source.blamed;
+    if (!loaded && blamed > 0 && this->Input.curves.size() > 1)
+    {
+      this->Run.status.message =
+        "connection " + std::to_string(blamed - 1) + " of the curves: " + this->Run.status.message;
+    }
+    return loaded;
+  }
+
   bool price(const flattening::Execution& execution)
   {
-    const flattening::ImprintedSurface& surface = this->Run.source.imprinted;
-    const flattening::KeyPrices prices =
-      priceKeys(surface.mesh, surface.curves, this->Settings.flattening, execution);
-    if (!this->Run.conclude(this->Run.source.outcomeOfStage(prices.status)))
+    const auto prices = this->Run.price(this->Settings.flattening, execution);
+    if (prices)
     {
-      return false;
+      this->Result.keyPrices = keyPriceTable(this->Run.source.imprinted.curves, *prices);
     }
-    this->Result.keyPrices = keyPriceTable(surface.curves, prices);
-    return true;
+    return prices.has_value();
   }
 
   void suggest(const flattening::Execution& watched)
@@ -445,8 +396,8 @@ private:
     options.search = this->Settings.search;
     options.imprint = this->Settings.imprint;
     options.flattening = this->Settings.flattening;
-    if (!this->Run.conclude(readWeights(
-          this->Arrays, this->Given.values.text("WeightArray"), this->Run.source, options.weights)))
+    if (!this->Run.conclude(readWeights(this->Source.arrays.cells,
+          this->Given.values.text("WeightArray"), this->Run.source, options.weights)))
     {
       return;
     }
@@ -478,23 +429,18 @@ private:
     {
       return;
     }
-    this->Result.tablesBefore.pieces =
+    this->Result.piecesBefore =
       flattening::pieceTable(source, moved->before, this->Result.unit, this->names(moved->before));
     Columns shifts = shiftArrays(source.imprinted.mesh, *moved);
     source.imprinted.mesh = moved->mesh;
     this->take(moved->after);
-    const auto dropNormals = [](DataSet data) {
-      Columns& columns = data.pointArrays;
-      columns.erase(
-        std::remove_if(columns.begin(), columns.end(),
-          [](const Column& column) { return column.role == flattening::ArrayRole::Normals; }),
-        columns.end());
-      return data;
-    };
-    this->Result.cut = std::make_shared<const DataSet>(dropNormals(*this->Result.cut));
-    flattening::ImprintData imprint = imprintData(this->Arrays, source);
-    DataSet surface = dropNormals(std::move(imprint.surface));
-    for (Column& column : surface.pointArrays)
+    DataSet cut = *this->Result.cut;
+    dropNormals(cut);
+    this->Result.cut = std::make_shared<const DataSet>(std::move(cut));
+    flattening::ImprintData imprint = imprintData(this->Source.arrays, source);
+    dropNormals(imprint.surface);
+    dropNormals(imprint.curves);
+    for (Column& column : imprint.surface.pointArrays)
     {
       column.role =
         column.role == flattening::ArrayRole::Scalars ? flattening::ArrayRole::None : column.role;
@@ -504,10 +450,9 @@ private:
       column.role = column.name == "ShiftDistance" ? flattening::ArrayRole::Scalars
                                                    : flattening::ArrayRole::None;
     }
-    setColumns(surface.pointArrays, std::move(shifts));
-    DataSet curves = dropNormals(std::move(imprint.curves));
-    this->Result.flattenable = this->stated(std::move(surface));
-    this->Result.flattenableCurves = this->stated(std::move(curves));
+    setColumns(imprint.surface.pointArrays, std::move(shifts));
+    this->Result.flattenable = this->stated(std::move(imprint.surface));
+    this->Result.flattenableCurves = this->stated(std::move(imprint.curves));
     this->Result.shiftMeasures = shiftTable(*moved);
     this->Result.shiftTrials = moved->trials.size();
   }
@@ -521,7 +466,7 @@ private:
 
   std::vector<std::string> names(const flattening::FlatteningResult& result) const
   {
-    const Column* const all = findColumn(this->Arrays.cells, "PieceName");
+    const Column* const all = findColumn(this->Source.arrays.cells, "PieceName");
     std::vector<std::string> names;
     for (std::size_t t = 0; all && all->isText() && t < result.cut->pieceOfTriangle.size(); ++t)
     {
@@ -537,47 +482,28 @@ private:
     {
       return;
     }
-    const flattening::CurvedSurface& source = this->Run.source;
-    Flattening& result = this->Result;
-    flattening::FlatteningData data =
-      flatteningData(this->Arrays, source, *flattened, this->Settings.flattening);
-    const auto addField = [&data](const char* name, const std::string& text) {
-      setColumn(data.flat.fieldArrays, { name, std::vector<std::string>{ text } });
-    };
-    const std::string size =
-      flattening::sizeWarning(flattening::pieceSizes(*flattened), result.unit);
-    if (result.unitStated && !size.empty())
-    {
-      this->Run.warn({ size });
-    }
-    addField("RunStatus", statusName(this->Run.status.code));
-    addField("RunStatusMessage", inWords(this->Run.status));
-    result.flat = this->stated(std::move(data.flat));
-    result.wires = this->stated(std::move(data.wires));
-    result.cut = this->stated(std::move(data.cut));
-    flattening::ReportTables tables(source, *flattened);
-    result.tables = { pieceTable(source, *flattened, result.unit, this->names(*flattened)),
-      std::move(tables.angleIterations), std::move(tables.isometricIterations),
-      std::move(tables.releaseTrials), std::move(tables.pieceRemedies) };
-    result.leftOutPieces = std::move(tables.leftOutPieces);
-    result.curveTable = flattening::curveTable(flattened->curves);
-    const flattening::StageSeconds& seconds = flattened->seconds;
-    result.seconds = { seconds.wires, seconds.interior, seconds.quality, seconds.total };
+    flattening::FlatteningReport report =
+      reportFlattening(this->Source, *flattened, this->Settings.flattening);
+    this->Result.flat = std::make_shared<const DataSet>(std::move(report.data.flat));
+    this->Result.wires = std::make_shared<const DataSet>(std::move(report.data.wires));
+    this->Result.cut = std::make_shared<const DataSet>(std::move(report.data.cut));
+    this->Result.tables = std::move(report.tables);
+    this->Result.seconds = report.seconds;
   }
 
   const Options& Given;
   const RunInput& Input;
   Flattening& Result;
   flattening::OptionStructures Settings;
-  flattening::FlatteningRun Run;
-  flattening::SurfaceArrays Arrays;
+  flattening::SurfaceRun Source;
+  flattening::FlatteningRun& Run;
 };
 }
 
-std::vector<Remedy> remediesOf(const PieceTables& tables, std::size_t piece)
+std::vector<Remedy> remediesOf(const flattening::ReportTables& tables, std::size_t piece)
 {
   std::vector<Remedy> remedies;
-  const Table& all = tables.remedies;
+  const Table& all = tables.pieceRemedies;
   for (std::size_t row = 0; row < rowsOf(all); ++row)
   {
     if (integerIn(all, row, "Piece") == static_cast<long long>(piece))
@@ -651,6 +577,15 @@ void scaleBy(double factor, DataSet& data)
   data.points = std::make_shared<const Points3>(std::move(points));
 }
 
+void dropNormals(DataSet& data)
+{
+  Columns& columns = data.pointArrays;
+  columns.erase(
+    std::remove_if(columns.begin(), columns.end(),
+      [](const Column& column) { return column.role == flattening::ArrayRole::Normals; }),
+    columns.end());
+}
+
 double diagonalOf(const DataSet& data)
 {
   Eigen::AlignedBox3d box;
@@ -698,8 +633,8 @@ Flattening flattenOne(const Options& options, const std::string& base)
     {
       inUnit = withinRoll(std::move(inUnit), result.unit);
     }
-    SurfaceRun run(inUnit, input, result);
-    checkPattern(options, input.surface, curvesOf(input), run.settings(), result);
+    CommandRun run(inUnit, input, result);
+    checkPattern(options, input.surface, run.curves(), run.settings(), result);
     if (result.refused())
     {
       result.message = options.surface + ": " + result.message;

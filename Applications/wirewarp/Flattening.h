@@ -2,13 +2,14 @@
 #pragma once
 
 #include "FlagWords.h"
+#include "Flattening/FlatteningResult.h"
 #include "Input/DataSet.h"
 #include "Options.h"
 #include "ReadSurface.h"
+#include "Report/FlatteningTables.h"
 #include "SurfaceMending.h"
 #include "Units.h"
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -34,18 +35,8 @@ using flattening::textIn;
 /// A strain above this multiple of the bound misses it.
 constexpr double missedBy = 1.5;
 
-/// The tables of pieces.
-struct PieceTables
-{
-  Table pieces;
-  Table angleIterations;
-  Table isometricIterations;
-  Table releaseTrials;
-  Table remedies;
-};
-
 /// The remedies of one piece.
-std::vector<Remedy> remediesOf(const PieceTables& tables, std::size_t piece);
+std::vector<Remedy> remediesOf(const flattening::ReportTables& tables, std::size_t piece);
 
 /// What became of one surface.
 struct Flattening
@@ -62,10 +53,8 @@ struct Flattening
   Data flat;
   Data wires;
   Data cut;
-  PieceTables tables; ///< without rows after an error
-  Table leftOutPieces;
-  Table curveTable;
-  std::array<double, 4> seconds{}; ///< of wires, interior and quality, and in total
+  flattening::ReportTables tables; ///< without rows after an error
+  flattening::StageSeconds seconds;
 
   /// Of `wirewarp cut`: all curves, as vtkFeatureCurveSuggestion has them, and what else it found.
   Data curves;
@@ -77,7 +66,7 @@ struct Flattening
   /// Of `wirewarp reshape`: outputs 5 to 9 of vtkMakeFlattenable.
   Data flattenable;
   Data flattenableCurves;
-  PieceTables tablesBefore; ///< pieces alone
+  Table piecesBefore;
   Table shiftMeasures;
   std::size_t shiftTrials = 0;
 
@@ -126,6 +115,8 @@ bool isScaled(const Options& options);
 /// The factor of --scale and --height. \param unit of the surface
 double scaleOf(const Options& options, const DataSet& surface, const std::string& unit);
 void scaleBy(double factor, DataSet& data);
+/// Of points that have moved.
+void dropNormals(DataSet& data);
 /// Of all points.
 double diagonalOf(const DataSet& data);
 

@@ -7,6 +7,7 @@
 #include "FlagWords.h"
 #include "Flattening.h"
 #include "Formats/PatternData.h"
+#include "Input/StatusWords.h"
 #include "InputError.h"
 #include "Options.h"
 #include "Outlines/DrawingSource.h"
@@ -174,7 +175,8 @@ void checkPattern(const Options& options, const flattening::DataSet& surface,
   {
     return;
   }
-  flattening::FlatteningRun run;
+  flattening::CurvedSurface curved;
+  flattening::FlatteningRun run(curved);
   if (!run.load(readTriangles(surface), std::move(curves), settings, {}, {}))
   {
     return; // the flattening says what is wrong
@@ -185,7 +187,7 @@ void checkPattern(const Options& options, const flattening::DataSet& surface,
     source.wires.back().type = pattern::WireType::Accessory;
     source.wires.back().name = name;
   };
-  for (const flattening::FeatureCurve& curve : run.source.imprinted.curves)
+  for (const flattening::FeatureCurve& curve : curved.imprinted.curves)
   {
     add(curve.name);
   }
@@ -269,17 +271,16 @@ std::vector<std::string> addPatterns(const Options& options, Flattening& result,
   }
   for (const std::string& warning : warnings)
   {
-    std::cerr << "wirewarp: warning: " << plainText(warning)
-              << "; draw it as 'straight NAME v0 v1', or with KeyShape 1\n";
+    std::cerr << messageLine(
+      "warning", warning + "; draw it as 'straight NAME v0 v1', or with KeyShape 1");
   }
   for (const auto& [note, kind] : notes)
   {
     result.patternNotes.push_back(note);
-    if (!isNews(kind, request, options.quiet || options.command == "make"))
+    if (isNews(kind, request, options.quiet || options.command == "make"))
     {
-      continue;
+      std::cerr << messageLine("note", note);
     }
-    std::cerr << "wirewarp: note: " << plainText(note) << "\n";
   }
   return names;
 }

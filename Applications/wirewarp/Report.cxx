@@ -128,7 +128,7 @@ std::vector<SewnBanks> sewnBanks(const Flattening& result)
       std::swap(lengths[0], lengths[1]);
     }
     SewnBanks& banks = found[{ static_cast<long long>(curve), sides[0], sides[1] }];
-    banks.curve = textIn(result.curveTable, curve, "Name");
+    banks.curve = textIn(result.tables.curves, curve, "Name");
     banks.pieces = sides;
     ++banks.edges;
     banks.lengths[0] += lengths[0];
@@ -214,10 +214,9 @@ Json remedyReports(const std::vector<Remedy>& remedies)
   return list;
 }
 
-Json pieceReports(const PieceTables& tables)
+Json pieceJson(const flattening::ReportTables& tables)
 {
-  Json pieces = jsonOf({ flattening::pieceReports({ tables.pieces, tables.angleIterations,
-    tables.isometricIterations, tables.releaseTrials, tables.remedies }) });
+  Json pieces = jsonOf({ flattening::pieceReports(tables) });
   for (std::size_t piece = 0; piece < pieces.size(); ++piece)
   {
     Json& message = pieces[piece]["message"];
@@ -262,6 +261,8 @@ Json flattenableReport(const Options& options, const Flattening& result)
     return nullptr;
   }
   const auto number = [&measures](const char* name) { return numberIn(measures, 0, name); };
+  flattening::ReportTables before;
+  before.pieces = result.piecesBefore;
   return { { "bound", options.reshaping.number("Bound") }, { "bound_met", number("BoundMet") != 0 },
     { "keep", options.reshaping.list("KeptCurves") },
     { "keep_boundary", options.reshaping.flag("KeepBoundary") },
@@ -273,7 +274,7 @@ Json flattenableReport(const Options& options, const Flattening& result)
     { "shift_inwards_max", number("ShiftInwardsMax") },
     { "shift_mean_relative", number("RelativeShiftMean") },
     { "shift_max_relative", number("RelativeShiftMax") }, { "trials", result.shiftTrials },
-    { "pieces_before", pieceReports(result.tablesBefore) } };
+    { "pieces_before", pieceJson(before) } };
 }
 
 /// What the pieces take of a cloth; null where they were not laid.
@@ -339,9 +340,9 @@ std::string makeReport(const Options& options, const Flattening& result)
     { "unwritten", result.unwritten }, { "unit", result.unit },
     { "unit_stated", result.unitStated },
     { "curve_distance_mm", result.curveDistance * millimetresOf(result.unit) },
-    { "pieces", pieceReports(result.tables) }, { "sizes", sizeReports(result) },
-    { "left_out", rowReports(result.leftOutPieces, reportKeys("LeftOut")) },
-    { "curves", rowReports(result.curveTable, reportKeys("CurveReport")) },
+    { "pieces", pieceJson(result.tables) }, { "sizes", sizeReports(result) },
+    { "left_out", rowReports(result.tables.leftOutPieces, reportKeys("LeftOut")) },
+    { "curves", rowReports(result.tables.curves, reportKeys("CurveReport")) },
     { "seams", seamReports(result) },
     { "suggestions", rowReports(suggestedCuts(result), reportKeys("suggestions")) },
     { "flattenable", flattenableReport(options, result) },
@@ -350,9 +351,9 @@ std::string makeReport(const Options& options, const Flattening& result)
     { "key_prices", rowReports(result.keyPrices, reportKeys("key_prices")) },
     { "resewn", resewnReports(options, result.sewnShapes) },
     { "seconds",
-      { { "read", result.secondsRead }, { "core", result.seconds[3] },
-        { "wires", result.seconds[0] }, { "interior", result.seconds[1] },
-        { "quality", result.seconds[2] }, { "write", result.secondsWrite },
+      { { "read", result.secondsRead }, { "core", result.seconds.total },
+        { "wires", result.seconds.wires }, { "interior", result.seconds.interior },
+        { "quality", result.seconds.quality }, { "write", result.secondsWrite },
         { "total", result.secondsTotal } } } };
   // File names may hold any bytes; those that are no UTF-8 become replacement characters.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -399,13 +400,13 @@ void takeReport(const std::string& text, Flattening& result)
   }
   for (const ReportKey& column : reportKeys("CurveReport"))
   {
-    addColumn(report.at("curves"), column, result.curveTable);
+    addColumn(report.at("curves"), column, result.tables.curves);
   }
-  const std::array<const char*, 4> stages{ "wires", "interior", "quality", "core" };
-  for (std::size_t k = 0; k < stages.size(); ++k)
-  {
-    result.seconds[k] = report.at("seconds").at(stages[k]).get<double>();
-  }
+  const Json& seconds = report.at("seconds");
+  result.seconds.wires = seconds.at("wires").get<double>();
+  result.seconds.interior = seconds.at("interior").get<double>();
+  result.seconds.quality = seconds.at("quality").get<double>();
+  result.seconds.total = seconds.at("core").get<double>();
 }
 
 [[noreturn]] void refuseReport(const std::string& path)

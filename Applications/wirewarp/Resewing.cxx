@@ -14,7 +14,6 @@
 #include "Sewing/PieceSewing.h"
 #include "TableOptions.h"
 
-#include <algorithm>
 #include <iomanip>
 #include <memory>
 #include <sstream>
@@ -87,11 +86,7 @@ void sewAgain(const Options& options, Flattening& result)
     data.faces.add(t);
   }
   data.pointArrays = kept.points;
-  data.pointArrays.erase(std::remove_if(data.pointArrays.begin(), data.pointArrays.end(),
-                           [](const flattening::Column& column) {
-                             return column.role == flattening::ArrayRole::Normals;
-                           }),
-    data.pointArrays.end());
+  dropNormals(data);
   setColumn(data.pointArrays, arrays.distance);
   data.cellArrays = copiedRows(kept.cells, input.map.surface.input.cellOfTriangle);
   setColumn(data.cellArrays, { "vtkOriginalCellIds", input.map.surface.input.cellOfTriangle });

@@ -6,6 +6,7 @@
 #include "Flattening.h"
 #include "Formats/PatternData.h"
 #include "Grading/SizeGrading.h"
+#include "Input/StatusWords.h"
 #include "InputError.h"
 #include "Options.h"
 #include "Progress.h"

@@ -3,10 +3,10 @@
 
 #include "FlagWords.h"
 #include "PlainText.h"
+#include "Surface/FeatureCurve.h"
 #include "Units.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -28,6 +28,23 @@ std::string format(const char* pattern, Value value)
   std::snprintf(text, sizeof(text), pattern, value);
   return text;
 }
+
+struct NumberColumn
+{
+  const char* head;
+  const char* column;
+  const char* pattern;
+  double factor = 1.0;
+};
+
+/// Of the table of pieces.
+constexpr NumberColumn measureColumns[] = { { "wire-patches", "WirePatches", "%.0f" },
+  { "E_len x1e3", "EdgeLengthError", "%.2f", 1e3 }, { "E_len max", "MaxEdgeLengthError", "%.1e" },
+  { "E_len all", "EdgeLengthErrorAll", "%.4f" }, { "E_ang x1e3", "AngleErrorMean", "%.1f", 1e3 },
+  { "E_h", "GlobalHomogeneity", "%.3f" }, { "E_r", "GlobalAspectRatio", "%.3f" },
+  { "E_area", "AreaError", "%.4f" }, { "strain p95", "StrainP95", "%.4f" },
+  { "flips", "FlippedTriangles", "%.0f" }, { "overlaps", "Overlaps", "%.0f" },
+  { "iterations", "Iterations", "%.0f" } };
 
 /// Columns side by side: the first `left` ones and the last to the left, the others to the right.
 std::string layOut(const std::vector<Row>& rows, std::size_t left)
@@ -79,12 +96,6 @@ std::string percent(double strain)
                             : format("%.0f %%", 100.0 * strain);
 }
 
-std::string curveTypeName(double type)
-{
-  static constexpr std::array<const char*, 4> names{ "accessory", "key", "dart", "seam" };
-  return names.at(static_cast<std::size_t>(type));
-}
-
 /// The row of the first curve to release in a piece; past the last where there is none.
 std::size_t firstRelease(const Table& trials, std::size_t piece)
 {
@@ -97,7 +108,7 @@ std::size_t firstRelease(const Table& trials, std::size_t piece)
 }
 
 /// What the trial of a release would better, in the measure of the scheme; empty where nothing.
-std::string gain(const PieceTables& tables, std::size_t piece, std::size_t row)
+std::string gain(const flattening::ReportTables& tables, std::size_t piece, std::size_t row)
 {
   // Schemes that choose the wires' angles alone are judged by them.
   const bool whole = rowsOf(tables.isometricIterations) > 0;
@@ -120,35 +131,32 @@ std::string pieceTable(const Flattening& result)
 {
   const Table& table = result.tables.pieces;
   const std::size_t pieces = rowsOf(table);
-  const std::string optimized = format("%.3f", result.seconds[0]);
-  const std::string all = format("%.3f", result.seconds[3]);
-  std::vector<Row> rows{ { "piece", "triangles", "size [mm]", "wire-patches", "E_len x1e3",
-    "E_len max", "E_len all", "E_ang x1e3", "E_h", "E_r", "E_area", "strain p95", "flips",
-    "overlaps", "iterations", "T_opt [s]", "T_all [s]", "status" } };
+  const std::string optimized = format("%.3f", result.seconds.wires);
+  const std::string all = format("%.3f", result.seconds.total);
+  std::vector<Row> rows{ { "piece", "triangles", "size [mm]" } };
+  for (const NumberColumn& column : measureColumns)
+  {
+    rows.front().emplace_back(column.head);
+  }
+  rows.front().insert(rows.front().end(), { "T_opt [s]", "T_all [s]", "status" });
   for (std::size_t piece = 0; piece < pieces; ++piece)
   {
     const std::string name = plainText(textIn(table, piece, "Name"));
-    rows.push_back({ nameOf(piece) + (name.empty() ? "" : " " + name),
-      std::to_string(integerIn(table, piece, "Triangles")), sizeInMillimetres(result, piece),
-      std::to_string(integerIn(table, piece, "WirePatches")),
-      format("%.2f", 1e3 * numberIn(table, piece, "EdgeLengthError")),
-      format("%.1e", numberIn(table, piece, "MaxEdgeLengthError")),
-      format("%.4f", numberIn(table, piece, "EdgeLengthErrorAll")),
-      format("%.1f", 1e3 * numberIn(table, piece, "AngleErrorMean")),
-      format("%.3f", numberIn(table, piece, "GlobalHomogeneity")),
-      format("%.3f", numberIn(table, piece, "GlobalAspectRatio")),
-      format("%.4f", numberIn(table, piece, "AreaError")),
-      format("%.4f", numberIn(table, piece, "StrainP95")),
-      std::to_string(integerIn(table, piece, "FlippedTriangles")),
-      std::to_string(integerIn(table, piece, "Overlaps")),
-      std::to_string(integerIn(table, piece, "Iterations")), pieces == 1 ? optimized : "-",
-      pieces == 1 ? all : "-", textIn(table, piece, "Status") });
+    Row row{ nameOf(piece) + (name.empty() ? "" : " " + name),
+      std::to_string(integerIn(table, piece, "Triangles")), sizeInMillimetres(result, piece) };
+    for (const NumberColumn& column : measureColumns)
+    {
+      row.push_back(format(column.pattern, column.factor * numberIn(table, piece, column.column)));
+    }
+    row.insert(row.end(),
+      { pieces == 1 ? optimized : "-", pieces == 1 ? all : "-", textIn(table, piece, "Status") });
+    rows.push_back(std::move(row));
   }
-  for (std::size_t row = 0; row < rowsOf(result.leftOutPieces); ++row)
+  for (std::size_t row = 0; row < rowsOf(result.tables.leftOutPieces); ++row)
   {
     Row leftOut(rows.front().size(), "-");
-    leftOut[1] = std::to_string(integerIn(result.leftOutPieces, row, "Triangles"));
-    leftOut.back() = textIn(result.leftOutPieces, row, "Reason") + ", left out";
+    leftOut[1] = std::to_string(integerIn(result.tables.leftOutPieces, row, "Triangles"));
+    leftOut.back() = textIn(result.tables.leftOutPieces, row, "Reason") + ", left out";
     rows.push_back(leftOut);
   }
   if (rows.size() != 2)
@@ -213,7 +221,7 @@ std::string verdicts(const Flattening& result)
 
 std::string curveTable(const Flattening& result)
 {
-  const Table& table = result.curveTable;
+  const Table& table = result.tables.curves;
   std::vector<Row> rows{ { "curve", "length", "flat length", "largest error", "tolerance",
     "type" } };
   for (std::size_t curve = 0; curve < rowsOf(table); ++curve)
@@ -268,8 +276,7 @@ std::string releaseAdvice(const Flattening& result)
 
 std::string unitNote(const Flattening& result, const std::string& where)
 {
-  return result.unitNote.empty() ? ""
-                                 : "wirewarp: note: " + plainText(where + result.unitNote) + '\n';
+  return result.unitNote.empty() ? "" : messageLine("note", where + result.unitNote);
 }
 
 std::string warnings(const Flattening& result, const std::string& where)
@@ -277,11 +284,11 @@ std::string warnings(const Flattening& result, const std::string& where)
   std::string text;
   for (const std::string& warning : result.warnings)
   {
-    text += "wirewarp: warning: " + plainText(where + warning) + '\n';
+    text += messageLine("warning", where + warning);
   }
   for (const std::string& note : result.notes)
   {
-    text += "wirewarp: warning: " + plainText(where + note) + '\n';
+    text += messageLine("warning", where + note);
   }
   return text;
 }
@@ -291,7 +298,7 @@ std::string writeErrors(const Flattening& result)
   std::string text;
   for (const std::string& error : result.unwritten)
   {
-    text += "wirewarp: error: " + plainText(error) + '\n';
+    text += messageLine("error", error);
   }
   return text;
 }
@@ -318,13 +325,12 @@ std::string pieceWarnings(const Flattening& result, const std::string& where)
   {
     if (textIn(table, piece, "Status") != "Ok")
     {
-      text += "wirewarp: warning: " + plainText(where) + "piece " + nameOf(piece) + ": " +
-        plainText(
-          messageOf(textIn(table, piece, "StatusDefect"), remediesOf(result.tables, piece))) +
-        '\n';
+      text += messageLine("warning",
+        where + "piece " + nameOf(piece) + ": " +
+          messageOf(textIn(table, piece, "StatusDefect"), remediesOf(result.tables, piece)));
     }
   }
-  return text.empty() ? "wirewarp: warning: " + plainText(where + result.message) + '\n' : text;
+  return text.empty() ? messageLine("warning", where + result.message) : text;
 }
 
 Table suggestedCuts(const Flattening& result)
@@ -347,7 +353,8 @@ Table suggestedCuts(const Flattening& result)
   {
     const long long mirrorOf = integerIn(cells, row, "MirrorOf");
     rows.push_back(static_cast<std::int64_t>(row));
-    types.push_back(curveTypeName(numberIn(cells, row, "CurveType")));
+    types.emplace_back(flattening::curveTypeName(
+      static_cast<flattening::CurveType>(integerIn(cells, row, "CurveType"))));
     images.push_back(mirrorOf > 0
         ? textIn(cells, first + static_cast<std::size_t>(mirrorOf) - 1, "CurveName")
         : "");

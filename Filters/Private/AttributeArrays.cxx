@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AttributeArrays.h"
 
-#include "FieldArrays.h"
 #include "Input/DataSet.h"
 
 #include "vtkAbstractArray.h"
@@ -20,9 +19,7 @@
 #include <type_traits>
 #include <variant>
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 namespace
 {
@@ -97,7 +94,12 @@ void addColumns(vtkFieldData* field, const Columns& columns)
       {
         array->SetValue(static_cast<vtkIdType>(k), values[k]);
       }
-      addUnlessEmpty(field, array);
+      if (values.empty() && !vtkDataSetAttributes::SafeDownCast(field))
+      {
+        field->RemoveArray(column.name.c_str()); // what the input may have had
+        return;
+      }
+      field->AddArray(array);
     };
     std::visit(
       [&add](const auto& values) {
@@ -157,6 +159,5 @@ vtkSmartPointer<vtkPointData> wholePointArrays(
 vtkSmartPointer<vtkCellData> wholeCellArrays(vtkPolyData* data, std::vector<std::string>& warnings)
 {
   return wholeArrays(data->GetCellData(), data->GetNumberOfCells(), "cell", warnings);
-}
 }
 }

@@ -14,9 +14,7 @@ class vtkPointData;
 class vtkPolyData;
 class vtkTable;
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 /// The data's arrays that have a value for each point, with the same active attributes. An array
 /// that is too short, as VTK lets it be, would be read beyond its end. \param warnings get a
@@ -27,7 +25,8 @@ vtkSmartPointer<vtkPointData> wholePointArrays(
 /// The same for cells.
 vtkSmartPointer<vtkCellData> wholeCellArrays(vtkPolyData* data, std::vector<std::string>& warnings);
 
-/// Adds the columns as arrays, as addUnlessEmpty() does.
+/// Adds the columns as arrays. Field data is lists of their own lengths: one without rows is left
+/// out, as it would only clutter tables and panels.
 void addColumns(vtkFieldData* field, const Columns& columns);
 
 /// Replaces what a table has by the columns.
@@ -39,5 +38,4 @@ std::vector<std::string> textsOfCells(vtkPolyData* data, const char* array);
 
 /// The field data, whose arrays may have any length.
 vtkSmartPointer<vtkFieldData> fieldArrays(vtkPolyData* data, std::vector<std::string>& warnings);
-}
 }

@@ -1,30 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurveEditorData.h"
 
-#include "AttributeArrays.h"
 #include "Base/Types.h"
 #include "CurvedPolyData.h"
 #include "Editing/DrawingSurface.h"
-#include "FieldArrays.h"
 #include "Imprint/ImprintedSurface.h"
 #include "Input/Columns.h"
+#include "PolyDataSets.h"
 #include "Surface/FeatureCurve.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
-#include "vtkPoints.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <numeric>
+#include <utility>
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 namespace
 {
@@ -84,31 +81,21 @@ const char* const controlKind = "ControlPointKind";
 const char* const mirrorPlane = "MirrorPlane";
 const char* const imageName = " (image)";
 
-/// Polylines over points of their own.
-class LineWriter
+/// A polyline over points of its own behind others.
+void addLine(const Points3& line, Points3& points, CellList& lines)
 {
-public:
-  LineWriter() { this->Points->SetDataTypeToDouble(); }
+  std::vector<std::int64_t> ids(line.size());
+  std::iota(ids.begin(), ids.end(), static_cast<std::int64_t>(points.size()));
+  lines.add(ids);
+  points.insert(points.end(), line.begin(), line.end());
+}
 
-  void add(const Points3& points)
-  {
-    this->Lines->InsertNextCell(static_cast<int>(points.size()));
-    for (const Point3& point : points)
-    {
-      this->Lines->InsertCellPoint(this->Points->InsertNextPoint(point.data()));
-    }
-  }
-  void give(vtkPolyData* data)
-  {
-    data->Initialize();
-    data->SetPoints(this->Points);
-    data->SetLines(this->Lines);
-  }
-
-private:
-  vtkNew<vtkPoints> Points;
-  vtkNew<vtkCellArray> Lines;
-};
+void give(Points3 points, DataSet set, vtkPolyData* data)
+{
+  set.points = std::make_shared<const Points3>(std::move(points));
+  data->Initialize();
+  fill(data, set);
+}
 
 struct CurveRow
 {
@@ -116,62 +103,54 @@ struct CurveRow
   vtkIdType imageOf; ///< -1: the curve itself
 };
 
-void writeTraits(const std::vector<CurveRow>& rows, vtkPolyData* data)
+Columns traitsOf(const std::vector<CurveRow>& rows)
 {
-  vtkCellData* const cells = data->GetCellData();
+  Columns cells;
+  const std::size_t count = rows.size();
   const auto traits = [&rows](
                         std::size_t k) -> const CurveTraits& { return rows[k].curve->traits; };
-  addRows<vtkIntArray>(cells, "CurveType", rows.size(),
-    [&](std::size_t k) { return static_cast<int>(traits(k).type); });
-  addRows<vtkStringArray>(cells, "CurveName", rows.size(),
+  addRows<int>(
+    cells, "CurveType", count, [&](std::size_t k) { return static_cast<int>(traits(k).type); });
+  addRows<std::string>(cells, "CurveName", count,
     [&](std::size_t k) { return traits(k).name + (rows[k].imageOf < 0 ? "" : imageName); });
-  addRows<vtkIntArray>(cells, "KeyShape", rows.size(),
-    [&](std::size_t k) { return static_cast<int>(traits(k).keyShape); });
-  addRows<vtkDoubleArray>(
-    cells, "LengthTolerance", rows.size(), [&](std::size_t k) { return traits(k).tolerance; });
-  Columns eases;
-  addEases(eases, rows.size(), [&](std::size_t k) {
+  addRows<int>(
+    cells, "KeyShape", count, [&](std::size_t k) { return static_cast<int>(traits(k).keyShape); });
+  addRows<double>(
+    cells, "LengthTolerance", count, [&](std::size_t k) { return traits(k).tolerance; });
+  addEases(cells, count, [&](std::size_t k) {
     return rows[k].imageOf < 0 ? traits(k).ease : easeOfImage(traits(k).ease);
   });
-  addColumns(cells, eases);
-  addRows<vtkIdTypeArray>(
-    cells, imageOf, rows.size(), [&](std::size_t k) { return rows[k].imageOf; });
+  addRows<std::int64_t>(cells, imageOf, count, [&](std::size_t k) { return rows[k].imageOf; });
+  return cells;
 }
 
-void writeNodes(const CurveSet& set, const std::vector<CurveRow>& rows, vtkPolyData* data)
+Columns nodesOf(const CurveSet& set, const std::vector<CurveRow>& rows)
 {
-  vtkNew<vtkDoubleArray> places;
-  places->SetName(controlPoints);
-  places->SetNumberOfComponents(3);
-  vtkNew<vtkIdTypeArray> cells;
-  cells->SetName(controlCurve);
-  vtkNew<vtkIntArray> kinds;
-  kinds->SetName(controlKind);
+  std::vector<double> places;
+  std::vector<std::int64_t> cells;
+  std::vector<int> kinds;
   for (std::size_t row = 0; row < rows.size(); ++row)
   {
     const EditedCurve& curve = *rows[row].curve;
     for (std::size_t k = 0; k < curve.nodes.size() && rows[row].imageOf < 0; ++k)
     {
-      places->InsertNextTuple(curve.nodes[k].position.data());
-      cells->InsertNextValue(static_cast<vtkIdType>(row));
-      kinds->InsertNextValue(
+      const Point3& place = curve.nodes[k].position;
+      places.insert(places.end(), place.data(), place.data() + 3);
+      cells.push_back(static_cast<std::int64_t>(row));
+      kinds.push_back(
         static_cast<int>(k < curve.kinds.size() ? curve.kinds[k] : SegmentKind::Geodesic));
     }
   }
-  vtkFieldData* const field = data->GetFieldData();
-  field->AddArray(places);
-  field->AddArray(cells);
-  field->AddArray(kinds);
+  Columns field{ { controlPoints, std::move(places), 3 }, { controlCurve, std::move(cells) },
+    { controlKind, std::move(kinds) } };
   if (set.mirror)
   {
-    vtkNew<vtkDoubleArray> plane;
-    plane->SetName(mirrorPlane);
-    plane->SetNumberOfComponents(6);
     const Point3& o = set.mirror->origin;
     const Point3& n = set.mirror->normal;
-    plane->InsertNextTuple6(o.x(), o.y(), o.z(), n.x(), n.y(), n.z());
-    field->AddArray(plane);
+    field.push_back(
+      { mirrorPlane, std::vector<double>{ o.x(), o.y(), o.z(), n.x(), n.y(), n.z() }, 6 });
   }
+  return field;
 }
 
 Status refusal(const std::string& defect, const char* suggested)
@@ -330,52 +309,55 @@ EditedCurve curveOf(const Polyline& line, const EditedCurve* nodes, const Drawin
 
 void writeCurveSet(const CurveSet& set, vtkPolyData* data)
 {
-  LineWriter lines;
+  Points3 points;
+  DataSet drawn;
   std::vector<CurveRow> rows;
   for (const auto& curve : set.curves)
   {
-    const Points3 points = pointsAlong(curve->segments);
-    if (points.size() < 2)
+    const Points3 line = pointsAlong(curve->segments);
+    if (line.size() < 2)
     {
       continue;
     }
-    lines.add(points);
+    addLine(line, points, drawn.lines);
     const auto row = static_cast<vtkIdType>(rows.size());
     rows.push_back({ curve.get(), -1 });
     const Points3 image = pointsAlong(curve->image);
     if (image.size() > 1)
     {
-      lines.add(image);
+      addLine(image, points, drawn.lines);
       rows.push_back({ curve.get(), row });
     }
   }
-  lines.give(data);
-  writeTraits(rows, data);
-  writeNodes(set, rows, data);
+  drawn.cellArrays = traitsOf(rows);
+  drawn.fieldArrays = nodesOf(set, rows);
+  give(std::move(points), std::move(drawn), data);
 }
 
 void writeCurve(const EditedCurve& curve, vtkPolyData* data)
 {
-  LineWriter lines;
+  Points3 points;
+  DataSet drawn;
   for (const SurfacePath& segment : curve.segments)
   {
-    lines.add(pointsAlong({ segment }));
+    addLine(pointsAlong({ segment }), points, drawn.lines);
   }
   if (!curve.image.empty())
   {
-    lines.add(pointsAlong(curve.image));
+    addLine(pointsAlong(curve.image), points, drawn.lines);
   }
-  lines.give(data);
+  give(std::move(points), std::move(drawn), data);
 }
 
 void writePath(const SurfacePath& path, vtkPolyData* data)
 {
-  LineWriter lines;
+  Points3 points;
+  DataSet drawn;
   if (path.points.size() > 1)
   {
-    lines.add(pointsAlong({ path }));
+    addLine(pointsAlong({ path }), points, drawn.lines);
   }
-  lines.give(data);
+  give(std::move(points), std::move(drawn), data);
 }
 
 CurveSetInput readCurveSet(vtkPolyData* data, const DrawingSurface& surface)
@@ -429,6 +411,5 @@ CurveSetInput readCurveSet(vtkPolyData* data, const DrawingSurface& surface)
   }
   result.note = farthest.note();
   return result;
-}
 }
 }

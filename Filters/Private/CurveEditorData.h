@@ -6,9 +6,7 @@
 
 class vtkPolyData;
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 /// The curves of two nodes or more, their images, and what makes them editable again, as
 /// vtkFeatureCurveEditor documents.
@@ -27,5 +25,4 @@ struct CurveSetInput
   std::string note; ///< on the curve that lies farthest from the surface, where one is not on it
 };
 CurveSetInput readCurveSet(vtkPolyData* data, const DrawingSurface& surface);
-}
 }

@@ -7,9 +7,7 @@
 
 #include <utility>
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 namespace
 {
@@ -89,6 +87,5 @@ void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& cu
     readCurvesOf(source.sources[k], static_cast<int>(k), read);
   }
   imprintInput(std::move(read), options, execution, source);
-}
 }
 }

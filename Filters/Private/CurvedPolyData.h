@@ -16,9 +16,7 @@
 
 #include <vector>
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 /// What a surface was read from: the parts of a data set, which several data sets may share, and
 /// its time, which is that of the part that was modified last.
@@ -66,5 +64,4 @@ void readCurvesOf(vtkPolyData* data, int source, CurveInput& curves);
 void loadCurvedSurface(vtkPolyData* surface, const std::vector<vtkPolyData*>& curves,
   CoincidentPoints coincident, Defects defects, const ImprintOptions& options,
   const Execution& execution, CurvedPolyData& source);
-}
 }

@@ -18,9 +18,7 @@
 #include <limits>
 #include <utility>
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 namespace
 {
@@ -208,6 +206,5 @@ ConnectedCurves gatherCurves(const ConnectedCurves& here, vtkMultiProcessControl
     unpack(object, all);
   }
   return all;
-}
 }
 }

@@ -11,9 +11,7 @@ class vtkDataObject;
 class vtkMultiProcessController;
 class vtkPolyData;
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 /// The controller of several processes that run a filter together, each with a part of the data;
 /// null where this one is alone.
@@ -49,5 +47,4 @@ struct ConnectedCurves
 
 /// The curves of all processes, the same on each. All processes must call it together.
 ConnectedCurves gatherCurves(const ConnectedCurves& here, vtkMultiProcessController* processes);
-}
 }

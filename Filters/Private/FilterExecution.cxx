@@ -11,9 +11,7 @@
 #include <memory>
 #include <stdexcept>
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 namespace
 {
@@ -69,6 +67,5 @@ Execution executionOf(vtkAlgorithm* algorithm)
     }
   };
   return execution;
-}
 }
 }

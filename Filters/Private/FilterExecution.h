@@ -5,12 +5,9 @@
 
 class vtkAlgorithm;
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 /// Progress to UpdateProgress with the phase as its text, also each 50 ms in between so that an
 /// observer can end the run; cancel from the abort flag, loops by vtkSMPTools.
 Execution executionOf(vtkAlgorithm* algorithm);
-}
 }

@@ -14,9 +14,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 namespace
 {
@@ -105,6 +103,5 @@ void writeFlattening(const CurvedPolyData& source, const FlatteningResult& resul
   writeWires(result.wires, arrays.wireArrays, flat, wires);
   setActiveScalars(wires, "WireKind");
   addColumns(flat->GetFieldData(), arrays.fieldArrays);
-}
 }
 }

@@ -8,9 +8,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 /// The tables that vtkFlatPieceAlgorithm gives by methods.
 struct KeptTables
@@ -32,5 +30,4 @@ void writeFlattening(const CurvedPolyData& source, const FlatteningResult& resul
 /// wireArrays()
 void writeWires(
   const std::vector<Wire>& wires, const Columns& arrays, vtkPolyData* surface, vtkPolyData* output);
-}
 }

@@ -6,9 +6,7 @@
 #include <map>
 #include <utility>
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 /// Sets a value, the value of a key, or no values. The owner is modified by changes alone, so that
 /// the same value does not run a filter again.
@@ -34,6 +32,5 @@ template <class List>
 void changeToNone(vtkObject* owner, List& kept)
 {
   change(owner, kept, List());
-}
 }
 }

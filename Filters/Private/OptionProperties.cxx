@@ -5,9 +5,7 @@
 #include <cmath>
 #include <variant>
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 //------------------------------------------------------------------------------
 bool setNumber(OptionValues& values, const char* property, double number)
@@ -64,6 +62,5 @@ void print(const OptionValues& values, std::ostream& os, vtkIndent indent)
          << "\n";
     }
   }
-}
 }
 }

@@ -8,9 +8,7 @@
 #include <ostream>
 #include <string>
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 /// Sets a number, of a word its place, within the range of its option; below it -1 where the option
 /// then follows from the input. \return whether it is another than before
@@ -24,5 +22,4 @@ const char* nameOfWord(const OptionValues& values, const char* property);
 
 /// Prints all but lists, one per line.
 void print(const OptionValues& values, std::ostream& os, vtkIndent indent);
-}
 }

@@ -20,9 +20,7 @@
 #include <array>
 #include <type_traits>
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 namespace
 {
@@ -61,15 +59,12 @@ CellList cellsOf(vtkCellArray* cells)
   return list;
 }
 
-vtkSmartPointer<vtkCellArray> cellsOf(const CellList& list)
+vtkNew<vtkTypeInt64Array> arrayOf(const std::vector<std::int64_t>& values)
 {
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  for (std::size_t k = 0; k < list.size(); ++k)
-  {
-    const std::vector<vtkIdType> ids(list.begin(k), list.end(k));
-    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-  }
-  return cells;
+  vtkNew<vtkTypeInt64Array> array;
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
 }
 
 template <class Value>
@@ -198,7 +193,7 @@ void fill(vtkPolyData* output, const DataSet& data)
   };
   for (const auto& [list, set] : lists)
   {
-    (output->*set)(cellsOf(*list));
+    (output->*set)(makeCells(*list));
   }
   addColumns(output->GetPointData(), data.pointArrays);
   addColumns(output->GetCellData(), data.cellArrays);
@@ -217,26 +212,20 @@ vtkSmartPointer<vtkPoints> makePoints(const Points2& points)
   return makeDoublePoints(points);
 }
 
-vtkSmartPointer<vtkCellArray> makeTriangles(const Triangles& triangles)
+vtkSmartPointer<vtkCellArray> makeCells(const CellList& cells)
 {
-  const vtkIdType count = static_cast<vtkIdType>(triangles.size());
-  vtkNew<vtkTypeInt64Array> offsets;
-  offsets->SetNumberOfValues(count + 1);
-  for (vtkIdType t = 0; t <= count; ++t)
-  {
-    offsets->SetValue(t, 3 * t);
-  }
-  vtkNew<vtkTypeInt64Array> corners;
-  corners->SetNumberOfValues(3 * count);
-  vtkTypeInt64* out = corners->GetPointer(0);
-  for (const Triangle& t : triangles)
-  {
-    out = std::copy(t.begin(), t.end(), out);
-  }
   auto result = vtkSmartPointer<vtkCellArray>::New();
-  result->SetData(offsets, corners);
+  result->SetData(arrayOf(cells.offsets), arrayOf(cells.ids));
   return result;
 }
 
+vtkSmartPointer<vtkCellArray> makeTriangles(const Triangles& triangles)
+{
+  CellList cells;
+  for (const Triangle& t : triangles)
+  {
+    cells.add(t);
+  }
+  return makeCells(cells);
 }
 }

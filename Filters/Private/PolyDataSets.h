@@ -9,9 +9,7 @@ class vtkFieldData;
 class vtkPoints;
 class vtkPolyData;
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 /// Points and cells, with the ghost cells and texture coordinates. \pre the cells are valid
 DataSet geometryOf(vtkPolyData* data);
@@ -30,6 +28,6 @@ vtkSmartPointer<vtkPoints> makePoints(const Points3& points);
 /// The same in the plane z = 0.
 vtkSmartPointer<vtkPoints> makePoints(const Points2& points);
 
+vtkSmartPointer<vtkCellArray> makeCells(const CellList& cells);
 vtkSmartPointer<vtkCellArray> makeTriangles(const Triangles& triangles);
-}
 }

@@ -5,9 +5,7 @@
 
 #include "vtkPolyData.h"
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 Status checkCells(vtkPolyData* surface)
 {
@@ -57,6 +55,5 @@ MappedSurface loadMappedSurface(vtkPolyData* surface, vtkPolyData* flat, vtkPoly
   const DataSet lines = edges ? geometryOf(edges) : DataSet();
   return flattening::loadMappedSurface(
     geometryOf(surface), flat ? &inPlane : nullptr, edges ? &lines : nullptr);
-}
 }
 }

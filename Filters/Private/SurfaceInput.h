@@ -11,9 +11,7 @@
 
 class vtkPolyData;
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 /// Whether the polygons and strips can be read.
 Status checkCells(vtkPolyData* surface);
@@ -42,6 +40,5 @@ void forEachCell(vtkCellArray* cells, Visit&& visit)
     cell->GetCurrentCell(count, ids);
     visit(cell->GetCurrentCellId(), count, ids);
   }
-}
 }
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceOutput.h"
 
-#include "FieldArrays.h"
+#include "AttributeArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -14,9 +13,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 namespace
 {
@@ -77,8 +74,7 @@ void copyCellData(
   {
     cells->CopyData(input, cellOfTriangle[t], static_cast<vtkIdType>(t));
   }
-  addRows<vtkIdTypeArray>(cells, "vtkOriginalCellIds", cellOfTriangle.size(),
-    [&](std::size_t t) { return cellOfTriangle[t]; });
+  addColumns(cells, { { "vtkOriginalCellIds", cellOfTriangle } });
 }
 
 void writeImprintedSurface(const CurvedPolyData& source, vtkPolyData* output)
@@ -94,8 +90,10 @@ void writeImprintedSurface(const CurvedPolyData& source, vtkPolyData* output)
   }
   writeSurface(
     source, mesh.triangles(), cellOfTriangle, vertices, makePoints(mesh.points()), output);
-  addRows<vtkIdTypeArray>(output->GetPointData(), "vtkOriginalPointIds", vertices.size(),
+  Columns ids;
+  addRows<std::int64_t>(ids, "vtkOriginalPointIds", vertices.size(),
     [&](std::size_t v) { return source.pointOf(vertices[v]); });
+  addColumns(output->GetPointData(), ids);
 }
 
 void writeCutSurface(const CurvedPolyData& source, const CutSurface& cut, const CutArrays& arrays,
@@ -105,6 +103,5 @@ void writeCutSurface(const CurvedPolyData& source, const CutSurface& cut, const 
   writeSurface(source, cut.mesh.triangles(), cells, arrays.originalVertex, points, output);
   addColumns(output->GetPointData(), arrays.pointArrays);
   addColumns(output->GetCellData(), arrays.cellArrays);
-}
 }
 }

@@ -10,9 +10,7 @@
 
 class vtkPoints;
 
-namespace flattening
-{
-namespace bridge
+namespace flattening::bridge
 {
 /// Copies the data of the cell that each triangle is of, and adds `vtkOriginalCellIds`.
 void copyCellData(
@@ -26,5 +24,4 @@ void writeImprintedSurface(const CurvedPolyData& source, vtkPolyData* output);
 /// input
 void writeCutSurface(const CurvedPolyData& source, const CutSurface& cut, const CutArrays& arrays,
   vtkPoints* points, vtkPolyData* output);
-}
 }

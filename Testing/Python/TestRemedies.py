@@ -7,7 +7,7 @@ import unittest
 import warnings
 
 import surfaceflattening as sf
-from surfaceflattening._remedies import make_message, remedy_words
+from surfaceflattening._core import make_message
 from surfaces import grid
 
 Algorithm = sf.vtkFlatteningAlgorithm
@@ -43,8 +43,8 @@ class Words(unittest.TestCase):
         arguments = {name for function in functions for name in inspect.signature(function).parameters}
         named = 0
         for name in NAMES:
-            words = remedy_words(name)
-            self.assertTrue(words, name)
+            words = make_message("", [(name, "%")])
+            self.assertTrue(words.removeprefix("; "), name)
             self.assertNotRegex(words, "--|[][{}]|[A-Z][a-z]+[A-Z]|[A-Z]+_[A-Z]+")
             for word in re.findall(r"[a-z]+(?:_[a-z]+)+|[a-z]+(?==)", words):
                 named += 1

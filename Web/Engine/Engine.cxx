@@ -118,7 +118,7 @@ public:
   {
     if (this->Made)
     {
-      this->Words = objectOf(ReportValue{ std::move(this->Made->tables) });
+      this->Words = objectOf(ReportValue{ flattening::objectOf(*this->Made) });
     }
     this->Words.set("status", objectOf(run.run.status));
     this->Words.set("refused", run.run.status.refused());

@@ -4,7 +4,6 @@
 #include "CurveList.h"
 #include "Input/InputSurface.h"
 #include "Input/StatusWords.h"
-#include "RemedySpelling.h"
 
 #include <algorithm>
 #include <cctype>
@@ -144,8 +143,7 @@ val objectOf(const Status& status)
   val object = val::object();
   object.set("code", static_cast<int>(status.code));
   object.set("name", std::string(statusName(status.code)));
-  object.set(
-    "message", wirewarp::describe(status.message, wirewarp::remediesOf(status), inPlainWords));
+  object.set("message", describeDefect(status.message, remediesOf(status), inPlainWords));
   object.set("ids", idsOf(status.ids.values));
   object.set("kind", std::string(kindName(status.ids.kind)));
   return object;

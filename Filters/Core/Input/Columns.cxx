@@ -135,11 +135,4 @@ Columns copiedRows(const Columns& columns, const std::vector<std::int64_t>& rowO
   }
   return copied;
 }
-
-/// A column that has a row; null where there is none.
-const Column* cellOf(const Columns& table, std::size_t row, const std::string& name)
-{
-  const Column* const column = findColumn(table, name);
-  return column && row < column->rows() ? column : nullptr;
-}
 }

@@ -2,11 +2,13 @@
 #include "Input/DataSet.h"
 
 #include "Base/Types.h"
+#include "Surface/PolygonTriangulation.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace flattening
@@ -16,6 +18,33 @@ namespace
 // Bits of vtkGhostType.
 constexpr int duplicateCell = 1;
 constexpr int hiddenCell = 32;
+
+/// An id that does not fit stays out of range, for prepareSurface() to refuse.
+Index pointIndex(std::int64_t id)
+{
+  return id >= 0 && id <= std::numeric_limits<Index>::max() ? static_cast<Index>(id) : none;
+}
+
+/// A corner twice joins nothing, but two points in one place may hold parts together.
+Triangles trianglesOfPolygon(const Points3& points, const Indices& corners)
+{
+  Triangles triangles = triangulatePolygon(points, corners);
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                    [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }),
+    triangles.end());
+  return triangles;
+}
+
+/// Keeps the unsound points for prepareSurface() to refuse.
+Triangles fanOf(const Indices& corners)
+{
+  Triangles triangles;
+  for (std::size_t k = 2; k < corners.size(); ++k)
+  {
+    triangles.push_back({ corners[0], corners[k - 1], corners[k] });
+  }
+  return triangles;
+}
 
 /// The triangles of a strip, every other one turned.
 Triangles trianglesOfStrip(const Indices& corners)
@@ -109,20 +138,9 @@ SurfaceTriangles readTriangles(const DataSet& surface, GhostCells ghosts)
       }
       Indices corners;
       std::transform(ids, cells.end(k), std::back_inserter(corners), pointIndex);
-      if (divides && !strips && corners.size() > 3)
-      {
-        if (!appendPolygon(result, id, corners, {}))
-        {
-          lost.push_back(id);
-        }
-        continue;
-      }
-      // Or fans, which keep the unsound points for prepareSurface() to refuse.
-      Triangles triangles = strips ? trianglesOfStrip(corners) : Triangles();
-      for (std::size_t i = 2; i < corners.size() && !strips; ++i)
-      {
-        triangles.push_back({ corners[0], corners[i - 1], corners[i] });
-      }
+      const Triangles triangles = strips ? trianglesOfStrip(corners)
+        : divides && corners.size() > 3  ? trianglesOfPolygon(result.points, corners)
+                                         : fanOf(corners);
       result.triangles.insert(result.triangles.end(), triangles.begin(), triangles.end());
       result.cellOfTriangle.insert(result.cellOfTriangle.end(), triangles.size(), id);
       if (divides && triangles.empty())
@@ -133,7 +151,12 @@ SurfaceTriangles readTriangles(const DataSet& surface, GhostCells ghosts)
   };
   append(surface.faces, false);
   append(surface.strips, true);
-  result.outcome = refuseLost(lost);
+  if (!lost.empty())
+  {
+    result.outcome = { StatusCode::DegenerateTriangle,
+      "cells " + listIds(lost) + " are polygons with fewer than three different corners",
+      { ElementKind::Cells, lost }, { Remedy::RemeshTriangles } };
+  }
   return result;
 }
 

@@ -3,7 +3,6 @@
 
 #include "Base/Types.h"
 #include "Input/StatusWords.h"
-#include "Surface/PolygonTriangulation.h"
 
 #include <limits>
 #include <utility>
@@ -52,6 +51,7 @@ void keepHealed(LoadedSurface& surface)
 
 Status checkSize(std::int64_t points, std::int64_t corners)
 {
+  constexpr std::int64_t mostTriangles = std::numeric_limits<Index>::max() / 3;
   if (corners <= mostTriangles && points <= mostTriangles)
   {
     return {};
@@ -59,51 +59,6 @@ Status checkSize(std::int64_t points, std::int64_t corners)
   return { StatusCode::InvalidOption,
     "the surface has more than " + std::to_string(mostTriangles) + " points or corners", {},
     { Remedy::DivideInput } };
-}
-
-Index pointIndex(std::int64_t id)
-{
-  return id >= 0 && id <= std::numeric_limits<Index>::max() ? static_cast<Index>(id) : none;
-}
-
-bool appendPolygon(
-  SurfaceTriangles& result, std::int64_t cell, const Indices& corners, const Triangles& proposed)
-{
-  const std::size_t before = result.triangles.size();
-  const auto append = [&](const Triangle& t) {
-    result.triangles.push_back(t);
-    result.cellOfTriangle.push_back(cell);
-  };
-  if (corners.size() <= 3 || isTriangulationOf(proposed, result.points, corners))
-  {
-    for (const Triangle& t : proposed)
-    {
-      append(t);
-    }
-  }
-  else
-  {
-    for (const Triangle& t : triangulatePolygon(result.points, corners))
-    {
-      // A corner twice joins nothing, but two points in one place may hold parts together.
-      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
-      {
-        append(t);
-      }
-    }
-  }
-  return result.triangles.size() > before;
-}
-
-Status refuseLost(const std::vector<std::int64_t>& cells)
-{
-  if (cells.empty())
-  {
-    return {};
-  }
-  return { StatusCode::DegenerateTriangle,
-    "cells " + listIds(cells) + " are polygons with fewer than three different corners",
-    { ElementKind::Cells, cells }, { Remedy::RemeshTriangles } };
 }
 
 LoadedSurface loadSurface(SurfaceTriangles input, CoincidentPoints coincident, Defects defects)

@@ -21,23 +21,9 @@ struct SurfaceTriangles
   Status outcome;
 };
 
-/// Half-edges are counted with an Index.
-constexpr std::int64_t mostTriangles = std::numeric_limits<Index>::max() / 3;
-
-/// The refusal of an input with more points or corners than that; Ok where it has not.
+/// The refusal of an input with more points or corners than half-edges can be counted with an
+/// Index; Ok where it has not.
 Status checkSize(std::int64_t points, std::int64_t corners);
-
-/// An id that does not fit stays out of range, for prepareSurface() to refuse.
-Index pointIndex(std::int64_t id);
-
-/// Appends the triangles of a polygon: the proposed ones where they cover it, else those of
-/// triangulatePolygon().
-/// \return whether there is one
-bool appendPolygon(
-  SurfaceTriangles& result, std::int64_t cell, const Indices& corners, const Triangles& proposed);
-
-/// The refusal of polygons of which appendPolygon() made nothing; Ok where there is none.
-Status refuseLost(const std::vector<std::int64_t>& cells);
 
 /// What is done about defects of a surface.
 enum class Defects

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/StatusWords.h"
 
+#include "Options/OptionTable.h"
+
 #include <algorithm>
 #include <unordered_set>
 
@@ -8,37 +10,6 @@ namespace flattening
 {
 namespace
 {
-/// {Sewing.Test=PANEL} as Test = PANEL.
-std::string remedyWords(const SuggestedRemedy& suggested)
-{
-  std::string words;
-  std::size_t option = std::string::npos; // where the last one begins
-  for (const char c : std::string(remedySentence(suggested.remedy)))
-  {
-    if (c == '{' || c == '}')
-    {
-      option = c == '{' ? words.size() : std::string::npos;
-    }
-    else if (c == '.' && option != std::string::npos)
-    {
-      words.resize(option);
-    }
-    else if (c == '=' && option != std::string::npos)
-    {
-      words += " = ";
-    }
-    else if (c == '%')
-    {
-      words += suggested.subject;
-    }
-    else if (c != '[' && c != ']')
-    {
-      words += c;
-    }
-  }
-  return words;
-}
-
 const char* nounOf(ElementKind kind)
 {
   return kind == ElementKind::Curves ? "cells of the curves"
@@ -47,16 +18,22 @@ const char* nounOf(ElementKind kind)
 }
 }
 
-std::string inWords(const Status& status)
+std::vector<NamedRemedy> remediesOf(const Status& status)
 {
-  std::string text = status.message;
-  const char* join = "; ";
+  std::vector<NamedRemedy> remedies;
   for (const SuggestedRemedy& suggested : status.remedies)
   {
-    text += join + remedyWords(suggested);
-    join = ", or ";
+    remedies.push_back({ remedyName(suggested.remedy), suggested.subject });
   }
-  return text;
+  return remedies;
+}
+
+std::string inWords(const Status& status)
+{
+  return describeDefect(
+    status.message, remediesOf(status), [](const std::string& property, const std::string& value) {
+      return spelledSetting(property, value, OptionSpelling::Property);
+    });
 }
 
 const char* kindName(ElementKind kind)

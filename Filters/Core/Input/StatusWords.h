@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/RemedyWords.h"
 #include "Base/Status.h"
 
 #include <cstdint>
@@ -12,6 +13,8 @@ namespace flattening
 /// The defect and its remedies, with the names of the filters' properties and of their inputs'
 /// arrays; empty where the status is Ok.
 std::string inWords(const Status& status);
+
+std::vector<NamedRemedy> remediesOf(const Status& status);
 
 /// What the ids of a kind are called where the input is meant; "" for those that mean nothing to a
 /// caller.

@@ -709,6 +709,41 @@ std::string spelled(const Option& option, OptionSpelling spelling)
 }
 
 //------------------------------------------------------------------------------
+std::string spelledSetting(
+  const std::string& property, const std::string& value, OptionSpelling spelling)
+{
+  const std::string sewing = "Sewing.";
+  const bool sews = property.rfind(sewing, 0) == 0;
+  const std::string name = property.substr(sews ? sewing.size() : 0);
+  if (spelling == OptionSpelling::Property)
+  {
+    return name + (value.empty() ? "" : " = " + value);
+  }
+  Option plain; // of patterns, or an array
+  plain.spelling = spellingOf(name);
+  const Option* const known =
+    findOption(sews ? OptionOwner::Sewing : OptionOwner::Suggestion, name);
+  const Option& option = known ? *known : plain;
+  const std::string spelledName = spelled(option, spelling);
+  if (value.empty() || value == "on")
+  {
+    return spelledName + (!value.empty() && spelling == OptionSpelling::Python ? "=True" : "");
+  }
+  const auto letters = [](std::string text) {
+    text.erase(std::remove(text.begin(), text.end(), '_'), text.end());
+    std::transform(text.begin(), text.end(), text.begin(),
+      [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return text;
+  };
+  std::string word = letters(value);
+  for (const OptionWord& one : option.words)
+  {
+    word = letters(one.name) == letters(value) ? one.word : word;
+  }
+  return spelledName + (spelling == OptionSpelling::Python ? "=\"" + word + '"' : ' ' + word);
+}
+
+//------------------------------------------------------------------------------
 OptionValues::OptionValues(OptionOwner owner)
   : OptionValues(optionsOf(owner))
 {

@@ -51,6 +51,12 @@ enum class OptionSpelling
 /// A flag that is on by default is called by the one that turns it off: --no-arrange.
 std::string spelled(const Option& option, OptionSpelling spelling);
 
+/// An option with the value that a remedy names: "Solver = NEWTON", "--solver newton" or
+/// "solver="newton"". \param property of the filters; of vtkSewnShape with "Sewing." before it
+/// \param value may be empty
+std::string spelledSetting(
+  const std::string& property, const std::string& value, OptionSpelling spelling);
+
 /// Values of all options of a filter, and which of them the user gave.
 class OptionValues
 {

@@ -77,16 +77,16 @@ bool FlatteningRun::load(SurfaceTriangles surface, CurveInput curves,
   return loaded;
 }
 
-std::optional<FlatteningResult> FlatteningRun::flatten(
-  FlatteningOptions options, const std::array<std::int64_t, 2>& pins, const Execution& execution)
+std::optional<FlatteningResult> FlatteningRun::flatten(FlatteningOptions options,
+  const std::array<std::int64_t, 2>& pins, const Execution& execution, FlatteningCache* kept)
 {
   if (!this->conclude(this->source.pinVertices(pins, options.conformal.pins)))
   {
     return {};
   }
   this->warn(describeShortEnds(this->source));
-  FlatteningResult result =
-    flattenSurface(this->source.imprinted.mesh, this->source.imprinted.curves, options, execution);
+  FlatteningResult result = flattenSurface(
+    this->source.imprinted.mesh, this->source.imprinted.curves, options, execution, kept);
   if (!this->conclude(this->source.outcomeOfStage(
         result.status, result.status.refused() ? nullptr : result.cut.get())))
   {
@@ -100,8 +100,19 @@ std::optional<FlatteningResult> FlatteningRun::flatten(
   return result;
 }
 
+std::optional<KeyPrices> FlatteningRun::price(
+  const FlatteningOptions& options, const Execution& execution)
+{
+  KeyPrices prices =
+    priceKeys(this->source.imprinted.mesh, this->source.imprinted.curves, options, execution);
+  return this->conclude(this->source.outcomeOfStage(prices.status))
+    ? std::make_optional(std::move(prices))
+    : std::nullopt;
+}
+
 std::optional<FlatteningResult> FlatteningRun::suggest(const SuggestionOptions& options,
-  const Execution& execution, const std::function<void()>& goOn, CurveSuggestions& found)
+  const Execution& execution, const std::function<void()>& goOn, CurveSuggestions& found,
+  FlatteningCache* kept)
 {
   const bool lines = options.search.cuts == SuggestedCuts::Lines;
   found = (lines ? suggestLines : suggestCurves)(this->source.surface.prepared.mesh,
@@ -120,7 +131,8 @@ std::optional<FlatteningResult> FlatteningRun::suggest(const SuggestionOptions& 
   std::optional<FlatteningResult> result;
   if (this->conclude(this->source.outcome))
   {
-    result = this->flatten(options.flattening, { -1, -1 }, execution.part(0.9, 1.0));
+    this->warn(this->source.warnings);
+    result = this->flatten(options.flattening, { -1, -1 }, execution.part(0.9, 1.0), kept);
   }
   const std::string shortfall = result && !lines
     ? describeShortfall(found, options.search.bound, options.search.maximumWidth, given)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Design/KeyPrices.h"
+#include "Flattening/FlatteningCache.h"
 #include "Flattening/FlatteningOptions.h"
 #include "Flattening/FlatteningResult.h"
 #include "Input/CurvedSurface.h"
@@ -18,11 +20,17 @@
 
 namespace flattening
 {
-/// A surface with its curves, and what is to be said of it, for front ends that use no VTK. The
-/// last status counts.
+/// What is done with a surface and its curves, and what is to be said of it. The last status
+/// counts.
 struct FlatteningRun
 {
-  CurvedSurface source;
+  /// \param curved must live as long as this
+  explicit FlatteningRun(CurvedSurface& curved)
+    : source(curved)
+  {
+  }
+
+  CurvedSurface& source;
   Status status;
   std::vector<std::string> warnings; ///< each once
 
@@ -35,15 +43,22 @@ struct FlatteningRun
   bool load(SurfaceTriangles surface, CurveInput curves, const OptionStructures& options,
     const std::map<std::string, double>& tolerances, const Execution& execution);
 
-  /// \param pins points of the input, or -1. \return none where the surface is refused
-  std::optional<FlatteningResult> flatten(
-    FlatteningOptions options, const std::array<std::int64_t, 2>& pins, const Execution& execution);
+  /// \param pins points of the input, or -1 \param kept of the run before; may be null
+  /// \return none where the surface is refused
+  std::optional<FlatteningResult> flatten(FlatteningOptions options,
+    const std::array<std::int64_t, 2>& pins, const Execution& execution,
+    FlatteningCache* kept = nullptr);
+
+  /// Measures what the planar shape of each key curve costs.
+  /// \return none where the surface is refused
+  std::optional<KeyPrices> price(const FlatteningOptions& options, const Execution& execution);
 
   /// Proposes curves, which the source has then behind its own. \param goOn called where the search
   /// was interrupted, before the surface is flattened with what it found
   /// \return none where the surface is refused
   std::optional<FlatteningResult> suggest(const SuggestionOptions& options,
-    const Execution& execution, const std::function<void()>& goOn, CurveSuggestions& found);
+    const Execution& execution, const std::function<void()>& goOn, CurveSuggestions& found,
+    FlatteningCache* kept = nullptr);
 
   /// Moves the surface.
   /// \return none where the surface is refused

@@ -327,6 +327,23 @@ void writeRemedies(const CurvedSurface& source, const FlatteningResult& result, 
   columns.add("Subject", &SuggestedRemedy::subject);
 }
 
+Columns curveTable(const std::vector<CurveReport>& curves)
+{
+  Columns table;
+  const TableColumns<CurveReport> columns(table, curves);
+  columns.addNumbers("Curve");
+  columns.add("Name", &CurveReport::name);
+  columns.add("Type", [](const CurveReport& curve) { return curveTypeName(curve.type); });
+  columns.add("RestLength", &CurveReport::restLength);
+  columns.add("FlatLength", &CurveReport::flatLength);
+  columns.add("LengthError", &CurveReport::error);
+  columns.add("Tolerance", &CurveReport::tolerance);
+  columns.add("ClosedLength", &CurveReport::closedLength);
+  columns.add("Sensitivity", &CurveReport::sensitivity);
+  columns.add("Released", &CurveReport::released);
+  return table;
+}
+
 void writeLeftOut(
   const CurvedSurface& source, const std::vector<PieceDefect>& leftOut, Columns& table)
 {
@@ -355,7 +372,10 @@ std::vector<std::string> describeVerdicts(
   return warnings;
 }
 
-ReportTables::ReportTables(const CurvedSurface& source, const FlatteningResult& result)
+ReportTables::ReportTables(const CurvedSurface& source, const FlatteningResult& result,
+  const std::string& unit, const std::vector<std::string>& cellNames)
+  : pieces(pieceTable(source, result, unit, cellNames))
+  , curves(curveTable(result.curves))
 {
   writeIterations(result.pieces, this->angleIterations, this->isometricIterations);
   writeReleases(result, this->releaseTrials);
@@ -391,23 +411,6 @@ Columns pieceTable(const CurvedSurface& source, const FlatteningResult& result,
     addCloth(columns, result.curves);
   }
   addStatus(columns);
-  return table;
-}
-
-Columns curveTable(const std::vector<CurveReport>& curves)
-{
-  Columns table;
-  const TableColumns<CurveReport> columns(table, curves);
-  columns.addNumbers("Curve");
-  columns.add("Name", &CurveReport::name);
-  columns.add("Type", [](const CurveReport& curve) { return curveTypeName(curve.type); });
-  columns.add("RestLength", &CurveReport::restLength);
-  columns.add("FlatLength", &CurveReport::flatLength);
-  columns.add("LengthError", &CurveReport::error);
-  columns.add("Tolerance", &CurveReport::tolerance);
-  columns.add("ClosedLength", &CurveReport::closedLength);
-  columns.add("Sensitivity", &CurveReport::sensitivity);
-  columns.add("Released", &CurveReport::released);
   return table;
 }
 

@@ -11,9 +11,11 @@
 
 namespace flattening
 {
-/// What a flattening reports beside its pieces and curves.
+/// What a flattening reports.
 struct ReportTables
 {
+  Columns pieces; ///< as pieceTable() makes it
+  Columns curves; ///< a row each
   Columns angleIterations;
   Columns isometricIterations;
   Columns releaseTrials;
@@ -22,7 +24,9 @@ struct ReportTables
 
   /// Tables without columns.
   ReportTables() = default;
-  ReportTables(const CurvedSurface& source, const FlatteningResult& result);
+  /// The other parameters are those of pieceTable().
+  ReportTables(const CurvedSurface& source, const FlatteningResult& result, const std::string& unit,
+    const std::vector<std::string>& cellNames);
 };
 
 /// One row per piece. \param unit of length; empty where none is stated
@@ -34,9 +38,6 @@ Columns pieceTable(const CurvedSurface& source, const FlatteningResult& result,
 /// than the one requested.
 std::vector<std::string> describeVerdicts(
   const CurvedSurface& source, const FlatteningResult& result);
-
-/// One row per feature curve.
-Columns curveTable(const std::vector<CurveReport>& curves);
 
 /// The one row of a surface without pieces: Piece is -1.
 Columns refusalTable(const std::string& status, const std::string& message);

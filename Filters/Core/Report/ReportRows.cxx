@@ -51,7 +51,7 @@ ReportList listOf(const Columns& table, std::size_t piece, const char* record)
 }
 
 /// Curves to release, the best first, and what that would bring; null where there is none.
-ReportValue releaseOf(const PieceReportTables& tables, std::size_t piece)
+ReportValue releaseOf(const ReportTables& tables, std::size_t piece)
 {
   const std::string first = textIn(tables.pieces, piece, "ReleaseFirst");
   if (first.empty())
@@ -99,7 +99,7 @@ ReportList reportRows(const Columns& table, const std::vector<ReportKey>& keys)
   return rows;
 }
 
-ReportList pieceReports(const PieceReportTables& tables)
+ReportList pieceReports(const ReportTables& tables)
 {
   const Columns& pieces = tables.pieces;
   const bool cloth = findColumn(pieces, "StrainWarpRms") != nullptr;
@@ -114,10 +114,11 @@ ReportList pieceReports(const PieceReportTables& tables)
       ids.emplace_back().value = id;
     }
     ReportList remedies;
-    for (const std::size_t row : rowsOfPiece(tables.remedies, piece))
+    for (const std::size_t row : rowsOfPiece(tables.pieceRemedies, piece))
     {
-      remedies.push_back({ ReportObject{ { "name", { textIn(tables.remedies, row, "Remedy") } },
-        { "subject", { textIn(tables.remedies, row, "Subject") } } } });
+      remedies.push_back(
+        { ReportObject{ { "name", { textIn(tables.pieceRemedies, row, "Remedy") } },
+          { "subject", { textIn(tables.pieceRemedies, row, "Subject") } } } });
     }
     report.emplace_back("message", ReportValue{ textIn(pieces, piece, "StatusDefect") });
     report.emplace_back("ids", ReportValue{ std::move(ids) });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Input/Columns.h"
+#include "Report/FlatteningTables.h"
 #include "Report/ReportKeys.h"
 
 #include <cstddef>
@@ -28,17 +29,7 @@ struct ReportValue
 ReportObject reportRow(const Columns& table, std::size_t row, const std::vector<ReportKey>& keys);
 ReportList reportRows(const Columns& table, const std::vector<ReportKey>& keys);
 
-/// The tables of pieces, and what each row of a PieceReport has of them.
-struct PieceReportTables
-{
-  const Columns& pieces;
-  const Columns& angleIterations;
-  const Columns& isometricIterations;
-  const Columns& releaseTrials;
-  const Columns& remedies;
-};
-
 /// A PieceReport each; its message is the defect alone, for front ends to add the remedies in their
 /// words.
-ReportList pieceReports(const PieceReportTables& tables);
+ReportList pieceReports(const ReportTables& tables);
 }

@@ -3,7 +3,6 @@
 
 #include "Base/LengthUnit.h"
 #include "Input/StatusWords.h"
-#include "Report/FlatteningTables.h"
 #include "Report/PieceSizes.h"
 #include "Report/ReportKeys.h"
 
@@ -13,7 +12,7 @@ namespace flattening
 {
 SurfaceRun::SurfaceRun(DataSet given, const std::vector<DataSet>& lines, Status defect)
   : surface(std::move(given))
-  , arrays(this->surface, this->run.source.warnings)
+  , arrays(this->surface, this->source.warnings)
   , Defect(std::move(defect))
 {
   this->read(this->surface, 0);
@@ -41,6 +40,7 @@ void SurfaceRun::read(const DataSet& data, int number)
   if (this->unit.empty() && known != Unit::Unspecified)
   {
     this->unit = unitName(known);
+    this->unitStated = true;
   }
 }
 
@@ -60,11 +60,14 @@ FlatteningReport reportFlattening(
   FlatteningData& data = report.data;
   data = flatteningData(source.arrays, run.source, result, options);
   const Column* const names = findColumn(data.flat.cellArrays, "PieceName");
-  const Columns pieces = pieceTable(run.source, result, source.unit,
+  report.tables = ReportTables(run.source, result, source.unit,
     names && names->isText() ? std::get<std::vector<std::string>>(names->values)
                              : std::vector<std::string>());
+  report.seconds = result.seconds;
   const std::string size = sizeWarning(pieceSizes(result), source.unit);
-  if (!source.unit.empty())
+  setField(data.flat.fieldArrays, "RunStatus", statusName(run.status.code));
+  setField(data.flat.fieldArrays, "RunStatusMessage", inWords(run.status));
+  if (source.unitStated)
   {
     run.warn(size.empty() ? std::vector<std::string>() : std::vector<std::string>{ size });
     for (DataSet* const part : { &data.flat, &data.wires, &data.cut })
@@ -72,21 +75,20 @@ FlatteningReport reportFlattening(
       setField(part->fieldArrays, "LengthUnit", source.unit);
     }
   }
-  setField(data.flat.fieldArrays, "RunStatus", statusName(run.status.code));
-  setField(data.flat.fieldArrays, "RunStatusMessage", inWords(run.status));
-  const ReportTables tables(run.source, result);
-  const StageSeconds& seconds = result.seconds;
-  report.tables = {
-    { "pieces",
-      { pieceReports({ pieces, tables.angleIterations, tables.isometricIterations,
-        tables.releaseTrials, tables.pieceRemedies }) } },
-    { "curves", { reportRows(curveTable(result.curves), reportKeys("CurveReport")) } },
-    { "left_out", { reportRows(tables.leftOutPieces, reportKeys("LeftOut")) } },
+  return report;
+}
+
+ReportObject objectOf(const FlatteningReport& report)
+{
+  const StageSeconds& seconds = report.seconds;
+  return {
+    { "pieces", { pieceReports(report.tables) } },
+    { "curves", { reportRows(report.tables.curves, reportKeys("CurveReport")) } },
+    { "left_out", { reportRows(report.tables.leftOutPieces, reportKeys("LeftOut")) } },
     { "seconds",
       { ReportObject{ { "wires", { seconds.wires } }, { "interior", { seconds.interior } },
         { "quality", { seconds.quality } }, { "core", { seconds.total } },
         { "total", { seconds.total } } } } },
   };
-  return report;
 }
 }

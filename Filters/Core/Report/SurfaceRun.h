@@ -16,9 +16,11 @@ struct SurfaceRun
 {
   DataSet surface;
   CurveInput curves;
-  FlatteningRun run; ///< its warnings begin with those of the arrays
+  CurvedSurface source;
+  FlatteningRun run{ this->source }; ///< its warnings begin with those of the arrays
   SurfaceArrays arrays;
-  std::string unit; ///< the first that one of the data sets states; empty: none
+  std::string unit;        ///< the first that one of the data sets states; empty: none
+  bool unitStated = false; ///< else outputs state none, and sizes are no reason for a warning
 
   /// \param lines further data sets whose lines are curves \param defect why the surface cannot be
   /// read
@@ -38,11 +40,14 @@ private:
 struct FlatteningReport
 {
   FlatteningData data;
-  /// By the keys "pieces", "curves", "left_out" and "seconds" of report.json.
-  ReportObject tables;
+  ReportTables tables;
+  StageSeconds seconds;
 };
 
 /// \pre the status of the run is that of the result
 FlatteningReport reportFlattening(
   SurfaceRun& source, const FlatteningResult& result, const FlatteningOptions& options);
+
+/// By the keys "pieces", "curves", "left_out" and "seconds" of report.json.
+ReportObject objectOf(const FlatteningReport& report);
 }

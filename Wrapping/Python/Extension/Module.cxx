@@ -54,10 +54,10 @@ SurfaceRun runOf(const py::dict& given, const py::list& connected)
 py::dict resultOf(FlatteningReport flattened)
 {
   using pybind11::literals::operator""_a;
+  const ReportValue tables{ flattening::objectOf(flattened) };
   return py::dict("flat"_a = dictOf(std::move(flattened.data.flat)),
     "wires"_a = dictOf(std::move(flattened.data.wires)),
-    "cut"_a = dictOf(std::move(flattened.data.cut)),
-    "tables"_a = objectOf({ std::move(flattened.tables) }));
+    "cut"_a = dictOf(std::move(flattened.data.cut)), "tables"_a = objectOf(tables));
 }
 
 /// Runs work(execution, watched) with the interpreter's lock free, where the surface can be used.
@@ -120,27 +120,24 @@ py::dict priceKeys(const py::dict& surface, const py::list& curves, const std::s
   const Settings settings(owner, options);
   SurfaceRun source = runOf(surface, curves);
   FlatteningRun& run = source.run;
-  KeyPrices prices;
+  std::optional<KeyPrices> prices;
   py::dict result =
     runWatched(source, settings, std::move(progress), [&](const Execution& execution, WatchedRun&) {
-      const ImprintedSurface& imprinted = run.source.imprinted;
-      prices = flattening::priceKeys(
-        imprinted.mesh, imprinted.curves, settings.structures.flattening, execution);
-      run.conclude(run.source.outcomeOfStage(prices.status));
+      prices = run.price(settings.structures.flattening, execution);
     });
-  if (run.status.refused())
+  if (!prices)
   {
     return result;
   }
   const std::vector<FeatureCurve>& known = run.source.imprinted.curves;
   py::list keys;
-  for (const KeyPrice& key : prices.keys)
+  for (const KeyPrice& key : prices->keys)
   {
     keys.append(py::make_tuple(textOf(known[key.curve].name), key.price,
       trialOf(key.without, known), trialOf(key.alone, known)));
   }
-  result["all"] = trialOf(prices.all, known);
-  result["none"] = trialOf(prices.none, known);
+  result["all"] = trialOf(prices->all, known);
+  result["none"] = trialOf(prices->none, known);
   result["keys"] = keys;
   return result;
 }
@@ -268,17 +265,25 @@ py::dict materials()
   return dictOf(materialTable());
 }
 
-std::string remedySentenceOf(const std::string& name)
+/// With the arguments of this package's functions.
+std::string argumentOf(const std::string& property, const std::string& value)
 {
-  for (int k = 0; k < remedyCount; ++k)
+  return property == "CurveType" ? "type=\"accessory\""
+    : property == "vtkFeatureCurveSuggestion"
+    ? "suggest()"
+    : spelledSetting(property, value, OptionSpelling::Python);
+}
+
+/// A defect and its remedies, each a name and what it is to be applied to.
+py::object messageOf(
+  const std::string& defect, const std::vector<std::pair<std::string, std::string>>& remedies)
+{
+  std::vector<NamedRemedy> named;
+  for (const auto& [name, subject] : remedies)
   {
-    const auto remedy = static_cast<Remedy>(k);
-    if (name == remedyName(remedy))
-    {
-      return remedySentence(remedy);
-    }
+    named.push_back({ name, subject });
   }
-  return {};
+  return textOf(describeDefect(defect, named, argumentOf));
 }
 
 #ifdef FLATTENING_WITH_COMMAND
@@ -307,7 +312,7 @@ PYBIND11_MODULE(_core, module)
   module.def("describe_idle", &describeIdle);
   module.def("options_of", &namesOfOptions);
   module.def("materials", &materials);
-  module.def("remedy_sentence", &remedySentenceOf);
+  module.def("make_message", &messageOf);
 #ifdef FLATTENING_WITH_COMMAND
   module.def("run_command", &runCommand);
 #endif

@@ -4,8 +4,8 @@
 import warnings
 from typing import Any, Dict, List, Mapping, Tuple, Type, cast
 
+from . import _core
 from ._errors import FileError, FlatteningError, FlatteningWarning, MissingFileError, OutOfMemoryError
-from ._remedies import make_message
 from ._types import Report
 
 # A table as its columns, each an array or a list of texts.
@@ -20,7 +20,7 @@ _KINDS: Dict[str, Type[FlatteningError]] = {
 def error_of(status: Status) -> FlatteningError:
     """The error of a run, or the warning that it is worth."""
     code, name, defect, ids, kind, remedies = status
-    return _KINDS.get(name, FlatteningError)(code, name, ids, make_message(defect, remedies), kind, remedies)
+    return _KINDS.get(name, FlatteningError)(code, name, ids, _core.make_message(defect, remedies), kind, remedies)
 
 
 def raise_failure(status: Status, name: str = "") -> None:
@@ -54,10 +54,10 @@ def make_report(run: Mapping[str, Any], flattening: Mapping[str, Any]) -> Report
     _, name, defect, ids, kind, remedies = run["status"]
     tables = flattening["tables"]
     for piece in tables["pieces"]:
-        piece["message"] = make_message(piece["message"], [(way["name"], way["subject"]) for way in piece["remedies"]])
+        piece["message"] = _core.make_message(piece["message"], [(way["name"], way["subject"]) for way in piece["remedies"]])
     return cast(Report, {
         "status": name,
-        "message": make_message(defect, remedies),
+        "message": _core.make_message(defect, remedies),
         "ids": ids,
         "id_kind": kind,
         "remedies": [{"name": remedy, "subject": subject} for remedy, subject in remedies],
