@@ -56,10 +56,10 @@ class Readers(command.CommandTest):
             self.write("a.off", off(head, point, face))
             self.flatten("a.off")
             self.assertEqual(self.array("out/cut.vtp", "Points"), self.coordinates())
-        # A vertex and a face end with their lines, whatever they hold beside coordinates and ids.
+        # A vertex and a face end with a line, whatever it holds beside coordinates and ids.
         for head, point, face in (
                 ("OFF\n%d %d\n" % (len(self.points), len(self.triangles)), "%r %r %r 9 9 9\n", "3 %d %d %d\n"),
-                ("\ufeffOFF" + counts, "\n%r %r %r # first\n", "3 %d %d\t%d 255 0 0 # red\n"),
+                ("\ufeffOFF" + counts, "\n%r %r %r # first\n", "3 %d # one\n\n %d\t%d 255 0 0 # red\n"),
                 ("STCNOFF " + counts, "%r %r %r 0 0 1 .5 .5 .5 1 0 0\n", "3 %d %d %d\n"),
                 ("COFF\n" + counts, "%r %r %r 255 0 0\n", "3 %d %d %d\r\n")):
             with self.subTest(head=head, point=point, face=face):

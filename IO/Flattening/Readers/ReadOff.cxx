@@ -34,8 +34,13 @@ struct OffReader
     } while (this->rest.empty());
   }
 
+  /// A face may go on in the next line.
   std::int64_t integer(std::int64_t end, const std::string& what)
   {
+    if (this->rest.empty())
+    {
+      this->nextLine();
+    }
     const std::string_view word = takeWord(this->rest);
     long long value = 0;
     if (!parseInteger(word, value) || value < 0 || value >= end)
