@@ -337,11 +337,14 @@ TEST(ScaleFactor, WeighsWhatMattersMore)
 
 TEST(ScaleFactor, IsUndefinedWhereNothingFixesTheScale)
 {
-  const TriangleMesh closed = sphere(0);
-  EXPECT_FALSE(ScaleFactor(closed, {}, {}).ok());
   ScaleFactorOptions one;
   one.fixed = { 2 };
-  EXPECT_TRUE(ScaleFactor(closed, one, {}).ok());
+  for (int halvings : { 0, 1, 2, 3 })
+  {
+    const TriangleMesh closed = sphere(halvings);
+    EXPECT_FALSE(ScaleFactor(closed, {}, {}).ok()) << halvings;
+    EXPECT_TRUE(ScaleFactor(closed, one, {}).ok()) << halvings;
+  }
 }
 
 TEST(IntrinsicDelaunay, GivesLinearFunctionsOfAPlaneNoLaplacianHoweverObtuseItsTriangles)

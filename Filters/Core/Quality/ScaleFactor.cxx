@@ -191,6 +191,10 @@ bool ScaleFactor::solve(const TriangleMesh& mesh, const std::vector<double>& are
   {
     return mesh.triangleCount() > 0;
   }
+  if (options.fixed.empty() && mesh.boundaryLoops().empty())
+  {
+    return false; // whether the last pivot is zero is left to rounding
+  }
   const LinearSolver solver = factorLaplacian(mesh, members, execution);
   const Eigen::MatrixXd u = solver.solve(angleDefects(mesh, members));
   if (u.rows() != count)
