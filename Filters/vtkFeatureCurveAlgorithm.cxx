@@ -198,7 +198,7 @@ std::shared_ptr<flattening::bridge::CurvedPolyData> vtkFeatureCurveAlgorithm::Lo
     this->Kept = std::make_unique<flattening::bridge::KeptRun>();
     this->Kept->source = std::make_shared<flattening::bridge::CurvedPolyData>();
   }
-  const auto source =
+  auto source =
     this->Kept ? this->Kept->source : std::make_shared<flattening::bridge::CurvedPolyData>();
   flattening::bridge::loadCurvedSurface(vtkPolyData::GetData(inputVector[0]), curves,
     options.coincidentPoints,
