@@ -164,7 +164,7 @@ std::string stemOf(const Options& options)
   return fs::u8path(options.batch.empty() ? options.surface : options.batch).stem().string();
 }
 
-/// Where the command writes to that is told nothing, but for what it draws.
+/// Default outputs, except for drawings.
 void takeDefaults(Options& options)
 {
   static const std::map<std::string, std::string> folders{ { "flatten", "_flat" },

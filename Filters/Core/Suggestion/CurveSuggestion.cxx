@@ -169,8 +169,8 @@ private:
 
   /// Whether one set is before another: what has a flattening before what has none; then what meets
   /// the bound by its price, before what does not by how many pieces are folded or lie over
-  /// themselves, and its strain. Without a bound by the product of
-  /// the mean of the rigid energy and, counted twice, the square of the mean change of area.
+  /// themselves, and its strain. Without a bound by the product of the mean of the rigid energy
+  /// and, counted twice, the square of the mean change of area.
   bool better(const CutSet& a, const CutSet& b) const
   {
     const auto merit = [this](const CutSet& set) {
@@ -205,10 +205,7 @@ private:
       [](const Polyline& curve) { return curve.type == CurveType::Key; });
   }
 
-  bool isFlat(const CutSet& set) const
-  {
-    return this->Options.search.bound > 0.0 && set.outcome.keeps(this->Options.search.bound);
-  }
+  bool isFlat(const CutSet& set) const { return set.outcome.keeps(this->Options.search.bound); }
 
   /// The best set whose pieces are no wider than allowed: strips of the uncut surface, as of a
   /// sail, where cuts in these meet the bound; otherwise the best set in strips.
@@ -594,10 +591,8 @@ private:
     double area = 0.0;
     for (std::size_t p = 0; p < pieces.size(); ++p)
     {
-      done[p] = options.pieces == 0 && known && this->Options.search.bound > 0.0 &&
-          uncut.outcome.keeps(p, this->Options.search.bound)
-        ? 1
-        : 0;
+      const bool kept = known && uncut.outcome.keeps(p, this->Options.search.bound);
+      done[p] = options.pieces == 0 && kept ? 1 : 0;
       area += done[p] ? 0.0 : pieces[p].mesh.area();
     }
     const Index wanted =

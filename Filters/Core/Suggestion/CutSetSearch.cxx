@@ -121,7 +121,7 @@ private:
   const TrialOutcome& now() const { return this->Result.outcome; }
 
   /// No strain is known of a surface that has no flattening yet.
-  bool met() const { return this->Search.bound > 0.0 && this->now().keeps(this->Search.bound); }
+  bool met() const { return this->now().keeps(this->Search.bound); }
 
   bool finished()
   {
@@ -253,7 +253,7 @@ private:
     std::vector<std::size_t> order;
     for (std::size_t p = 0; p < pieces.size(); ++p)
     {
-      if (!known || this->Search.bound == 0.0 || !this->now().keeps(p, this->Search.bound))
+      if (!known || !this->now().keeps(p, this->Search.bound))
       {
         order.push_back(p);
       }

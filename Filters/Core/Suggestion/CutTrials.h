@@ -103,11 +103,13 @@ struct TrialOutcome
   {
     return this->valid ? measure : std::numeric_limits<double>::quiet_NaN();
   }
-  /// Whether a piece is within a bound of the strain, and neither folded nor over another part.
+  /// Whether a piece is within a bound of the strain, and neither folded nor over another part; of
+  /// a bound of 0, which stands for none, no piece is.
   bool keeps(std::size_t piece, double bound) const
   {
-    return this->pieceStrains[piece] <= bound && !this->pieceFaults[piece];
+    return bound > 0.0 && this->pieceStrains[piece] <= bound && !this->pieceFaults[piece];
   }
+  /// How many pieces are folded or lie over another part.
   std::ptrdiff_t faults() const
   {
     return std::count(this->pieceFaults.begin(), this->pieceFaults.end(), 1);
@@ -115,7 +117,7 @@ struct TrialOutcome
   /// Whether all pieces are.
   bool keeps(double bound) const
   {
-    return this->valid && this->strainP95 <= bound && this->faults() == 0;
+    return bound > 0.0 && this->valid && this->strainP95 <= bound && this->faults() == 0;
   }
   /// Whether the status is no worse than before: nothing more is folded or lies over another part.
   bool soundAfter(const TrialOutcome& before) const

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In the place of PdfWriter.cxx in a build without cairo or FriBidi.
+// Replaces PdfWriter.cxx in a build without cairo or FriBidi.
 #include "Formats/PdfWriter.h"
 
 namespace flattening::pattern

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In the place of PdfLayers.cxx in a build without qpdf.
+// Replaces PdfLayers.cxx in a build without qpdf.
 #include "Formats/PdfLayers.h"
 
 namespace flattening::pattern

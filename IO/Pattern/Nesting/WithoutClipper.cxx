@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In the place of FabricLay.cxx, NoFitRegion.cxx and SeamAllowance.cxx in a build without Clipper.
+// Replaces FabricLay.cxx, NoFitRegion.cxx and SeamAllowance.cxx in a build without Clipper.
 #include "Drawing/SeamAllowance.h"
 #include "Nesting/FabricLay.h"
 
