@@ -15,11 +15,14 @@ namespace
 constexpr double leastFactor = 0.2;
 constexpr double leastWeight = 0.01;
 constexpr int emphasesOfTrial = 12; ///< of one set of breaks
-constexpr double hopeless = 1.5;    ///< tolerances, after some emphases
-constexpr double atMiddle = 1e-6;   ///< of a stretch, from its middle
-constexpr int roundsOfBalance = 8;  ///< of a number of curves
-constexpr double leastOff = 0.1;    ///< of a curve in what its length is chosen by
-constexpr double balancing = 0.4;   ///< power of how far off it is
+/// A trial takes time in proportion to the curves, and a tolerance far below what the points need
+/// makes more curves than there are edges: fewer trials are left to these.
+constexpr std::size_t spansOfTrial = 100;
+constexpr double hopeless = 1.5;   ///< tolerances, after some emphases
+constexpr double atMiddle = 1e-6;  ///< of a stretch, from its middle
+constexpr int roundsOfBalance = 8; ///< of a number of curves
+constexpr double leastOff = 0.1;   ///< of a curve in what its length is chosen by
+constexpr double balancing = 0.4;  ///< power of how far off it is
 constexpr int smoothings = 6;
 constexpr double widerWave = 1.6;
 constexpr double sparing = 0.5; ///< of the tolerance, what may be spent on smoothness alone
@@ -254,7 +257,7 @@ private:
 
   void solve()
   {
-    --this->Left;
+    this->Left -= 1 + static_cast<int>(this->spans() / spansOfTrial);
     this->Last = solveFairNetwork(this->Network, this->Wave);
     // Its length is neither seen nor measured right.
     for (const std::vector<FairSpan>& curve : this->Last.spans)
@@ -348,7 +351,7 @@ private:
   double Wave;
   FairCurves Last;  ///< that was solved
   FairCurves Found; ///< the last that keeps the tolerances
-  int Left = 1000;  ///< that may still be tried
+  int Left = 1000;  ///< trials that are left, of spansOfTrial curves each
 };
 }
 
