@@ -6,7 +6,7 @@
 #include "FilterExecution.h"
 #include "Flattening/FlatteningOptions.h"
 #include "Report/FlatteningRun.h"
-#include "Report/KeyPriceReport.h"
+#include "Report/FlatteningTables.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

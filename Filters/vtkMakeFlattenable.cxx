@@ -11,7 +11,6 @@
 #include "Options/OptionTable.h"
 #include "Report/FlatteningRun.h"
 #include "Report/FlatteningTables.h"
-#include "Report/ReshapingReport.h"
 #include "SurfaceInput.h"
 
 #include "vtkInformation.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Cut/CutEnds.h"
 #include "Cut/SurfaceCut.h"
 #include "WiredSurface.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattened.h"
-#include "Quality/SurfaceDevelopability.h"
+#include "Quality/FlatteningQuality.h"
 #include "TestMeshes.h"
 #include "WiredSurface.h"
 

@@ -2,7 +2,7 @@
 #include "Flattening/ClothPlacement.h"
 
 #include "Base/Types.h"
-#include "Cloth/ClothMeasures.h"
+#include "Cloth/ClothEnergy.h"
 #include "Flattening/PieceArrangement.h"
 #include "Flattening/PieceWires.h"
 #include "Quality/FlatteningQuality.h"

@@ -3,7 +3,7 @@
 
 #include "Angles/AngleSolution.h"
 #include "Angles/ReleaseAdvice.h"
-#include "Cloth/ClothMeasures.h"
+#include "Cloth/ClothEnergy.h"
 #include "Cut/PieceTopology.h"
 #include "Isometric/IsometricWarping.h"
 #include "Quality/AreaForecast.h"

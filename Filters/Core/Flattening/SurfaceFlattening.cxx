@@ -10,7 +10,7 @@
 #include "Flattening/PieceFlattening.h"
 #include "Flattening/PieceReports.h"
 #include "Flattening/WireReport.h"
-#include "Quality/SurfaceDevelopability.h"
+#include "Quality/FlatteningQuality.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "Base/Memory.h"
 #include "Imprint/ImprintedSurface.h"
 #include "Imprint/SurfaceSplit.h"
-#include "Surface/SheetLocator.h"
+#include "Surface/SurfaceLocator.h"
 #include "Surface/SurfacePoint.h"
 #include "Surface/SurfaceTrace.h"
 #include "Surface/TriangleMesh.h"

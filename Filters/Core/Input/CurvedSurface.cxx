@@ -2,7 +2,7 @@
 #include "Input/CurvedSurface.h"
 
 #include "Base/Types.h"
-#include "Cut/CutEnds.h"
+#include "Cut/SurfaceCut.h"
 #include "Input/StatusWords.h"
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 #include "Base/Types.h"
 #include "Paths/PathDistance.h"
 #include "Paths/PathPoints.h"
-#include "Paths/PointDirections.h"
 #include "Paths/StraightPath.h"
 #include "Surface/SurfaceTrace.h"
 

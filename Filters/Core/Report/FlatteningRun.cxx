@@ -5,7 +5,6 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "Report/FlatteningArrays.h"
 #include "Report/FlatteningTables.h"
-#include "Report/ReshapingReport.h"
 #include "Report/SuggestionReport.h"
 #include "Suggestion/CurveSuggestion.h"
 
@@ -36,6 +35,42 @@ CurveInput withProposed(CurveInput curves, const std::vector<SuggestedCurve>& pr
     curves.sourceOfPolyline.push_back(source);
   }
   return curves;
+}
+
+/// Finds the curves of these names; refuses a name that no curve has.
+Status findCurves(const std::set<std::string>& names, const CurvedSurface& source, Indices& curves)
+{
+  const std::vector<FeatureCurve>& all = source.imprinted.curves;
+  for (const std::string& name : names)
+  {
+    const std::size_t before = curves.size();
+    for (std::size_t c = 0; c < all.size(); ++c)
+    {
+      if (all[c].name == name)
+      {
+        curves.push_back(static_cast<Index>(c));
+      }
+    }
+    if (curves.size() == before)
+    {
+      Status missing = noCurveNamed(name, source);
+      missing.remedies = { { Remedy::Give, "the name of a curve" } };
+      return missing;
+    }
+  }
+  return {};
+}
+
+/// A sentence that says how far the bound was missed, and what may help.
+std::string describeShortfall(const FlattenableSurface& result, const FlattenableOptions& options)
+{
+  const bool freed = !options.keepBoundary && options.kept.empty();
+  const std::string bias = options.outsideBias > 0.0 ? "lower the outside bias, " : "";
+  return "the strain is " + shortNumber(100.0 * result.strainAfter) + " %, above the bound of " +
+    shortNumber(100.0 * options.bound) + " %, after moving the surface by " +
+    shortNumber(result.shift.size > 0.0 ? 100.0 * result.shift.mean / result.shift.size : 0.0) +
+    " % of its size in the mean; " + result.hindrance + "; " + bias +
+    (freed ? "add darts" : "add darts, or keep fewer curves and not the boundary");
 }
 }
 

@@ -10,7 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
+#include <limits>
+#include <string>
 #include <utility>
 
 namespace flattening
@@ -445,6 +448,102 @@ Columns materialTable()
   columns.add("OneWay", &ClothMaterial::oneWay);
   columns.add("Sheet", &ClothMaterial::sheet);
   columns.add("Source", &ClothMaterial::source);
+  return table;
+}
+
+namespace
+{
+struct KeyPriceRow
+{
+  std::string what;
+  Index curve = none;
+  double price = std::numeric_limits<double>::quiet_NaN();
+  KeyTrial trial;
+};
+
+std::string namesOf(const std::vector<FeatureCurve>& curves, const Indices& ids)
+{
+  std::string names;
+  for (const Index id : ids)
+  {
+    names += (names.empty() ? "" : ", ") + curves[id].name;
+  }
+  return names;
+}
+}
+
+Columns keyPriceTable(const std::vector<FeatureCurve>& curves, const KeyPrices& prices)
+{
+  constexpr double no = std::numeric_limits<double>::quiet_NaN();
+  std::vector<KeyPriceRow> rows{ { "all keys", none, no, prices.all } };
+  for (const KeyPrice& key : prices.keys)
+  {
+    const std::string& name = curves[key.curve].name;
+    rows.push_back({ "without " + name, key.curve, key.price, key.without });
+    rows.push_back({ name + " alone", key.curve, no, key.alone });
+  }
+  rows.push_back({ "no key", none, no, prices.none });
+
+  Columns table;
+  const TableColumns<KeyPriceRow> columns(table, rows);
+  columns.add("Trial", &KeyPriceRow::what);
+  columns.add("Status", [](const KeyPriceRow& row) { return statusName(row.trial.status); });
+  columns.add("Curve", &KeyPriceRow::curve);
+  columns.add("Price", &KeyPriceRow::price);
+  columns.add("AreaError", [](const KeyPriceRow& row) { return row.trial.areaError; });
+  columns.add("StrainP95", [](const KeyPriceRow& row) { return row.trial.strainP95; });
+  columns.add(
+    "Released", [&curves](const KeyPriceRow& row) { return namesOf(curves, row.trial.released); });
+  return table;
+}
+
+Columns shiftArrays(const TriangleMesh& design, const FlattenableSurface& result)
+{
+  std::vector<double> shift;
+  for (Index v = 0; v < design.vertexCount(); ++v)
+  {
+    const Point3 moved = result.mesh.point(v) - design.point(v);
+    shift.insert(shift.end(), moved.data(), moved.data() + 3);
+  }
+  Columns points{ { "Shift", std::move(shift), 3 } };
+  addRows<double>(points, "ShiftDistance", result.shift.ofVertex.size(),
+    [&](std::size_t v) { return result.shift.ofVertex[v]; });
+  addRows<double>(points, "ShiftOutwards", result.shift.outwardsOfVertex.size(),
+    [&](std::size_t v) { return result.shift.outwardsOfVertex[v]; });
+  addRows<unsigned char>(
+    points, "Kept", result.kept.size(), [&](std::size_t v) { return result.kept[v]; });
+  return points;
+}
+
+Columns shiftTable(const FlattenableSurface& result)
+{
+  Columns table;
+  const std::vector<SurfaceShift> rows{ result.shift };
+  const TableColumns<SurfaceShift> columns(table, rows);
+  using Shift = const SurfaceShift&;
+  columns.add("BoundMet", [&result](Shift) { return result.boundMet; });
+  columns.add("StrainBefore", [&result](Shift) { return result.strainBefore; });
+  columns.add("StrainAfter", [&result](Shift) { return result.strainAfter; });
+  columns.add("Size", &SurfaceShift::size);
+  columns.add("ShiftMean", &SurfaceShift::mean);
+  columns.add("ShiftP95", &SurfaceShift::p95);
+  columns.add("ShiftMax", &SurfaceShift::max);
+  columns.add("ShiftOutwardsMean", &SurfaceShift::outwardsMean);
+  columns.add("ShiftInwardsMax", &SurfaceShift::inwardsMax);
+  columns.add("RelativeShiftMean", [](Shift shift) { return shift.mean / shift.size; });
+  columns.add("RelativeShiftP95", [](Shift shift) { return shift.p95 / shift.size; });
+  columns.add("RelativeShiftMax", [](Shift shift) { return shift.max / shift.size; });
+  return table;
+}
+
+Columns shiftTrialTable(const std::vector<FlattenableTrial>& trials)
+{
+  Columns table;
+  const TableColumns<FlattenableTrial> columns(table, trials);
+  columns.add("Anchor", &FlattenableTrial::anchor);
+  columns.add("Share", &FlattenableTrial::share);
+  columns.add("Strain", &FlattenableTrial::strain);
+  columns.add("Shift", &FlattenableTrial::shift);
   return table;
 }
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Design/KeyPrices.h"
 #include "Flattening/FlatteningResult.h"
 #include "Input/Columns.h"
 #include "Input/CurvedSurface.h"
 #include "Quality/FlatteningQuality.h"
+#include "Reshaping/FlattenableSurface.h"
+#include "Surface/FeatureCurve.h"
 
 #include <string>
 #include <vector>
@@ -44,6 +47,18 @@ Columns refusalTable(const std::string& status, const std::string& message);
 
 /// The presets, as vtkFlatPieceAlgorithm::ListMaterials() documents them.
 Columns materialTable();
+
+/// Output 5 of vtkKeyCurvePrices.
+Columns keyPriceTable(const std::vector<FeatureCurve>& curves, const KeyPrices& prices);
+
+/// `Shift`, `ShiftDistance`, `ShiftOutwards` and `Kept` of the vertices.
+Columns shiftArrays(const TriangleMesh& design, const FlattenableSurface& result);
+
+/// The one row of the measures.
+Columns shiftTable(const FlattenableSurface& result);
+
+/// One row per flattening of the search.
+Columns shiftTrialTable(const std::vector<FlattenableTrial>& trials);
 
 /// Adds the columns of summaries of flattenings. \param summaryOf the summary of a row
 template <class Row, class SummaryOf>

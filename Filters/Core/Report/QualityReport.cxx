@@ -4,7 +4,6 @@
 #include "Base/Types.h"
 #include "Quality/BoundaryOverlap.h"
 #include "Quality/FlatteningQuality.h"
-#include "Quality/SurfaceDevelopability.h"
 #include "Report/FlatteningArrays.h"
 #include "Report/FlatteningTables.h"
 

@@ -9,7 +9,6 @@
 #include "Quality/StrainMeasures.h"
 #include "Sewing/BodyContact.h"
 #include "Sewing/SewingModel.h"
-#include "Sewing/SewnTopology.h"
 #include "Surface/TriangleMesh.h"
 #include "Surface/VertexFan.h"
 

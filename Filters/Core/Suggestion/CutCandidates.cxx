@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/CutCandidates.h"
 
-#include "Quality/VertexClusters.h"
+#include "Quality/ScaleFactor.h"
 #include "Surface/EdgePaths.h"
 #include "Surface/VertexFan.h"
 

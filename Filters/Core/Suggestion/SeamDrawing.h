@@ -3,7 +3,7 @@
 
 #include "Imprint/ImprintedSurface.h"
 #include "Paths/PathGraph.h"
-#include "Surface/SheetLocator.h"
+#include "Surface/SurfaceLocator.h"
 #include "Surface/SurfacePoint.h"
 
 namespace flattening

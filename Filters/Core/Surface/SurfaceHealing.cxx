@@ -3,7 +3,6 @@
 
 #include "Base/CompressedRows.h"
 #include "Base/Memory.h"
-#include "Surface/HalfedgeKey.h"
 #include "Surface/TriangleMesh.h"
 
 #include <algorithm>

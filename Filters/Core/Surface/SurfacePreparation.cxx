@@ -4,7 +4,7 @@
 #include "Base/Memory.h"
 #include "Base/Status.h"
 #include "Base/Types.h"
-#include "Surface/HalfedgeKey.h"
+#include "Surface/TriangleMesh.h"
 #include "Surface/VertexFan.h"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 
 #include "Base/Status.h"
 #include "Base/Types.h"
-#include "Surface/HalfedgeKey.h"
 #include "Surface/TriangleMesh.h"
 
 #include <cmath>

@@ -15,7 +15,6 @@
 #include "Report/FlatteningData.h"
 #include "Report/FlatteningRun.h"
 #include "Report/FlatteningTables.h"
-#include "Report/ReshapingReport.h"
 #include "Report/SuggestionReport.h"
 #include "Report/SurfaceRun.h"
 #include "Reshaping/FlattenableSurface.h"
