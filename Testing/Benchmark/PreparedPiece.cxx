@@ -42,8 +42,7 @@ PreparedPiece::PreparedPiece(RefinedPiece source, const Execution& execution)
   this->problem = makeAngleProblem(this->network, std::move(locks));
   this->angles = solveAnglesByNewton(this->problem, {}, execution);
   require(this->angles.status);
-  const WireLayout layout = layOutWires(this->network, this->angles.theta, this->angles.length);
-  this->wires = layout.positions;
+  this->wires = layOutWires(this->network, this->angles.theta, this->angles.length);
   this->rigid = this->wires;
   require(embedInterior(this->piece, this->network, {}, execution, this->rigid).status);
 }

@@ -13,12 +13,12 @@ namespace
 {
 /// Positions of the host vertices, and where the unrolling has them.
 std::array<Points2, 2> placedAndUnrolled(
-  const WiredSurface& wired, const Points2& unrolled, const WireLayout& layout)
+  const WiredSurface& wired, const Points2& unrolled, const Points2& layout)
 {
   std::array<Points2, 2> both;
   for (const Index v : wired.network.hostVertices)
   {
-    both[0].push_back(layout.positions[v]);
+    both[0].push_back(layout[v]);
     both[1].push_back(unrolled[wired.original(v)]);
   }
   return both;
@@ -52,7 +52,7 @@ TEST(WireLayout, DrawsAFlatNetworkAsItIs)
     curveOf(CurveType::Dart, "dart", { 2, 12, 22 }) };
   const WiredSurface wired(surface);
   const AngleProblem problem = wired.problem();
-  const WireLayout layout = layOutWires(wired.network, wired.network.alpha, problem.length);
+  const Points2 layout = layOutWires(wired.network, wired.network.alpha, problem.length);
   const auto both = placedAndUnrolled(wired, surface.unrolled, layout);
   EXPECT_LT(rigidDistance(both[0], both[1]), 1e-13 * perimeter(problem));
 }
@@ -61,12 +61,12 @@ TEST(WireLayout, KeepsEveryAngleOfTheSolution)
 {
   const WiredSurface wired(wiredCushion());
   const AngleSolution solution = wired.solve();
-  const WireLayout layout = layOutWires(wired.network, solution.theta, solution.length);
+  const Points2 layout = layOutWires(wired.network, solution.theta, solution.length);
   for (Index i = 0; i < wired.network.nodeCount(); ++i)
   {
-    const Point2& at = layout.positions[wired.network.vertex[i]];
-    const Point2 out = layout.positions[wired.network.endVertex(i)] - at;
-    const Point2 back = layout.positions[wired.network.vertex[wired.network.previous[i]]] - at;
+    const Point2& at = layout[wired.network.vertex[i]];
+    const Point2 out = layout[wired.network.endVertex(i)] - at;
+    const Point2 back = layout[wired.network.vertex[wired.network.previous[i]]] - at;
     const double angle =
       std::atan2(out.x() * back.y() - out.y() * back.x(), out.dot(back)); // from out to back
     EXPECT_NEAR(std::remainder(angle - solution.theta[i], 2.0 * pi), 0.0, 1e-11);
@@ -77,13 +77,13 @@ TEST(WireLayout, AnglesWithNoiseStillGiveExactLengths)
 {
   const WiredSurface wired(wiredCushion());
   AngleSolution solution = wired.solve();
-  const WireLayout exact = layOutWires(wired.network, solution.theta, solution.length);
+  const Points2 exact = layOutWires(wired.network, solution.theta, solution.length);
   std::mt19937 random(3);
   for (double& theta : solution.theta)
   {
     theta += 1e-9 * (random() / 2147483648.0 - 1.0);
   }
-  const WireLayout noisy = layOutWires(wired.network, solution.theta, solution.length);
-  EXPECT_LT(worstLength(wired.network, noisy.positions), 1e-13);
-  EXPECT_LT(rigidDistance(noisy.positions, exact.positions), 1e-7);
+  const Points2 noisy = layOutWires(wired.network, solution.theta, solution.length);
+  EXPECT_LT(worstLength(wired.network, noisy), 1e-13);
+  EXPECT_LT(rigidDistance(noisy, exact), 1e-7);
 }

@@ -98,9 +98,7 @@ Runs joinLockedEdges(const AngleProblem& problem, const std::vector<double>& bra
       growRun(problem, branch, lockedNodes, seed, runs);
     }
   }
-  std::sort(runs.contradictions.begin(), runs.contradictions.end());
-  runs.contradictions.erase(
-    std::unique(runs.contradictions.begin(), runs.contradictions.end()), runs.contradictions.end());
+  sortUnique(runs.contradictions);
   return runs;
 }
 

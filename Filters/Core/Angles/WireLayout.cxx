@@ -283,8 +283,8 @@ private:
   LinearSolver Solver;
 };
 
-/// \param positions per host vertex. \return the largest relative error that is left.
-double makeLengthsExact(const WireNetwork& network, const std::vector<double>& length,
+/// \param positions per host vertex.
+void makeLengthsExact(const WireNetwork& network, const std::vector<double>& length,
   const EliminationOrder& order, Points2& positions)
 {
   // Below it one step with the derivatives of a place nearby leaves nothing but rounding.
@@ -315,37 +315,34 @@ double makeLengthsExact(const WireNetwork& network, const std::vector<double>& l
     error = after;
     positions = std::move(corrected);
   }
-  return error;
 }
 }
 
-WireLayout layOutWires(
+Points2 layOutWires(
   const WireNetwork& network, const std::vector<double>& theta, const std::vector<double>& length)
 {
-  WireLayout layout;
   const Points2 vectors = edgeVectors(network, theta, length);
   const EliminationOrder order(network);
-  Points2 positions = placeAlongTree(network, vectors);
+  Points2 hosts = placeAlongTree(network, vectors);
   double size = 0.0;
   for (double l : length)
   {
     size += l;
   }
-  if (largestMiss(network, positions, vectors) > 1e-14 * size)
+  if (largestMiss(network, hosts, vectors) > 1e-14 * size)
   {
-    spreadMisses(network, vectors, order, positions);
+    spreadMisses(network, vectors, order, hosts);
   }
-  const double error = makeLengthsExact(network, length, order, positions);
-  layout.maximumLengthError = error;
-  layout.positions.assign(network.hostOfVertex.size(), Point2::Zero());
-  for (std::size_t k = 0; k < positions.size(); ++k)
+  makeLengthsExact(network, length, order, hosts);
+  Points2 positions(network.hostOfVertex.size(), Point2::Zero());
+  for (std::size_t k = 0; k < hosts.size(); ++k)
   {
-    layout.positions[network.hostVertices[k]] = positions[k];
+    positions[network.hostVertices[k]] = hosts[k];
   }
-  return layout;
+  return positions;
 }
 
-double correctWireLengths(
+void correctWireLengths(
   const WireNetwork& network, const std::vector<double>& length, Points2& positions)
 {
   Points2 hosts(network.hostVertices.size());
@@ -353,11 +350,10 @@ double correctWireLengths(
   {
     hosts[k] = positions[network.hostVertices[k]];
   }
-  const double error = makeLengthsExact(network, length, EliminationOrder(network), hosts);
+  makeLengthsExact(network, length, EliminationOrder(network), hosts);
   for (std::size_t k = 0; k < hosts.size(); ++k)
   {
     positions[network.hostVertices[k]] = hosts[k];
   }
-  return error;
 }
 }

@@ -53,6 +53,14 @@ inline bool sameBits(const Points3& a, const Points3& b)
     (a.empty() || std::memcmp(a.data()->data(), b.data()->data(), a.size() * sizeof(Point3)) == 0);
 }
 
+/// Ascending, each once.
+template <typename Value>
+void sortUnique(std::vector<Value>& values)
+{
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
 /// The cross product of two vectors of the plane: the area that they span, positive where v lies to
 /// the left of u.
 inline double cross(const Point2& u, const Point2& v)

@@ -172,7 +172,7 @@ std::optional<ClothEnergy::Measures> ClothEnergy::measure(const Eigen::Vector4d&
   Measures m;
   m.a = rows.head<2>();
   m.b = rows.tail<2>();
-  m.det = m.a.x() * m.b.y() - m.a.y() * m.b.x();
+  m.det = cross(m.a, m.b);
   m.strain = threadStrain(m.a, m.b);
   if (!isPossible(m.strain))
   {

@@ -58,7 +58,7 @@ constexpr double largestThreadStrain = 100.0;
 inline ThreadStrain threadStrain(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 {
   constexpr double rightAngle = 1.57079632679489661923;
-  const double det = a.x() * b.y() - a.y() * b.x();
+  const double det = cross(a, b);
   const double warp = a.norm();
   const double weft = b.norm();
   if (!(det > 0.0 && std::max(warp, weft) < largestThreadStrain * det))

@@ -296,8 +296,7 @@ Indices countCuts(const TriangleMesh& mesh, const std::vector<FeatureCurve>& cur
     if (curve.opens())
     {
       Indices own = curve.vertices;
-      std::sort(own.begin(), own.end());
-      own.erase(std::unique(own.begin(), own.end()), own.end());
+      sortUnique(own);
       for (const Index v : own)
       {
         ++cuts[v];

@@ -129,8 +129,7 @@ private:
   std::vector<KeyTrial> tryAll(const std::vector<Indices>& kept) const
   {
     std::vector<Indices> distinct = kept;
-    std::sort(distinct.begin(), distinct.end());
-    distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+    sortUnique(distinct);
     std::vector<KeyTrial> tried(distinct.size());
     const Execution inner = this->Run.nestedExecution();
     this->Run.parallelFor(static_cast<Index>(distinct.size()), [&](Index begin, Index end) {

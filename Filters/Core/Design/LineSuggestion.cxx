@@ -216,10 +216,7 @@ private:
     line.curve.name = name;
     line.curve.type = type;
     line.curve.keyShape = type == CurveType::Key ? KeyShape::Straight : KeyShape::Surface;
-    for (const SurfacePoint& point : section.path.points)
-    {
-      line.curve.points.push_back(point.position);
-    }
+    line.curve.points = positionsOf(section.path.points);
     line.length = section.length;
     this->Lines.push_back(std::move(line));
   }

@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Editing/DrawingSurface.h"
 
+#include "Imprint/ImprintedSurface.h"
+#include "Surface/VertexFan.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace flattening
 {
-namespace
-{
-/// Half of what a hexagon turns by: boundaries of coarse round holes have no corners.
-constexpr double cornerTurn = pi / 6.0;
-/// Of the mean edge length, as the imprint's own default.
-constexpr double snapFraction = 1e-3;
-}
-
 DrawingSurface::DrawingSurface(TriangleMesh mesh)
   : Mesh(std::move(mesh))
   , Graph(this->Mesh)
   , Locator(this->Mesh)
-  , Snap(this->Mesh, snapFraction)
+  , Snap(this->Mesh, ImprintOptions().snap)
 {
   for (const Indices& loop : this->Mesh.boundaryLoops())
   {

@@ -244,7 +244,7 @@ double hullArea(const Points2& points)
   {
     const Point2 a = points[hull[k - 1]] - points[hull[0]];
     const Point2 b = points[hull[k]] - points[hull[0]];
-    twice += a.x() * b.y() - a.y() * b.x();
+    twice += cross(a, b);
   }
   return 0.5 * twice;
 }

@@ -339,8 +339,7 @@ Indices crossingCuts(const CutSurface& cut, const PieceReport& report)
       curves.push_back(pair.curve);
     }
   }
-  std::sort(curves.begin(), curves.end());
-  curves.erase(std::unique(curves.begin(), curves.end()), curves.end());
+  sortUnique(curves);
   return curves;
 }
 

@@ -185,8 +185,7 @@ void placeWires(const PieceContext& context, PieceSolution& solution)
     return;
   }
   context.execution.report(0.1, "Placing the interior");
-  solution.positions =
-    layOutWires(context.network, solution.angles.theta, solution.angles.length).positions;
+  solution.positions = layOutWires(context.network, solution.angles.theta, solution.angles.length);
   InteriorOptions interior = context.options.interior;
   if (context.options.scheme == Scheme::Isometric)
   {

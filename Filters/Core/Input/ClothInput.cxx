@@ -51,6 +51,8 @@ ClothMaterial readMaterialFile(const std::string& path)
 }
 #else
 using Json = nlohmann::json;
+/// In bytes and characters: a hundred times what materials take, so that no other file is read
+/// whole.
 constexpr std::uintmax_t largestFile = 1000000;
 constexpr std::size_t longestText = 1000;
 

@@ -23,6 +23,20 @@ constexpr double unlimited = std::numeric_limits<double>::max();
 using Table = OptionRows<Option, OptionStructures, &Option::set>;
 using All = OptionStructures;
 
+// What several options have an effect with.
+OptionCondition keepsLengths()
+{
+  return { "Scheme", { "progressive", "global", "isometric" } };
+}
+OptionCondition isometric()
+{
+  return { "Scheme", { "isometric" } };
+}
+OptionCondition exact()
+{
+  return { "BoundaryMode", { "exact" } };
+}
+
 void addCurves(Table& table)
 {
   table.group(OptionOwner::Curves, "Surface and Curves");
@@ -60,9 +74,6 @@ void addCurves(Table& table)
 
 void addMethod(Table& table)
 {
-  const OptionCondition keepsLengths{ "Scheme", { "progressive", "global", "isometric" } };
-  const OptionCondition isometric{ "Scheme", { "isometric" } };
-  const OptionCondition exact{ "BoundaryMode", { "exact" } };
   table.group(OptionOwner::Warping, "Method");
   table.add("Scheme", [](All& all) { return &all.flattening.scheme; })
     .words({ { "progressive", "Progressive" }, { "global", "Global" }, { "isometric", "Isometric" },
@@ -75,41 +86,41 @@ void addMethod(Table& table)
   table.add("BoundaryMode", [](All& all) { return &all.flattening.boundary; })
     .spelled("boundary")
     .words({ { "exact", "Exact" }, { "free", "Free" } })
-    .where(isometric)
+    .where(isometric())
     .help("Which lengths are kept: exact (those of the boundary, of the sides of cuts and of all "
           "curves), or free (those of accessory and key curves alone, including such curves along "
           "the boundary, so that the surface distorts least).");
   table.add("Interior", [](All& all) { return &all.flattening.interior.method; })
     .words({ { "laplacian", "Laplacian" }, { "relaxation", "Relaxation" },
       { "arap", "AsRigidAsPossible" } })
-    .where(keepsLengths)
-    .where(exact)
+    .where(keepsLengths())
+    .where(exact())
     .help("How points between wires are placed: arap (as rigid as possible), laplacian (Eq. 11), "
           "relaxation (the paper's iteration for it, Eq. 12). The isometric scheme only starts "
           "from that result.");
   table.add("ReleaseKeys", [](All& all) { return &all.flattening.releaseKeys; })
     .spelled("no-keys", "release_keys")
-    .where(keepsLengths)
+    .where(keepsLengths())
     .help("Treat key curves as accessory curves: their length is kept, their shape is free.");
   table.add("DartLegs", [](All& all) { return &all.flattening.dartLegs; })
     .words({ { "free", "Free" }, { "straight", "Straight" }, { "mirrored", "Mirrored" } })
     .byDefault("mirrored") // as darts are sewn, leg on leg
-    .where(keepsLengths)
-    .where(exact)
+    .where(keepsLengths())
+    .where(exact())
     .help("How the legs of a dart lie: free (as the piece distorts least; they fit sewn, but "
           "folded may miss each other), straight, or mirrored (both the mean of free ones). "
           "Straight and mirrored legs fold onto each other exactly, which costs distortion.");
   table.add("Solver", [](All& all) { return &all.flattening.angles.method; })
     .words({ { "newton", "Newton" }, { "sequential", "Sequential" } })
-    .where(keepsLengths)
-    .where(exact)
+    .where(keepsLengths())
+    .where(exact())
     .expert()
     .help("How the angles are solved for: newton (exact steps) or sequential (the paper's "
           "sequential linearly constrained programming, Eq. 15). The isometric scheme only starts "
           "from that solution.");
   table.add("ReleaseTrials", [](All& all) { return &all.flattening.tryReleases; })
     .where({ "Scheme", { "global", "isometric" } })
-    .where(exact)
+    .where(exact())
     .expert()
     .off("Rank the curves to release by their sensitivity alone, without trial flattenings.")
     .help("Where a piece or its wires' angles change much, try what releasing a curve would "
@@ -121,7 +132,7 @@ void addMethod(Table& table)
     .words(
       { { "rigid", "Rigid" }, { "dirichlet", "SymmetricDirichlet" }, { "automatic", "Automatic" } })
     .byDefault("automatic")
-    .where(isometric)
+    .where(isometric())
     .where(withoutThreads)
     .expert()
     .help("What deforming the sheet costs: rigid (as rigid as possible), dirichlet (symmetric "
@@ -129,7 +140,7 @@ void addMethod(Table& table)
           "is free, else rigid).");
   table.add("AreaBias", [](All& all) { return &all.flattening.isometric.energy.bias; })
     .range(-0.99, 0.99)
-    .where(isometric)
+    .where(isometric())
     .where(withoutThreads)
     .where({ "DistortionEnergy", { "automatic", "rigid" } })
     .expert()
@@ -137,7 +148,7 @@ void addMethod(Table& table)
           "(stretchy sheet).");
   table.add("AngleWeight", [](All& all) { return &all.flattening.isometric.angleWeight; })
     .range(0.0, 100.0)
-    .where(isometric)
+    .where(isometric())
     .expert()
     .help("Weight of the wires' bending relative to the sheet's distortion: the larger, the nearer "
           "their angles are to those on the surface; 0 lets wires buckle.");
@@ -145,18 +156,17 @@ void addMethod(Table& table)
 
 void addEase(Table& table)
 {
-  const OptionCondition keepsLengths{ "Scheme", { "progressive", "global", "isometric" } };
   table.group(OptionOwner::Warping, "Ease");
   table.text("CurveTolerances", OptionType::List)
     .spelled("tolerance")
     .form("NAME=FRACTION")
-    .where(keepsLengths)
+    .where(keepsLengths())
     .help("Make a curve elastic: its length may change by up to this fraction, from 0 to below 1; "
           "boundary as NAME: each stretch of the boundary between ends of other wires.");
   table.text("CurveEases", OptionType::List)
     .spelled("ease")
     .form("NAME[:PIECE]=PERCENT%")
-    .where(keepsLengths)
+    .where(keepsLengths())
     .help(
       "Make a seam or a named edge longer in one piece (numbered from 1) than on the surface and "
       "than what it is sewn to, or below 0 shorter. The curve needs at least this tolerance.");
@@ -197,9 +207,6 @@ void addPieces(Table& table)
 
 void addSolver(Table& table)
 {
-  const OptionCondition keepsLengths{ "Scheme", { "progressive", "global", "isometric" } };
-  const OptionCondition isometric{ "Scheme", { "isometric" } };
-  const OptionCondition exact{ "BoundaryMode", { "exact" } };
   const OptionCondition rigid{ "Interior", { "arap" } };
   const OptionCondition relaxes{ "Interior", { "relaxation" } };
   const auto tolerance = [](OptionRow row) {
@@ -211,76 +218,76 @@ void addSolver(Table& table)
   table.group(OptionOwner::Warping, "Solver");
   count(table.add(
           "MaximumIterations", [](All& all) { return &all.flattening.angles.maximumIterations; }))
-    .where(keepsLengths)
-    .where(exact)
+    .where(keepsLengths())
+    .where(exact())
     .help("Maximum iterations of the solver of the angles, per piece.");
   tolerance(
     table.add("ClosureTolerance", [](All& all) { return &all.flattening.angles.closureTolerance; }))
-    .where(keepsLengths)
-    .where(exact)
+    .where(keepsLengths())
+    .where(exact())
     .help("The solver stops when no loop of wires is open by more than this fraction of the "
           "perimeter.");
   tolerance(table.add("OptimalityTolerance",
               [](All& all) { return &all.flattening.angles.optimalityTolerance; }))
-    .where(keepsLengths)
-    .where(exact)
+    .where(keepsLengths())
+    .where(exact())
     .help("The solver stops when no entry of the gradient of the Lagrangian is larger than this.");
   count(table.add("IsometricMaximumIterations",
           [](All& all) { return &all.flattening.isometric.maximumIterations; }))
     .spelled("isometric-iterations")
-    .where(isometric)
+    .where(isometric())
     .help("Maximum iterations of the isometric scheme.");
   tolerance(
     table.add("IsometricTolerance", [](All& all) { return &all.flattening.isometric.tolerance; }))
-    .where(isometric)
+    .where(isometric())
     .help("The isometric scheme stops when the relative gradient of the Lagrangian is below this.");
   tolerance(table.add("RigidEnergyTolerance",
               [](All& all) { return &all.flattening.interior.energyTolerance; }))
     .spelled("rigid-tolerance")
-    .where(keepsLengths)
-    .where(exact)
+    .where(keepsLengths())
+    .where(exact())
     .where(rigid)
     .help("Interior arap stops when the energy falls by less than this fraction of itself.");
   count(table.add("RigidMaximumIterations",
           [](All& all) { return &all.flattening.interior.maximumRigidIterations; }))
     .spelled("rigid-iterations")
-    .where(keepsLengths)
-    .where(exact)
+    .where(keepsLengths())
+    .where(exact())
     .where(rigid)
     .help("Maximum iterations of interior arap.");
   table.add("RelaxationFactor", [](All& all) { return &all.flattening.interior.relaxation; })
     .within(0.0, 2.0)
     .slider(0.01, 1.99)
-    .where(keepsLengths)
-    .where(exact)
+    .where(keepsLengths())
+    .where(exact())
     .where(relaxes)
     .expert()
     .help("Factor tau of interior relaxation (Eq. 12).");
   tolerance(
     table.add("RelaxationMovement", [](All& all) { return &all.flattening.interior.movement; }))
     .slider(0.0, 0.1)
-    .where(keepsLengths)
-    .where(exact)
+    .where(keepsLengths())
+    .where(exact())
     .where(relaxes)
     .help("Interior relaxation stops when no point moves farther than this fraction of the mean "
           "wire edge.");
   count(table.add("RelaxationMinimumIterations",
           [](All& all) { return &all.flattening.interior.minimumIterations; }),
     0.0)
-    .where(keepsLengths)
-    .where(exact)
+    .where(keepsLengths())
+    .where(exact())
     .where(relaxes)
     .help("Minimum iterations of interior relaxation; more than the maximum is an error.");
   count(table.add("RelaxationMaximumIterations",
           [](All& all) { return &all.flattening.interior.maximumIterations; }))
-    .where(keepsLengths)
-    .where(exact)
+    .where(keepsLengths())
+    .where(exact())
     .where(relaxes)
     .help("Maximum iterations of interior relaxation.");
   tolerance(
     table.add("MaximumLengthError", [](All& all) { return &all.flattening.lengthTolerance; }))
     .slider(0.0, 1.0)
-    .where(keepsLengths)
+    .where(keepsLengths())
     .help("A relative error of a wire edge above this is a warning.");
 }
 
@@ -528,7 +535,6 @@ std::string wanted(const OptionCondition& condition, const Option& other, Option
 }
 }
 
-//------------------------------------------------------------------------------
 const std::vector<Option>& optionTable()
 {
   static const std::vector<Option> rows = [] {
@@ -545,7 +551,6 @@ const std::vector<Option>& optionTable()
   return rows;
 }
 
-//------------------------------------------------------------------------------
 const char* className(OptionOwner owner)
 {
   static constexpr std::array<const char*, 8> names{ "vtkFeatureCurveAlgorithm",
@@ -554,7 +559,6 @@ const char* className(OptionOwner owner)
   return names[static_cast<std::size_t>(owner)];
 }
 
-//------------------------------------------------------------------------------
 std::vector<const Option*> optionsOf(OptionOwner owner)
 {
   std::set<OptionOwner> owners{ owner };
@@ -581,13 +585,11 @@ std::vector<const Option*> optionsOf(OptionOwner owner)
   return options;
 }
 
-//------------------------------------------------------------------------------
 const Option* findOption(OptionOwner owner, const std::string& property)
 {
   return named(optionsOf(owner), property);
 }
 
-//------------------------------------------------------------------------------
 std::string spellingOf(const std::string& property)
 {
   std::string words;
@@ -608,7 +610,6 @@ std::string spellingOf(const std::string& property)
   return words;
 }
 
-//------------------------------------------------------------------------------
 std::string labelOf(const Option& option)
 {
   std::string text = option.label;
@@ -620,7 +621,6 @@ std::string labelOf(const Option& option)
   return text;
 }
 
-//------------------------------------------------------------------------------
 std::string rangeOf(const Option& option)
 {
   if (option.minimum == option.maximum)
@@ -638,7 +638,6 @@ std::string rangeOf(const Option& option)
     (endless ? "inf" : numberText(option.maximum)) + (option.open || endless ? ")" : "]");
 }
 
-//------------------------------------------------------------------------------
 bool isValid(const Option& option, const OptionValue& value)
 {
   if (option.minimum == option.maximum)
@@ -653,7 +652,6 @@ bool isValid(const Option& option, const OptionValue& value)
   });
 }
 
-//------------------------------------------------------------------------------
 std::string textOf(const Option& option, const OptionValue& value)
 {
   if (const std::string* const text = std::get_if<std::string>(&value))
@@ -676,7 +674,6 @@ std::string textOf(const Option& option, const OptionValue& value)
   return text;
 }
 
-//------------------------------------------------------------------------------
 std::string printed(const Option& option, const OptionValue& value)
 {
   if (option.type == OptionType::Flag)
@@ -688,7 +685,6 @@ std::string printed(const Option& option, const OptionValue& value)
     : textOf(option, value);
 }
 
-//------------------------------------------------------------------------------
 std::string spelled(const Option& option, OptionSpelling spelling)
 {
   if (spelling == OptionSpelling::Property)
@@ -708,7 +704,6 @@ std::string spelled(const Option& option, OptionSpelling spelling)
                                      : option.spellingOff);
 }
 
-//------------------------------------------------------------------------------
 std::string spelledSetting(
   const std::string& property, const std::string& value, OptionSpelling spelling)
 {
@@ -743,13 +738,11 @@ std::string spelledSetting(
   return spelledName + (spelling == OptionSpelling::Python ? "=\"" + word + '"' : ' ' + word);
 }
 
-//------------------------------------------------------------------------------
 OptionValues::OptionValues(OptionOwner owner)
   : OptionValues(optionsOf(owner))
 {
 }
 
-//------------------------------------------------------------------------------
 OptionValues::OptionValues(std::vector<const Option*> options)
   : Options(std::move(options))
 {
@@ -759,25 +752,21 @@ OptionValues::OptionValues(std::vector<const Option*> options)
   }
 }
 
-//------------------------------------------------------------------------------
 const Option* OptionValues::find(const std::string& property) const
 {
   return named(this->Options, property);
 }
 
-//------------------------------------------------------------------------------
 const OptionValue& OptionValues::operator[](const std::string& property) const
 {
   return this->Values.at(property);
 }
 
-//------------------------------------------------------------------------------
 void OptionValues::set(const std::string& property, OptionValue value)
 {
   this->Values.at(property) = std::move(value);
 }
 
-//------------------------------------------------------------------------------
 bool OptionValues::setWord(const std::string& property, const std::string& word)
 {
   const std::vector<OptionWord>& words = this->find(property)->words;
@@ -791,19 +780,16 @@ bool OptionValues::setWord(const std::string& property, const std::string& word)
   return true;
 }
 
-//------------------------------------------------------------------------------
 std::string OptionValues::text(const std::string& property) const
 {
   return textOf(*this->find(property), (*this)[property]);
 }
 
-//------------------------------------------------------------------------------
 const std::vector<std::string>& OptionValues::list(const std::string& property) const
 {
   return std::get<std::vector<std::string>>((*this)[property]);
 }
 
-//------------------------------------------------------------------------------
 std::string describeIdleOption(const OptionValues& values, OptionSpelling spelling)
 {
   for (const Option* const option : values.options())

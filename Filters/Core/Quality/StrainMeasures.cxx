@@ -9,8 +9,6 @@ namespace flattening
 {
 namespace
 {
-/// Of strainP95: a twentieth of the area is left to corners and slivers.
-constexpr double quantileShare = 0.95;
 /// Areas of equal triangles add up to the share but for rounding.
 constexpr double roundingShare = 1e-9;
 }

@@ -14,7 +14,10 @@ struct AreaValue
   double area = 0.0;
 };
 
-/// The least of the values that is not exceeded on 95 % of the area; 0 where there is none.
+/// The share of the area that a strain is to hold on: a twentieth is left to corners and slivers.
+inline constexpr double quantileShare = 0.95;
+
+/// The least of the values that is not exceeded on that share of the area; 0 where there is none.
 double areaQuantile(std::vector<AreaValue> values);
 
 /// Measures of one flat triangle. J maps the triangle's plane in space to the plane, S >= s are its

@@ -24,8 +24,7 @@ void addHosts(const WireNetwork& whole, Index loop, WireNetwork& single)
   {
     hosts.push_back(whole.hostOfVertex[whole.vertex[side]]);
   }
-  std::sort(hosts.begin(), hosts.end());
-  hosts.erase(std::unique(hosts.begin(), hosts.end()), hosts.end());
+  sortUnique(hosts);
   for (Index host : hosts)
   {
     const auto id = static_cast<Index>(single.hostVertices.size());
@@ -228,8 +227,7 @@ private:
         changed.push_back(this->Net.loop[unknown]);
       }
     }
-    std::sort(changed.begin(), changed.end());
-    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    sortUnique(changed);
     changed.erase(std::remove_if(changed.begin(), changed.end(),
                     [this](Index l) { return this->Done[l] || this->Net.isHole(l); }),
       changed.end());

@@ -15,7 +15,9 @@ namespace flattening
 {
 namespace
 {
-constexpr double leastSize = 20.0; // mm
+/// In mm, of the largest piece: what is smaller, or larger than any garment's panel, is most likely
+/// stated in a wrong unit.
+constexpr double leastSize = 20.0;
 constexpr double largestSize = 3000.0;
 constexpr double largestStatedSize = 15000.0; // of sails, tents and hulls
 /// Less is not worth a word.
@@ -55,7 +57,7 @@ double flatArea(const Points2& positions, const Triangle& triangle)
 {
   const Point2 a = positions[triangle[1]] - positions[triangle[0]];
   const Point2 b = positions[triangle[2]] - positions[triangle[0]];
-  return 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
+  return 0.5 * std::abs(cross(a, b));
 }
 
 std::vector<Totals> measure(const FlatteningResult& result)

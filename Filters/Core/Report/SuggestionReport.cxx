@@ -2,6 +2,7 @@
 #include "Report/SuggestionReport.h"
 
 #include "Base/Types.h"
+#include "Suggestion/CutTrials.h"
 
 #include <algorithm>
 #include <array>
@@ -11,28 +12,14 @@
 
 namespace flattening
 {
-namespace
-{
-/// A curve of the input as a row beside the proposed ones.
-SuggestedCurve rowOf(const Polyline& curve)
-{
-  SuggestedCurve row;
-  row.curve = curve;
-  for (std::size_t k = 1; k < curve.points.size(); ++k)
-  {
-    row.length += (curve.points[k] - curve.points[k - 1]).norm();
-  }
-  return row;
-}
-}
-
 std::vector<SuggestedCurve> suggestionRows(
   const std::vector<Polyline>& curves, const CurveSuggestions& suggestions)
 {
   std::vector<SuggestedCurve> rows;
   for (const Polyline& curve : curves)
   {
-    rows.push_back(rowOf(curve));
+    rows.emplace_back().curve = curve;
+    rows.back().length = lengthOf(curve.points);
   }
   rows.insert(rows.end(), suggestions.curves.begin(), suggestions.curves.end());
   return rows;

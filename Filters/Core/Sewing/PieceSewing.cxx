@@ -18,8 +18,7 @@ namespace flattening
 namespace
 {
 /// Pressure and weight as large as the stiffness would stretch any cloth to twice its size.
-constexpr double mostPressure = 1.0;
-constexpr double mostGravity = 1.0;
+constexpr double mostLoad = 1.0;
 /// The second start, over the size, and how much of the distance may be chance.
 constexpr double shaking = 1e-3;
 constexpr double severalBeyond = 0.1;
@@ -39,13 +38,13 @@ Status checked(const CutSurface& cut, const Points2& positions, const SewingOpti
   {
     return invalid("the area bias is outside (-1, 1)", "0 for a plain sheet");
   }
-  if (!std::isfinite(options.pressure) || std::abs(options.pressure) > mostPressure)
+  if (!std::isfinite(options.pressure) || std::abs(options.pressure) > mostLoad)
   {
     return invalid("the pressure is outside -1..1", "a share of stiffness over size, such as 0.01");
   }
   const bool finite = std::all_of(options.gravity.begin(), options.gravity.end(),
     [](double component) { return std::isfinite(component); });
-  if (!finite || options.gravity.norm() > mostGravity)
+  if (!finite || options.gravity.norm() > mostLoad)
   {
     return invalid("the gravity is longer than 1", "a share of stiffness over size, such as 0.001");
   }
@@ -206,8 +205,6 @@ SewnReport broughtToRest(const SewnShape& shape, const SewingOptions& options, d
   properties.gap = options.gap * size;
   SewingModel model(shape.cloth, properties);
   RestOptions rest;
-  rest.forceTolerance = options.forceTolerance;
-  rest.energyTolerance = options.energyTolerance;
   rest.maximumIterations = options.maximumIterations;
   rest.phase = "Sewing the pieces together";
   rest.observe = [&report](const NewtonKktRecord& record) {

@@ -66,11 +66,6 @@ struct SewingOptions
   double areaBias = 0.0;
   /// Of a plate that bends as the cloth does, over the root of the mean area of a piece.
   double thickness = 1e-3;
-  /// The cloth is at rest where no force on a vertex, over modulus times the root of the mean
-  /// triangle area, is larger, ...
-  double forceTolerance = 1e-12;
-  /// ... or a further step promises to lower the energy by no more than this fraction of it.
-  double energyTolerance = 1e-9;
   int maximumIterations = 300;
   /// Behind the cloth, along the normals of the design, times the root of the design's area over
   /// modulus. Product: what is sewn together must be closed.

@@ -16,14 +16,7 @@ constexpr double gaugeStiffness = 1.0;
 
 double unitOf(const SewnCloth& cloth)
 {
-  double twiceArea = 0.0;
-  for (const std::array<Point2, 3>& corner : cloth.flat)
-  {
-    const Point2 u = corner[1] - corner[0];
-    const Point2 v = corner[2] - corner[0];
-    twiceArea += std::abs(u.x() * v.y() - u.y() * v.x());
-  }
-  return std::sqrt(0.5 * twiceArea / static_cast<double>(cloth.flat.size()));
+  return std::sqrt(cloth.restArea() / static_cast<double>(cloth.flat.size()));
 }
 
 Point3 centerOf(const Points3& points)
@@ -271,6 +264,8 @@ constexpr double stepTolerance = 1e-11;
 constexpr double firstPush = 1.0;
 constexpr double hardening = 10.0;
 constexpr int mostHardenings = 4;
+/// No force on a vertex, over modulus times the root of the mean triangle area, is larger at rest.
+constexpr double forceRounding = 1e-12;
 }
 
 NewtonKktState bringToRest(
@@ -278,7 +273,7 @@ NewtonKktState bringToRest(
 {
   NewtonKktOptions newton;
   newton.maximumIterations = options.maximumIterations;
-  newton.optimalityTolerance = isotropicModulus * options.forceTolerance;
+  newton.optimalityTolerance = isotropicModulus * forceRounding;
   newton.reductionTolerance = options.energyTolerance;
   newton.stepTolerance = stepTolerance;
   newton.exactWithin = exactWithin;

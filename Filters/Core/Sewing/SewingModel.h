@@ -130,9 +130,8 @@ private:
 /// When cloth is at rest.
 struct RestOptions
 {
-  /// No force on a vertex, over modulus times the root of the mean triangle area, is larger, ...
-  double forceTolerance = 1e-12;
-  /// ... or a further step promises to lower the energy by no more than this fraction of it.
+  /// A further step promises to lower the energy by no more than this fraction of it, or no force
+  /// on a vertex is more than rounding.
   double energyTolerance = 1e-9;
   int maximumIterations = 300;
   const char* phase = nullptr; ///< name in reports of progress; null: none are made

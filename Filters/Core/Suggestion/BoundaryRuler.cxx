@@ -11,7 +11,6 @@ namespace flattening
 {
 namespace
 {
-constexpr double cornerTurn = pi / 6.0;
 /// Places this near to a vertex, in edge lengths, are the vertex.
 constexpr double snapFraction = 1e-3;
 /// Places whose distances differ by less, in squares of a boundary's length, are equally near.
@@ -81,9 +80,7 @@ Point3 BoundaryRuler::point(const BoundaryPlace& place) const
 
 Point3 BoundaryRuler::inside(const BoundaryPlace& place) const
 {
-  const Triangle& t =
-    this->Mesh.triangle(this->Loops[place.loop].halfedges[this->edgeAt(place)] / 3);
-  return (this->Mesh.point(t[0]) + this->Mesh.point(t[1]) + this->Mesh.point(t[2])) / 3.0;
+  return this->Mesh.centroid(this->Loops[place.loop].halfedges[this->edgeAt(place)] / 3);
 }
 
 Index BoundaryRuler::vertex(const BoundaryPlace& place) const

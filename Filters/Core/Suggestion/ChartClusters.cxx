@@ -2,6 +2,7 @@
 #include "Suggestion/ChartClusters.h"
 
 #include "Base/CompressedRows.h"
+#include "Quality/StrainMeasures.h"
 #include "Sparse/LinearSolver.h"
 #include "Suggestion/SeamDrawing.h"
 #include "Surface/SurfacePoint.h"
@@ -20,8 +21,6 @@ namespace flattening
 {
 namespace
 {
-/// Of an area, below which all strains lie that count.
-constexpr double quantile = 0.95;
 /// Cotangents are held above this, so that the system of a surface with obtuse triangles stays
 /// definite.
 constexpr double leastCotangent = 1e-3;
@@ -341,7 +340,7 @@ double forecastStrain(const TriangleMesh& piece)
     return std::numeric_limits<double>::infinity();
   }
   std::vector<std::pair<double, double>> strains;
-  double beyond = (1.0 - quantile) * piece.area();
+  double beyond = (1.0 - quantileShare) * piece.area();
   for (Index k = 0; k < count; ++k)
   {
     strains.emplace_back(std::abs(factor(k, 0)), vertexArea(piece, inner[k]));

@@ -387,10 +387,7 @@ private:
     {
       Polyline seam;
       seam.type = CurveType::Seam;
-      for (const SurfacePoint& point : section.path.points)
-      {
-        seam.points.push_back(point.position);
-      }
+      seam.points = positionsOf(section.path.points);
       seams.push_back(std::move(seam));
     }
     ImprintedSurface imprinted = imprintCurves(this->Surface, seams, {});
@@ -569,11 +566,7 @@ std::vector<SuggestedCurve> drawnOn(const TriangleMesh& mesh,
     Points3& points = cut.curve.points;
     if (exact && cut.mirrorOf != none)
     {
-      points = cuts[cut.mirrorOf].curve.points;
-      for (Point3& point : points)
-      {
-        point = plane->mirrored(point);
-      }
+      points = plane->mirrored(cuts[cut.mirrorOf].curve.points);
       continue;
     }
     points = drawing.draw(drawing.place(points), SeamDrawing::levels - 1);
@@ -686,7 +679,7 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   {
     std::vector<SuggestedCurve> others = chartCuts(mesh, std::nullopt, options, budget, execution);
     const auto price = [&](const std::vector<SuggestedCurve>& set) {
-      return priceOf(set, options.fixedPrice, std::sqrt(mesh.area() / pi));
+      return priceOf(set, std::sqrt(mesh.area() / pi));
     };
     if (!others.empty() && (failed || price(others) < unpairedShare * price(cuts)))
     {

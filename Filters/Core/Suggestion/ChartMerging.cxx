@@ -2,6 +2,7 @@
 #include "Suggestion/ChartMerging.h"
 
 #include "Base/CompressedRows.h"
+#include "Suggestion/CurveSuggestions.h"
 #include "Suggestion/OpeningCuts.h"
 #include "Suggestion/SeamDrawing.h"
 #include "Suggestion/SymmetryPlane.h"
@@ -42,12 +43,6 @@ constexpr double creaseShare = 0.5;
 /// Of a seam, what is sewn at once.
 constexpr std::array<double, 2> sewnShares{ 2.0 / 3.0, 1.0 / 3.0 };
 
-Point3 centroid(const TriangleMesh& mesh, Index triangle)
-{
-  const auto& [a, b, c] = mesh.triangle(triangle);
-  return (mesh.point(a) + mesh.point(b) + mesh.point(c)) / 3.0;
-}
-
 /// The two sides of a mesh across its longest axis.
 Indices halvesOf(const TriangleMesh& mesh)
 {
@@ -55,7 +50,7 @@ Indices halvesOf(const TriangleMesh& mesh)
   Indices side;
   for (Index t = 0; t < mesh.triangleCount(); ++t)
   {
-    side.push_back(moments.axes.col(2).dot(centroid(mesh, t) - moments.center) > 0.0 ? 1 : 0);
+    side.push_back(moments.axes.col(2).dot(mesh.centroid(t) - moments.center) > 0.0 ? 1 : 0);
   }
   return side;
 }
@@ -154,7 +149,7 @@ void Charts::merge(bool sharing, TrialBudget& budget, const Execution& execution
     [this, sharing](const std::vector<Arc>& arcs, std::vector<Removal>& removals) {
       for (const Arc& arc : arcs)
       {
-        removals.push_back(this->removalOf(arc.edges, this->Options.fixedPrice));
+        removals.push_back(this->removalOf(arc.edges, cutPrice));
       }
       // Large charts rarely fit beside others, and take long to try.
       const auto mean = static_cast<std::size_t>(this->Mesh.triangleCount()) / this->All.size();
@@ -548,8 +543,7 @@ Charts::Removal Charts::removalOf(Indices edges, double fixedPrice) const
   {
     h = std::min(h, this->Mesh.twin(h));
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sortUnique(edges);
   // The charts that become one with that at the first edge.
   Removal removal;
   removal.charts = { this->ChartOf[edges.front() / 3] };
@@ -604,7 +598,7 @@ Indices Charts::receivers(Index chart, std::vector<Index>& owner) const
       {
         const Point3 middle =
           0.5 * (this->Mesh.point(this->Mesh.from(h)) + this->Mesh.point(this->Mesh.to(h)));
-        queue.emplace((centroid(this->Mesh, t) - middle).norm(), t, other);
+        queue.emplace((this->Mesh.centroid(t) - middle).norm(), t, other);
       }
     }
   }
@@ -623,7 +617,7 @@ Indices Charts::receivers(Index chart, std::vector<Index>& owner) const
       if (next != none && this->ChartOf[next] == chart && owner[next] == none)
       {
         queue.emplace(
-          distance + (centroid(this->Mesh, next) - centroid(this->Mesh, t)).norm(), next, to);
+          distance + (this->Mesh.centroid(next) - this->Mesh.centroid(t)).norm(), next, to);
       }
     }
   }
@@ -645,8 +639,7 @@ Indices Charts::receivers(Index chart, std::vector<Index>& owner) const
     owner[mirrored] = chart == image ? owner[mirrored] : chartImage(owner[t]);
     all.push_back(owner[t]);
   }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  sortUnique(all);
   return all;
 }
 
@@ -678,9 +671,7 @@ Charts::Removal Charts::sharedOut(Index chart) const
   if (both)
   {
     removal.charts.insert(removal.charts.end(), images.begin(), images.end());
-    std::sort(removal.charts.begin(), removal.charts.end());
-    removal.charts.erase(
-      std::unique(removal.charts.begin(), removal.charts.end()), removal.charts.end());
+    sortUnique(removal.charts);
     removal.left = removal.charts.size();
     removal.charts.push_back(image);
   }
@@ -705,12 +696,11 @@ Charts::Removal Charts::sharedOut(Index chart) const
   }
   for (Indices* edges : { &removal.edges, &removal.opened })
   {
-    std::sort(edges->begin(), edges->end());
-    edges->erase(std::unique(edges->begin(), edges->end()), edges->end());
+    sortUnique(*edges);
     saved += (edges == &removal.opened ? -1.0 : 1.0) * this->priceOf(*edges);
   }
   const double pair = image == chart ? 1.0 : 2.0;
-  removal.saved = (both ? 2.0 : 1.0) * (this->Options.fixedPrice + saved / pair / this->Size);
+  removal.saved = (both ? 2.0 : 1.0) * (cutPrice + saved / pair / this->Size);
   return removal;
 }
 
@@ -799,6 +789,6 @@ Indices Charts::partOf(const Arc& arc, bool front, double share) const
     sum += step;
     part.push_back(h);
   }
-  return whole - sum < this->Options.leastDart * this->Size ? Indices{} : part;
+  return whole - sum < leastCutLength * this->Size ? Indices{} : part;
 }
 }

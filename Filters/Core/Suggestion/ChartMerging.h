@@ -13,10 +13,6 @@ struct ChartOptions
 {
   /// The strain, on 95 % of a chart's area, that is good enough; positive.
   double bound = 0.05;
-  /// What a cut costs beside its length over sqrt(area / pi).
-  double fixedPrice = 0.2;
-  /// In that unit, no dart is shorter.
-  double leastDart = 0.12;
   bool darts = true; ///< whether seams may end inside
   bool holes = true; ///< whether charts may surround holes of the surface
   Index pieces = 0;  ///< no fewer charts; 0: as few as the bound takes

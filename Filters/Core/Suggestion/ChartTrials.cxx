@@ -8,12 +8,6 @@
 
 namespace flattening
 {
-namespace
-{
-/// More than there are threads.
-constexpr std::size_t flattenedTogether = 16;
-}
-
 /// Two sums of the bits of all coordinates and corners (FNV-1a, from two starts).
 ChartTrials::Key ChartTrials::keyOf(const TriangleMesh& chart)
 {
@@ -65,9 +59,9 @@ std::vector<ChartTrials::Result> ChartTrials::run(
 {
   std::vector<Result> results(sets.size());
   const Execution inner = execution.nestedExecution();
-  for (std::size_t first = 0; first < sets.size() && !budget.spent(); first += flattenedTogether)
+  for (std::size_t first = 0; first < sets.size() && !budget.spent(); first += triedTogether)
   {
-    const std::size_t last = std::min(sets.size(), first + flattenedTogether);
+    const std::size_t last = std::min(sets.size(), first + triedTogether);
     std::vector<std::vector<std::pair<Key, Result>>> fresh(last - first);
     execution.parallelFor(static_cast<Index>(last - first), [&](Index begin, Index end) {
       for (Index k = begin; k < end; ++k)

@@ -48,12 +48,9 @@ constexpr double chartStrain = 4.0;
 /// Charts that leave more of the strain than this, and more than the above times the bound, are
 /// given up: that is noise.
 constexpr double noiseShare = 0.5;
-/// Charts are given up that take as many times the most cuts, or as many cuts in each part of the
-/// surface where the number is not limited.
-constexpr double farTooManyCuts = 4.0;
+/// Charts are given up that take as many cuts in each part of the surface where the number is not
+/// limited.
 constexpr double mostChartCuts = 500.0;
-/// The bound of charts where none is given.
-constexpr double chartBound = 0.05;
 /// Where charts would take more cuts than may be, they are tried again with the bound times this,
 /// so often.
 constexpr double looserBound = 1.5;
@@ -185,7 +182,7 @@ private:
         return std::pair(0, std::cbrt(outcome.energy * std::pow(outcome.areaError, 4.0)));
       }
       const double waste = search.pieces > 0 ? 0.0 : wastePrice * outcome.waste / this->Area;
-      const double price = waste + priceOf(set.cuts, search.fixedPrice, std::sqrt(this->Area / pi));
+      const double price = waste + priceOf(set.cuts, std::sqrt(this->Area / pi));
       return this->isFlat(set)
         ? std::pair(0, price)
         : std::pair(1, static_cast<double>(outcome.faults()) + outcome.strainP95);
@@ -440,7 +437,7 @@ private:
     CutSet set;
     double needed = 0.0;
     bool spent = false;
-    double bound = wanted.bound > 0.0 ? wanted.bound : chartBound;
+    double bound = wanted.bound > 0.0 ? wanted.bound : SearchOptions().bound;
     const double most = wanted.maximumCuts > 0
       ? farTooManyCuts * static_cast<double>(wanted.maximumCuts)
       : mostChartCuts * cutSurface(surface.mesh, surface.curves).pieceCount;
@@ -535,9 +532,7 @@ private:
       options.maximumCuts > 0 ? options.maximumCuts : count + std::max(mostAdded, count / 2);
     if (goal != SearchGoal::Energy) // which is that of the set's outcome
     {
-      set.outcome = CutTrials(this->Mesh, this->Curves, this->Options.imprint,
-        this->Options.flattening, goal, this->Weights)
-                      .run(linesOf(set.cuts), budget, this->Run);
+      set.outcome = this->flattened(set.cuts, goal, budget);
     }
     return searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
                         options, this->Result.mirror, this->Weights, goal },
@@ -566,8 +561,6 @@ private:
   {
     ChartOptions options;
     options.bound = bound;
-    options.fixedPrice = this->Options.search.fixedPrice;
-    options.leastDart = this->Options.search.leastLength;
     options.mirrorKept = this->Options.search.symmetric != "on";
     options.pieces = this->Options.search.pieces;
     options.darts = this->Options.search.cuts == SuggestedCuts::All;
@@ -709,6 +702,14 @@ private:
     }
   }
 
+  TrialOutcome flattened(
+    const std::vector<SuggestedCurve>& cuts, SearchGoal goal, TrialBudget& budget) const
+  {
+    return CutTrials(this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
+      goal, this->Weights)
+      .run(linesOf(cuts), budget, this->Run);
+  }
+
   const CutSet& start(
     const std::vector<SuggestedCurve>& first, SearchGoal goal, TrialBudget& budget)
   {
@@ -717,9 +718,7 @@ private:
     {
       set.emplace();
       set->cuts = first;
-      set->outcome = CutTrials(this->Mesh, this->Curves, this->Options.imprint,
-        this->Options.flattening, goal, this->Weights)
-                       .run(linesOf(first), budget, this->Run);
+      set->outcome = this->flattened(first, goal, budget);
     }
     return *set;
   }

@@ -113,10 +113,7 @@ void addImages(std::vector<SuggestedCurve>& cuts, Index first, const SurfaceMirr
   {
     cuts.push_back(cuts[k]);
     cuts.back().mirrorOf = k;
-    for (Point3& point : cuts.back().curve.points)
-    {
-      point = mirror.mirrored(point);
-    }
+    cuts.back().curve.points = mirror.mirrored(std::move(cuts.back().curve.points));
   }
 }
 

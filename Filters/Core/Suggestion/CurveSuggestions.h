@@ -24,7 +24,12 @@ enum class SuggestedCuts
   Gores, ///< seams between gores alone, see findGores()
 };
 
-/// All lengths are in units of R = sqrt(area / pi) of the piece, except where said.
+/// In R = sqrt(area / pi) of the piece: what a cut costs beside its length, and how long it is at
+/// least.
+inline constexpr double cutPrice = 0.2;
+inline constexpr double leastCutLength = 0.12;
+
+/// All lengths are in units of R, except where said.
 struct SearchOptions
 {
   SuggestedCuts cuts = SuggestedCuts::All;
@@ -57,8 +62,7 @@ struct SearchOptions
   };
   std::vector<Preference> preferences;
   /// What each cut costs beside its length.
-  double fixedPrice = 0.2;
-  double leastLength = 0.12;
+  double fixedPrice = cutPrice;
   /// Real flattenings to choose each cut from, after the forecast has ranked them.
   Index trials = 24;
   /// Of all real flattenings, in millions of steps of an iteration on one triangle (see

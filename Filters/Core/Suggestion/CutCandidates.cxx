@@ -15,8 +15,6 @@ namespace
 {
 // Lengths are in sqrt(area / pi).
 
-/// Between bases along the boundary: the search then moves them by as much.
-constexpr double baseSpacing = 0.12;
 /// Bases stay this far from corners, where a dart would cut off a sliver.
 constexpr double clearOfCorner = 0.05;
 /// Banks may overlap this much by the forecast, which is linear.
@@ -167,7 +165,7 @@ bool MirrorRoles::takeOver(Index base, Index end, CutPlan& plan) const
   const int top = this->side(*plan.via);
   if (top == 0)
   {
-    plan.via = this->Piece.onto(this->Piece.mirror()->projected(*plan.via));
+    plan.via = this->Piece.onto(*plan.via, true);
     if (end == this->mirroredBase(base))
     {
       plan.role = MirrorRole::Across;
@@ -210,7 +208,6 @@ bool MirrorRoles::take(const Point3& from, const Point3& to, CutPlan& plan) cons
 
 void MirrorRoles::bringIntoPlane(CutPlan& plan) const
 {
-  const SurfaceMirror& plane = *this->Piece.mirror();
   plan.base = this->inPlane(plan.base);
   if (plan.type == CurveType::Seam)
   {
@@ -218,7 +215,7 @@ void MirrorRoles::bringIntoPlane(CutPlan& plan) const
   }
   else
   {
-    plan.tip = this->Piece.onto(plane.projected(plan.tip));
+    plan.tip = this->Piece.onto(plan.tip, true);
   }
 }
 
@@ -366,8 +363,8 @@ private:
       }
       if (plan.role == MirrorRole::Along)
       {
-        plan.start = this->Piece.onto(this->Piece.mirror()->projected(*plan.start));
-        plan.tip = this->Piece.onto(this->Piece.mirror()->projected(plan.tip));
+        plan.start = this->Piece.onto(*plan.start, true);
+        plan.tip = this->Piece.onto(plan.tip, true);
       }
       this->add(paths.path(tip), plan, plans);
     }
@@ -516,7 +513,7 @@ private:
     }
     const double one = plan.length;
     plan.length *= plan.role == MirrorRole::Pair ? 2.0 : 1.0;
-    if (one < this->Options.leastLength * this->Piece.size() || plan.length > this->Longest)
+    if (one < leastCutLength * this->Piece.size() || plan.length > this->Longest)
     {
       return;
     }

@@ -6,6 +6,9 @@
 
 namespace flattening
 {
+/// In sqrt(area / pi), between the places of the boundary where planned cuts begin.
+inline constexpr double baseSpacing = 0.12;
+
 /// Plans for one cut, or a pair of mirror images: darts from places along the boundary to places
 /// spread over the inside, darts inside between two places of much curvature, seams between places
 /// of the boundary, the shortest way or nearly straight over a place that is far from flat, in the

@@ -25,7 +25,6 @@ constexpr double gainAlone = 5.0;
 /// A search is given up from this many cuts on, where the bound would take four times the most
 /// cuts: later ones gain less than the first.
 constexpr Index cutsToTellBy = 3;
-constexpr double farTooMany = 4.0;
 /// What a flattening in which legs of darts fold on each other may take, by one in which they do
 /// not: mostly it is twice as much.
 constexpr double mostFolding = 4.0;
@@ -69,11 +68,7 @@ std::vector<Polyline> settledCuts(const CutTrials& trials, const std::vector<Pol
   }
   if (settled.size() == 2 && piece.mirrorIsExact())
   {
-    settled[1].points = settled[0].points;
-    for (Point3& p : settled[1].points)
-    {
-      p = piece.mirror()->mirrored(p);
-    }
+    settled[1].points = piece.mirror()->mirrored(settled[0].points);
   }
   return settled;
 }
@@ -147,7 +142,7 @@ private:
     const double needed = done > 0.0 ? made + left / done : std::numeric_limits<double>::infinity();
     const double most = static_cast<double>(this->Search.maximumCuts) *
       static_cast<double>(this->First.pieceStrains.size());
-    if (needed > farTooMany * most)
+    if (needed > farTooManyCuts * most)
     {
       this->Result.end = SearchEnd::GivenUp;
       this->Result.cutsNeeded = needed;
@@ -167,8 +162,8 @@ private:
   {
     if (this->FirstCount == 0)
     {
-      thinCuts(this->Whole, this->Search.bound, this->Search.leastLength * this->Size,
-        this->Result.cuts, this->now(), this->Budget, this->Run);
+      thinCuts(this->Whole, this->Search.bound, leastCutLength * this->Size, this->Result.cuts,
+        this->now(), this->Budget, this->Run);
     }
   }
 

@@ -34,6 +34,9 @@ CutSet searchCuts(
 CutSet withFolds(CutSet set, const CutTrials& trials, std::size_t curves, double bound,
   TrialBudget& budget, const Execution& execution);
 
+/// Sets that would take as many times the most cuts are given up.
+inline constexpr double farTooManyCuts = 4.0;
+
 /// More cuts than these are not measured one by one.
 inline constexpr Index mostMeasuredCuts = 12;
 

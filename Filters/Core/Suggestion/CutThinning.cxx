@@ -34,9 +34,9 @@ Points3 shortened(const Points3& line, double length)
   return kept;
 }
 
-double priceOf(const std::vector<SuggestedCurve>& cuts, double fixedPrice, double size)
+double priceOf(const std::vector<SuggestedCurve>& cuts, double size)
 {
-  double price = fixedPrice * static_cast<double>(cuts.size());
+  double price = cutPrice * static_cast<double>(cuts.size());
   for (const SuggestedCurve& cut : cuts)
   {
     price += cut.length / size;

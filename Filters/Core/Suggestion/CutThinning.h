@@ -17,8 +17,8 @@ void thinCuts(const CutTrials& trials, double bound, double least,
 /// The first part of a line, of this length.
 Points3 shortened(const Points3& line, double length);
 
-/// Of cuts, by a fixed price for each beside its length over a size.
-double priceOf(const std::vector<SuggestedCurve>& cuts, double fixedPrice, double size);
+/// Of cuts, by cutPrice for each beside its length over a size.
+double priceOf(const std::vector<SuggestedCurve>& cuts, double size);
 
 std::vector<Polyline> linesOf(const std::vector<SuggestedCurve>& cuts);
 

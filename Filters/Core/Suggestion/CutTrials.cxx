@@ -20,8 +20,6 @@ namespace
 {
 /// What a trial takes beside its steps, in steps.
 constexpr double besideSteps = 5.0;
-/// The budget is checked after this many trials in parallel, more than there are threads.
-constexpr Index triedTogether = 16;
 /// Of the most steps of a trial, what it may take from where the surface lies uncut: where that is
 /// bad a new start is quicker.
 constexpr double startShare = 0.4;
@@ -82,8 +80,7 @@ Point3 worstPlace(const FlatteningResult& flat, const std::vector<double>& count
       worst = t;
     }
   }
-  const auto& [a, b, c] = flat.cut->mesh.triangle(worst);
-  return (flat.cut->mesh.point(a) + flat.cut->mesh.point(b) + flat.cut->mesh.point(c)) / 3.0;
+  return flat.cut->mesh.centroid(worst);
 }
 
 /// Whether one of the curves from `first` on meets a key curve anywhere but at the boundary.
@@ -354,8 +351,7 @@ TrialOutcome CutTrials::measured(
   const ImprintedSurface& surface, const FlatteningResult& flat) const
 {
   TrialOutcome outcome;
-  outcome.paths = pathsOf(surface, this->Curves.size());
-  for (const Points3& path : outcome.paths)
+  for (const Points3& path : pathsOf(surface, this->Curves.size()))
   {
     outcome.lengths.push_back(lengthOf(path));
   }

@@ -73,6 +73,9 @@ private:
 /// barrels, at a price of seams within a tenth; 4 left more, and with 10 there were more pieces.
 constexpr double wastePrice = 6.0;
 
+/// Budgets are checked after this many trials in parallel, more than there are threads.
+inline constexpr Index triedTogether = 16;
+
 /// What a flattening with some cuts turned out to be. Where regions have weights, energy, goal and
 /// strain are as if areas were multiplied by them.
 struct TrialOutcome
@@ -84,8 +87,7 @@ struct TrialOutcome
   double areaError = 0.0;  ///< mean over the pieces by area
   std::size_t flipped = 0; ///< triangles, those that have collapsed as well
   std::size_t overlaps = 0;
-  std::vector<Points3> paths; ///< by cut: its vertices on the surface
-  std::vector<double> lengths;
+  std::vector<double> lengths; ///< by cut
   /// By piece, in the order of their smallest triangles.
   std::vector<double> pieceStrains;
   std::vector<double> pieceGoals;
@@ -166,7 +168,6 @@ public:
   /// Several, in parallel; an empty set of cuts is not tried, and none once the budget is spent.
   std::vector<TrialOutcome> runAll(const std::vector<std::vector<Polyline>>& cuts,
     TrialBudget& budget, const Execution& execution) const;
-  const std::vector<Polyline>& curves() const { return this->Curves; }
 
 private:
   Trial tried(const std::vector<Polyline>& cuts, double most, const Execution& execution) const;

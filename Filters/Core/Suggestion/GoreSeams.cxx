@@ -90,11 +90,7 @@ Points3 fromInside(Points3 loop, const Point3& center, const Point3& axis)
 void addHalves(
   const PlaneSection& section, const SymmetryPlane& across, std::vector<Points3>& halves)
 {
-  Points3 points;
-  for (const SurfacePoint& point : section.path.points)
-  {
-    points.push_back(point.position);
-  }
+  Points3 points = positionsOf(section.path.points);
   if (section.closed)
   {
     points.pop_back();
@@ -405,10 +401,7 @@ std::vector<SuggestedCurve> GoreSeams::seams(Index gores) const
     Points3 image;
     if (this->Plane.error <= SurfaceMirror::exact)
     {
-      for (const Point3& point : halves.front())
-      {
-        image.push_back(this->Plane.mirrored(point));
-      }
+      image = this->Plane.mirrored(halves.front());
     }
     else
     {

@@ -25,10 +25,7 @@ Polyline seamAlong(const SurfacePath& path)
 {
   Polyline line;
   line.type = CurveType::Seam;
-  for (const SurfacePoint& point : path.points)
-  {
-    line.points.push_back(point.position);
-  }
+  line.points = positionsOf(path.points);
   return line;
 }
 

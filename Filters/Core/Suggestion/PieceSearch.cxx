@@ -21,9 +21,7 @@ constexpr double mostSteps = 75.0;
 constexpr double worthOfLegs = 0.5;
 /// In sqrt(area / pi): plans that differ by less are tried once.
 constexpr double plansApart = 0.15;
-/// In the same unit, how far a cut's ends are moved at first, as far as bases are apart, and at
-/// last.
-constexpr double firstStep = 0.12;
+/// In the same unit, how far a cut's ends are moved at last; at first as far as bases are apart.
 constexpr double lastStep = 0.025;
 /// A seam that cuts off less than this share of the area only trims the piece.
 constexpr double leastPiece = 0.03;
@@ -145,16 +143,13 @@ std::vector<CutPlan> movedPlans(const SearchedPiece& piece, const CutPlan& plan,
   const Point3 base = piece.baseOf(plan);
   const Point3 ahead = (piece.endOf(plan) - base).normalized();
   const auto aside = [&](const Point3& place) { return piece.normalNear(place).cross(ahead); };
-  const auto placed = [&](const Point3& point, bool inPlane) {
-    return piece.onto(inPlane ? piece.mirror()->projected(point) : point);
-  };
   for (double by : { step, -step })
   {
     if (plan.via)
     {
       CutPlan moved = plan;
       moved.via =
-        placed(*plan.via + by * aside(*plan.via), along || plan.role == MirrorRole::Across);
+        piece.onto(*plan.via + by * aside(*plan.via), along || plan.role == MirrorRole::Across);
       plans.push_back(moved);
     }
     if (plan.type != CurveType::Dart)
@@ -164,7 +159,7 @@ std::vector<CutPlan> movedPlans(const SearchedPiece& piece, const CutPlan& plan,
     for (const Point3& direction : { ahead, aside(plan.tip) })
     {
       CutPlan moved = plan;
-      moved.tip = placed(plan.tip + by * direction, along);
+      moved.tip = piece.onto(plan.tip + by * direction, along);
       if (!plan.start || piece.takesInnerTip(moved.tip))
       {
         plans.push_back(moved);
@@ -172,7 +167,7 @@ std::vector<CutPlan> movedPlans(const SearchedPiece& piece, const CutPlan& plan,
       if (plan.start)
       {
         moved = plan;
-        moved.start = placed(*plan.start + by * direction, along);
+        moved.start = piece.onto(*plan.start + by * direction, along);
         if (piece.takesInnerTip(*moved.start))
         {
           plans.push_back(moved);
@@ -278,7 +273,7 @@ std::vector<TriedCut> PieceSearch::tryAll(const std::vector<CutPlan>& plans, dou
     }
   });
   std::vector<TrialOutcome> outcomes = this->Trials.runAll(cuts, budget, execution);
-  const double least = this->Options.leastLength * this->Searched->size();
+  const double least = leastCutLength * this->Searched->size();
   std::vector<TriedCut> tried;
   for (std::size_t k = 0; k < plans.size(); ++k)
   {
@@ -309,7 +304,7 @@ TriedCut PieceSearch::polished(
   TriedCut cut, double longest, TrialBudget& budget, const Execution& execution) const
 {
   const SearchedPiece& piece = *this->Searched;
-  double step = firstStep * piece.size();
+  double step = baseSpacing * piece.size();
   std::vector<CutPlan> before{ cut.plan };
   while (step >= lastStep * piece.size())
   {
@@ -366,9 +361,6 @@ std::vector<Polyline> PieceSearch::lines(const CutPlan& plan)
   const auto place = [&](const BoundaryPlace& there) {
     return piece.ruler().nearest(ruler.point(there), ruler.inside(there));
   };
-  const auto onto = [&](const Point3& point, bool inPlane) {
-    return piece.onto(inPlane ? piece.mirror()->projected(point) : point);
-  };
   const bool along = plan.role == MirrorRole::Along;
   CutPlan here = plan;
   here.base = plan.start ? plan.base : place(plan.base);
@@ -378,15 +370,15 @@ std::vector<Polyline> PieceSearch::lines(const CutPlan& plan)
   }
   else
   {
-    here.tip = onto(plan.tip, along);
+    here.tip = piece.onto(plan.tip, along);
   }
   if (plan.start)
   {
-    here.start = onto(*plan.start, along);
+    here.start = piece.onto(*plan.start, along);
   }
   if (plan.via)
   {
-    here.via = onto(*plan.via, along || plan.role == MirrorRole::Across);
+    here.via = piece.onto(*plan.via, along || plan.role == MirrorRole::Across);
   }
   return piece.polylines(here);
 }

@@ -227,10 +227,7 @@ std::vector<Polyline> withImages(std::vector<Polyline> lines, const SurfaceMirro
   for (std::size_t k = 0; k < count; ++k)
   {
     lines.push_back(lines[k]);
-    for (Point3& point : lines.back().points)
-    {
-      point = mirror.mirrored(point);
-    }
+    lines.back().points = mirror.mirrored(std::move(lines.back().points));
   }
   return lines;
 }

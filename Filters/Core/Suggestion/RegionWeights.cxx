@@ -14,12 +14,6 @@ namespace
 /// Mean change of relative weights by a mirror up to which they count as mirrored: triangles that
 /// are not each other's images differ where regions end.
 constexpr double littleChange = 0.1;
-
-Point3 middleOf(const TriangleMesh& mesh, Index triangle)
-{
-  const auto& [a, b, c] = mesh.triangle(triangle);
-  return (mesh.point(a) + mesh.point(b) + mesh.point(c)) / 3.0;
-}
 }
 
 Status checkWeights(const RegionWeights& weights, Index triangles)
@@ -97,7 +91,7 @@ bool mirrorsWeights(
   double area = 0.0;
   for (Index t = 0; t < mesh.triangleCount(); ++t)
   {
-    const Index image = locator.closest(mirror.mirrored(middleOf(mesh, t))).triangle;
+    const Index image = locator.closest(mirror.mirrored(mesh.centroid(t))).triangle;
     change += mesh.area(t) * std::abs(weights[t] - weights[image]);
     area += mesh.area(t);
   }
@@ -139,7 +133,7 @@ RegionWeights resampledWeights(
   const SurfaceLocator target(other);
   for (Index t = 0; t < mesh.triangleCount(); ++t)
   {
-    const Index nearest = target.closest(middleOf(mesh, t)).triangle;
+    const Index nearest = target.closest(mesh.centroid(t)).triangle;
     resampled[nearest] += mesh.area(t) * weights[t];
     areas[nearest] += mesh.area(t);
   }
@@ -147,7 +141,7 @@ RegionWeights resampledWeights(
   for (Index t = 0; t < other.triangleCount(); ++t)
   {
     resampled[t] = areas[t] > 0.0 ? resampled[t] / areas[t]
-                                  : weights[source.closest(middleOf(other, t)).triangle];
+                                  : weights[source.closest(other.centroid(t)).triangle];
   }
   return resampled;
 }

@@ -190,12 +190,7 @@ Points3 SeamDrawing::draw(const std::vector<SurfacePoint>& chain, int level) con
       thinned.push_back(points[k]);
     }
   }
-  Points3 positions;
-  for (const SurfacePoint& point : thinned)
-  {
-    positions.push_back(point.position);
-  }
-  return positions;
+  return positionsOf(thinned);
 }
 
 std::vector<Indices> failingLines(const ImprintedSurface& imprinted, std::size_t count)

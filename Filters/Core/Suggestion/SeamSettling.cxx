@@ -199,12 +199,8 @@ private:
       }
       if (this->Mirror->plane.error > SurfaceMirror::exact)
       {
-        Points3 mirrored;
-        for (const Point3& point : seam.chain)
-        {
-          mirrored.push_back(this->Mirror->plane.mirrored(point));
-        }
-        std::vector<SurfacePoint> image = this->Drawing.place(mirrored);
+        std::vector<SurfacePoint> image =
+          this->Drawing.place(this->Mirror->plane.mirrored(seam.chain));
         for (std::size_t k = 0; k < image.size(); ++k)
         {
           image[k] = this->Mirror->has(seam.chain[k]) ? chain[k] : image[k];

@@ -11,8 +11,6 @@ namespace flattening
 {
 namespace
 {
-/// Ends of lines this near to a vertex, in mean edge lengths, move onto it.
-constexpr double snapOfSize = 1e-3;
 /// Mean distance of mirrored vertices, in sqrt(area / pi), up to which a piece is its own image.
 constexpr double ownImage = 1e-2;
 /// How far darts inside stay from the boundary, in sqrt(area / pi).
@@ -35,7 +33,7 @@ SearchedPiece::SearchedPiece(TriangleMesh mesh, std::vector<char> barred, std::v
   , Ruler(this->Mesh)
   , Locator(this->Mesh)
   , Graph(this->Mesh)
-  , Snap(this->Mesh, snapOfSize)
+  , Snap(this->Mesh, ImprintOptions().snap)
   , Mirror(mirror)
 {
   if (this->Mirror)
@@ -130,12 +128,7 @@ Points3 SearchedPiece::straightLine(
     return points;
   }
   const StraightPath straight = straightPath(this->Graph, from, to);
-  Points3 points;
-  for (const SurfacePoint& point : straight.path.points)
-  {
-    points.push_back(point.position);
-  }
-  return straight.status.refused() ? Points3{} : points;
+  return straight.status.refused() ? Points3{} : positionsOf(straight.path.points);
 }
 
 std::vector<Polyline> SearchedPiece::polylines(const CutPlan& plan) const
@@ -160,10 +153,7 @@ std::vector<Polyline> SearchedPiece::polylines(const CutPlan& plan) const
   }
   if (this->mirrorIsExact())
   {
-    for (Point3& p : line.points)
-    {
-      p = this->Mirror->mirrored(p);
-    }
+    line.points = this->Mirror->mirrored(std::move(line.points));
   }
   else
   {

@@ -65,7 +65,11 @@ public:
   /// Mirror images lie on the piece but for rounding.
   bool mirrorIsExact() const;
   Index mirrored(Index vertex) const { return this->MirrorVertex[vertex]; }
-  Point3 onto(const Point3& point) const { return this->Locator.closest(point).position; }
+  /// The nearest point of the surface. \param inMirror of the plane or axis, that next to the point
+  Point3 onto(const Point3& point, bool inMirror = false) const
+  {
+    return this->Locator.closest(inMirror ? this->Mirror->projected(point) : point).position;
+  }
   Point3 normalNear(const Point3& point) const;
   /// Whether a dart inside may end there: it is not so near to the boundary, or to a cut, that the
   /// dart had better begin at it.

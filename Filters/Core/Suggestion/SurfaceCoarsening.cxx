@@ -168,8 +168,7 @@ private:
         }
       }
     }
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
+    sortUnique(all);
     return all;
   }
 

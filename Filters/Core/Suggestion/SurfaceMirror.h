@@ -93,6 +93,14 @@ public:
   {
     return this->Plane ? this->Plane->mirrored(point) : this->Intrinsic->mirrored(point);
   }
+  Points3 mirrored(Points3 line) const
+  {
+    for (Point3& point : line)
+    {
+      point = this->mirrored(point);
+    }
+    return line;
+  }
   /// Into the plane, or onto the axis.
   Point3 projected(const Point3& point) const
   {

@@ -38,6 +38,14 @@ struct SymmetryPlane
   {
     return point - 2.0 * this->side(point) * this->normal;
   }
+  Points3 mirrored(Points3 line) const
+  {
+    for (Point3& point : line)
+    {
+      point = this->mirrored(point);
+    }
+    return line;
+  }
   Point3 projected(const Point3& point) const { return point - this->side(point) * this->normal; }
 };
 

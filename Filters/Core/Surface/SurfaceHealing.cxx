@@ -108,8 +108,7 @@ Indices joinCollapsed(const Draft& draft, JoinedSets& places)
       joined.insert(joined.end(), { a, b });
     }
   });
-  std::sort(joined.begin(), joined.end());
-  joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
+  sortUnique(joined);
   joined.erase(std::remove_if(
                  joined.begin(), joined.end(), [&places](Index p) { return places.find(p) == p; }),
     joined.end());
@@ -458,8 +457,7 @@ Indices splitFans(Draft& draft, const Indices& partner)
       pinched.push_back(start(h));
     }
   }
-  std::sort(pinched.begin(), pinched.end());
-  pinched.erase(std::unique(pinched.begin(), pinched.end()), pinched.end());
+  sortUnique(pinched);
   if (pinched.empty())
   {
     return pinched;

@@ -80,8 +80,7 @@ SurfaceLocator::SurfaceLocator(const TriangleMesh& mesh)
   Points3 centers(mesh.triangleCount());
   for (Index t = 0; t < mesh.triangleCount(); ++t)
   {
-    const Triangle& c = mesh.triangle(t);
-    centers[t] = (mesh.point(c[0]) + mesh.point(c[1]) + mesh.point(c[2])) / 3.0;
+    centers[t] = mesh.centroid(t);
   }
   if (!this->Order.empty())
   {

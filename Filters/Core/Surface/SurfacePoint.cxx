@@ -137,6 +137,17 @@ SurfacePoint snapToMesh(
   return toEnd <= snap.ofVertex(end) ? vertexPoint(mesh, end) : point;
 }
 
+Points3 positionsOf(const std::vector<SurfacePoint>& points)
+{
+  Points3 positions;
+  positions.reserve(points.size());
+  for (const SurfacePoint& point : points)
+  {
+    positions.push_back(point.position);
+  }
+  return positions;
+}
+
 bool samePlace(const SurfacePoint& a, const SurfacePoint& b)
 {
   return a.type == b.type && a.id == b.id &&

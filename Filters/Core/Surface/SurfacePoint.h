@@ -63,6 +63,8 @@ SurfacePoint crossingPoint(const TriangleMesh& mesh, Index halfedge, double frac
 SurfacePoint snapToMesh(
   const TriangleMesh& mesh, const SnapDistance& snap, const ClosestPoint& closest);
 
+Points3 positionsOf(const std::vector<SurfacePoint>& points);
+
 /// Whether two points have the same type, id and weights.
 bool samePlace(const SurfacePoint& a, const SurfacePoint& b);
 

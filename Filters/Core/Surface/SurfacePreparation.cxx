@@ -379,8 +379,7 @@ Indices doubledTriangles(const Triangles& triangles, const std::vector<HalfedgeK
       }
     }
   }
-  std::sort(doubled.begin(), doubled.end());
-  doubled.erase(std::unique(doubled.begin(), doubled.end()), doubled.end());
+  sortUnique(doubled);
   return doubled;
 }
 

@@ -80,6 +80,12 @@ double TriangleMesh::angle(Index h) const
   return angleBetween(this->point(this->to(h)) - apex, this->point(this->from(previous(h))) - apex);
 }
 
+Point3 TriangleMesh::centroid(Index t) const
+{
+  const auto& [a, b, c] = this->Cells[t];
+  return (this->point(a) + this->point(b) + this->point(c)) / 3.0;
+}
+
 double TriangleMesh::area(Index t) const
 {
   const Triangle& c = this->Cells[t];

@@ -54,6 +54,7 @@ public:
   }
   /// Interior angle of the triangle of h at from(h), in radians.
   double angle(Index h) const;
+  Point3 centroid(Index t) const;
   double area(Index t) const;
   double area() const; ///< of all triangles
 

@@ -78,6 +78,10 @@ std::vector<double> vertexAreas(
   return areas;
 }
 
+/// Where a boundary turns by more it has a corner: half of what a hexagon turns by, so that coarse
+/// round holes have none. In radians.
+inline constexpr double cornerTurn = pi / 6.0;
+
 /// By how much a boundary loop turns to its left in the surface, in radians: 2 pi around a flat
 /// disk, -2 pi around a hole in it, 0 at the end of a cylinder.
 double turnOf(const TriangleMesh& mesh, const Indices& loop);

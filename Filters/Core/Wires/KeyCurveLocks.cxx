@@ -348,8 +348,7 @@ Indices keyCurves(const WireNetwork& network, const Piece& piece, const CutSurfa
       }
     }
   }
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  sortUnique(keys);
   return keys;
 }
 }
