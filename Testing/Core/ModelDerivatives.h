@@ -86,13 +86,13 @@ inline void expectKktOfLagrangian(NewtonKktModel& model, const Eigen::VectorXd& 
 /// steps. \param function gives value and gradient
 template <typename Function>
 void minimizeByGradients(
-  const Function& function, Eigen::VectorXd& x, int mostSteps, double smallestGradient)
+  const Function& function, Eigen::VectorXd& x, int maxSteps, double smallestGradient)
 {
   constexpr std::size_t memory = 50;
   std::deque<std::pair<Eigen::VectorXd, Eigen::VectorXd>> pairs; // steps and changes of gradients
   Eigen::VectorXd gradient;
   double value = function(x, gradient);
-  for (int step = 0; step < mostSteps && gradient.norm() > smallestGradient; ++step)
+  for (int step = 0; step < maxSteps && gradient.norm() > smallestGradient; ++step)
   {
     Eigen::VectorXd direction = -gradient;
     std::vector<double> factors;

@@ -405,7 +405,7 @@ TEST(PenaltyDescent, GivesTheMultipliersOfItsLastWeightWhereverItEnds)
           onThePlane(Eigen::VectorXd::Ones(2), 1.0, nearestTo(Eigen::Vector2d(2.0, 2.0)));
         model.whenSettling = [another](const Eigen::VectorXd&) { return another; };
         PenaltyDescentOptions options;
-        options.mostSteps = steps;
+        options.maxSteps = steps;
         const NewtonKktState end =
           descend(model, Eigen::Vector2d(0.3, 0.7 + offset), LinearSolver(), options, {});
         EXPECT_NEAR(end.multipliers[0], 1.5, 1e-3);

@@ -290,7 +290,7 @@ TEST(ScaleFactor, FindsTheBestCutThroughFewClustersAsThroughAllVertices)
   for (Index sites : { 250, 1000, mesh.vertexCount() })
   {
     ScaleFactorOptions options;
-    options.mostSites = sites;
+    options.maxSites = sites;
     const ScaleFactor factor(mesh, options, {});
     gains.emplace_back();
     for (Index i : { 6, 10, 16, 25, 33, 40, 52 })

@@ -12,9 +12,9 @@ namespace flattening
 namespace
 {
 /// The search for a least set ends after so many solutions; those are few where few keys clash.
-constexpr std::size_t mostSolves = 100;
+constexpr std::size_t maxSolves = 100;
 /// Of several least sets so many are compared by their objective.
-constexpr std::size_t mostCompared = 32;
+constexpr std::size_t maxCompared = 32;
 
 Indices without(const Indices& all, const Indices& left)
 {
@@ -50,7 +50,7 @@ void hitConflicts(const std::vector<Indices>& conflicts, std::size_t size, const
     found.insert(chosen);
     return;
   }
-  for (std::size_t k = 0; size > 0 && k < open->size() && found.size() < mostCompared; ++k)
+  for (std::size_t k = 0; size > 0 && k < open->size() && found.size() < maxCompared; ++k)
   {
     hitConflicts(conflicts, size - 1, joined(chosen, { (*open)[k] }), found);
   }
@@ -84,7 +84,7 @@ public:
       return {};
     }
     Indices released;
-    while (released.empty() && this->Tried.size() < mostSolves)
+    while (released.empty() && this->Tried.size() < maxSolves)
     {
       released = this->tryLeastSets();
     }

@@ -13,7 +13,7 @@ namespace flattening
 namespace
 {
 /// Most releases that are tried of either kind: each costs a flattening of the piece.
-constexpr std::size_t mostTried = 3;
+constexpr std::size_t maxTried = 3;
 
 bool isShaped(const std::vector<FeatureCurve>& curves, const Indices& released, Index curve)
 {
@@ -97,7 +97,7 @@ Indices releaseCandidates(const ReleaseAdvice& advice, const WireNetwork& networ
   const AngleSolution& solution)
 {
   Indices candidates;
-  for (std::size_t k = 0; k < advice.ranking.size() && candidates.size() < mostTried; ++k)
+  for (std::size_t k = 0; k < advice.ranking.size() && candidates.size() < maxTried; ++k)
   {
     if (!isShaped(curves, released, advice.ranking[k]))
     {
@@ -108,7 +108,7 @@ Indices releaseCandidates(const ReleaseAdvice& advice, const WireNetwork& networ
                [&](Index key) { return !isShaped(curves, released, key); }),
     keys.end());
   sortByMagnitude(shapeCosts(network, curves, released, solution.theta), keys);
-  keys.resize(std::min(keys.size(), mostTried));
+  keys.resize(std::min(keys.size(), maxTried));
   candidates.insert(candidates.end(), keys.begin(), keys.end());
   return candidates;
 }

@@ -15,7 +15,7 @@ namespace flattening
 namespace
 {
 /// Each step doubles the digits: after these nothing but what contradicts itself is left.
-constexpr int mostLengthSteps = 8;
+constexpr int maxLengthSteps = 8;
 
 /// The host vertices of an edge.
 std::array<Index, 2> ends(const WireNetwork& network, std::size_t e)
@@ -292,7 +292,7 @@ void makeLengthsExact(const WireNetwork& network, const std::vector<double>& len
   LengthCorrection correction(network, length, order);
   double error = largestLengthError(network, positions, length);
   bool linearized = false;
-  for (int step = 0; step < mostLengthSteps && error > 1e-14; ++step)
+  for (int step = 0; step < maxLengthSteps && error > 1e-14; ++step)
   {
     if (!linearized || error > near)
     {

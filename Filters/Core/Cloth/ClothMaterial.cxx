@@ -12,14 +12,14 @@ namespace flattening
 namespace
 {
 /// A softer sheet than this beside its stiffest thread makes the systems singular.
-constexpr double leastRatio = 1e-6;
+constexpr double minRatio = 1e-6;
 /// The same of a thread that is compressed beside the same thread drawn.
-constexpr double leastCompression = 1e-3;
+constexpr double minCompression = 1e-3;
 /// Far beyond any cloth, in the unit of a material: products of what is outside overflow or vanish.
-constexpr double leastModulus = 1e-9;
+constexpr double minModulus = 1e-9;
 constexpr double largestModulus = 1e15;
 /// Strains and shears (in radians) below it cannot be told from rounding.
-constexpr double leastLimit = 1e-6;
+constexpr double minLimit = 1e-6;
 
 Status refusal(const ClothMaterial& material, const std::string& defect, const std::string& give)
 {
@@ -29,8 +29,8 @@ Status refusal(const ClothMaterial& material, const std::string& defect, const s
 
 bool areLimits(const StrainLimits& limits)
 {
-  return !std::isnan(limits.least) && !std::isnan(limits.greatest) && limits.least <= -leastLimit &&
-    limits.greatest >= leastLimit;
+  return !std::isnan(limits.least) && !std::isnan(limits.greatest) && limits.least <= -minLimit &&
+    limits.greatest >= minLimit;
 }
 
 struct Modulus
@@ -49,24 +49,24 @@ Status checkMaterial(const ClothMaterial& material)
   for (const auto& [name, value] : { Modulus{ "warp", material.warp },
          Modulus{ "weft", material.weft }, Modulus{ "shear", material.shear } })
   {
-    if (!std::isfinite(value) || value < leastModulus || value > largestModulus)
+    if (!std::isfinite(value) || value < minModulus || value > largestModulus)
     {
       return refusal(material, std::string("the ") + name + " stiffness " + shortNumber(value),
-        "a number above 0 in N/m, from " + shortNumber(leastModulus) + " to " +
+        "a number above 0 in N/m, from " + shortNumber(minModulus) + " to " +
           shortNumber(largestModulus));
     }
   }
   const double stiffest = std::max({ material.warp, material.weft, material.shear });
-  if (std::min({ material.warp, material.weft, material.shear }) < leastRatio * stiffest)
+  if (std::min({ material.warp, material.weft, material.shear }) < minRatio * stiffest)
   {
     return refusal(material, "a stiffness too small beside the stiffest, " + shortNumber(stiffest),
       "at least a millionth of it");
   }
-  if (!std::isfinite(material.compression) || material.compression < leastCompression ||
+  if (!std::isfinite(material.compression) || material.compression < minCompression ||
     material.compression > 1.0)
   {
     return refusal(material, "the compression ratio " + shortNumber(material.compression),
-      "a ratio from " + shortNumber(leastCompression) + " to 1");
+      "a ratio from " + shortNumber(minCompression) + " to 1");
   }
   if (!std::isfinite(material.cross) ||
     std::abs(material.cross) >= material.compression * std::sqrt(material.warp * material.weft))
@@ -79,7 +79,7 @@ Status checkMaterial(const ClothMaterial& material)
     return refusal(material, "strain limits that leave out 0",
       "a least strain below 0 and a greatest above 0, by at least 0.0001 %");
   }
-  if (std::isnan(material.shearLimit) || material.shearLimit < leastLimit)
+  if (std::isnan(material.shearLimit) || material.shearLimit < minLimit)
   {
     return refusal(material, "a shear limit that is not above 0", "one of at least 0.0001 degrees");
   }

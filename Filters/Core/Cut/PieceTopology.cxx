@@ -6,7 +6,7 @@ namespace flattening
 namespace
 {
 /// In a message all of them are named, up to a number that can still be read.
-constexpr std::size_t mostNamed = 20;
+constexpr std::size_t maxNamed = 20;
 
 std::string counted(Index count, Index all, const char* one, const char* many)
 {
@@ -86,14 +86,14 @@ Status refusalOf(const std::vector<std::optional<PieceDefect>>& defects)
   if (!closed.empty())
   {
     message += counted(static_cast<Index>(closed.size()), count, "has", "have") +
-      " no boundary (triangles " + listIds(closed, mostNamed) + ")";
+      " no boundary (triangles " + listIds(closed, maxNamed) + ")";
     remedies.emplace_back(Remedy::CutOpen);
   }
   if (!handled.empty())
   {
     message += (message.empty() ? "" : ", ") +
       counted(static_cast<Index>(handled.size()), count, "has", "have") + " handles (triangles " +
-      listIds(handled, mostNamed) + ")";
+      listIds(handled, maxNamed) + ")";
     remedies.emplace_back(Remedy::OpenHandles);
   }
   if (all.size() < defects.size())

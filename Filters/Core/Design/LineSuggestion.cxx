@@ -44,12 +44,12 @@ std::vector<SuggestedCurve> designLines(const CutSurface& cut,
 constexpr int levels = 64;
 constexpr int endLevels = 4;
 /// A girth is longer or shorter than those around it by at least this share of the longest.
-constexpr double leastProminence = 0.02;
-constexpr std::size_t mostGirths = 3;
+constexpr double minProminence = 0.02;
+constexpr std::size_t maxGirths = 3;
 /// In sqrt(area / pi) of the piece: shorter lines are none, and a style line lies at least so far
 /// from the centre line.
-constexpr double leastLength = 0.25;
-constexpr double leastAside = 0.15;
+constexpr double minLength = 0.25;
+constexpr double minAside = 0.15;
 /// Cosine of the least angle between a line's plane and the surface; below it the plane grazes, and
 /// the section is no line to draw.
 constexpr double grazing = 0.94;
@@ -58,7 +58,7 @@ constexpr double mirrorTolerance = 1e-2;
 /// Cosine of the angle below which the longest axis is meant to be x, y or z.
 constexpr double upright = 0.94;
 /// |u| below which a piece lies flat as it is, and has no style line.
-constexpr double leastScale = 1e-3;
+constexpr double minScale = 1e-3;
 
 struct Plane
 {
@@ -208,7 +208,7 @@ private:
   void add(const PieceFrame& frame, const PlaneSection& section, const Point3& normal,
     const std::string& name, CurveType type)
   {
-    if (section.length < leastLength * frame.size || grazes(*frame.mesh, section, normal))
+    if (section.length < minLength * frame.size || grazes(*frame.mesh, section, normal))
     {
       return;
     }
@@ -268,7 +268,7 @@ private:
     {
       shorter.push_back(-length);
     }
-    const double least = leastProminence * *std::max_element(lengths.begin(), lengths.end());
+    const double least = minProminence * *std::max_element(lengths.begin(), lengths.end());
     std::vector<std::pair<double, std::size_t>> found;
     for (std::size_t k = endLevels; k < levels - endLevels; ++k)
     {
@@ -281,7 +281,7 @@ private:
     }
     std::stable_sort(
       found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    found.resize(std::min(found.size(), mostGirths));
+    found.resize(std::min(found.size(), maxGirths));
     for (const auto& [stands, k] : found)
     {
       for (const PieceFrame& frame : this->Frames)
@@ -316,7 +316,7 @@ private:
       Index top = none;
       for (Index v = 0; v < mesh.vertexCount(); ++v)
       {
-        if (std::abs(aside(v)) > leastAside * frame.size && std::abs(u[v]) > leastScale &&
+        if (std::abs(aside(v)) > minAside * frame.size && std::abs(u[v]) > minScale &&
           (top == none || std::abs(u[v]) > std::abs(u[top])))
         {
           top = v;

@@ -22,8 +22,8 @@ constexpr double largestWeight = 20.0;
 constexpr double smallestRatio = 1e-3;
 /// Flat triangles smaller than this share of their own area count as so large: positions are known
 /// to fewer digits, and weights stay numbers after all reweightings.
-constexpr double leastShare = 1e-20;
-constexpr int mostReweightings = 8;
+constexpr double minShare = 1e-20;
+constexpr int maxReweightings = 8;
 
 struct WeightedEdge
 {
@@ -93,7 +93,7 @@ bool reweigh(const TriangleMesh& mesh, const std::vector<Indices>& loops, const 
   {
     const Triangle& c = mesh.triangle(t);
     const double there = mesh.area(t);
-    const double here = std::max(leastShare * there,
+    const double here = std::max(minShare * there,
       0.5 * cross(positions[c[1]] - positions[c[0]], positions[c[2]] - positions[c[0]]));
     least = std::min(least, here / there);
     most = std::max(most, here / there);
@@ -205,7 +205,7 @@ Points2 embedConvexly(const TriangleMesh& mesh, const Execution& execution)
       edges.push_back({ mesh.from(h), static_cast<Index>(vertices + k - 1), 1.0 });
     }
   }
-  int left = mostReweightings;
+  int left = maxReweightings;
   do
   {
     if (!placeInside(edges, fixed, positions, execution))

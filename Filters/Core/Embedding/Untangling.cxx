@@ -19,8 +19,8 @@ namespace
 constexpr double areaWeight = 1.0 / 128.0; ///< of the area term beside the shape term
 /// Iterations times triangles, so that time is bounded on every mesh, and between which limits: the
 /// fewest let most patches of any size end without folds.
-constexpr double mostTriangles = 4e6;
-constexpr int mostIterations = 200;
+constexpr double maxTriangles = 4e6;
+constexpr int maxIterations = 200;
 constexpr int fewestIterations = 20;
 /// From so many interior vertices on a factorization by blocks pays.
 constexpr Index manyVertices = 400;
@@ -133,8 +133,8 @@ public:
     int since = 0;
     double epsilon = 1.0;
     const int iterations =
-      static_cast<int>(std::clamp(mostTriangles / static_cast<double>(this->Frames.size()),
-        double{ fewestIterations }, double{ mostIterations }));
+      static_cast<int>(std::clamp(maxTriangles / static_cast<double>(this->Frames.size()),
+        double{ fewestIterations }, double{ maxIterations }));
     for (int iteration = 0; iteration < iterations && since < patience; ++iteration)
     {
       if (execution.cancelled())

@@ -16,7 +16,7 @@ namespace flattening
 namespace
 {
 /// On the way to where the energy asked for starts from: more iterations than this help few.
-constexpr int mostStartIterations = 60;
+constexpr int maxStartIterations = 60;
 /// Mean of |J - R|^2 from which on pieces have minima of their own: those of garments and shoes
 /// that lie well are below, and come to the same from both starts.
 constexpr double farFromIsometric = 0.02;
@@ -43,7 +43,7 @@ IsometricOptions optionsWithBarrier(const IsometricOptions& asked)
   IsometricOptions options = asked;
   if (asked.energy.kind != barrier)
   {
-    options.maximumIterations = std::min(options.maximumIterations, mostStartIterations);
+    options.maximumIterations = std::min(options.maximumIterations, maxStartIterations);
     options.energy.kind = barrier;
   }
   return options;

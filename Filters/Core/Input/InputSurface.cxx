@@ -51,13 +51,13 @@ void keepHealed(LoadedSurface& surface)
 
 Status checkSize(std::int64_t points, std::int64_t corners)
 {
-  constexpr std::int64_t mostTriangles = std::numeric_limits<Index>::max() / 3;
-  if (corners <= mostTriangles && points <= mostTriangles)
+  constexpr std::int64_t maxTriangles = std::numeric_limits<Index>::max() / 3;
+  if (corners <= maxTriangles && points <= maxTriangles)
   {
     return {};
   }
   return { StatusCode::InvalidOption,
-    "the surface has more than " + std::to_string(mostTriangles) + " points or corners", {},
+    "the surface has more than " + std::to_string(maxTriangles) + " points or corners", {},
     { Remedy::DivideInput } };
 }
 

@@ -16,7 +16,7 @@ namespace
 /// Bending stiffness over the area to the power 1.5. The least one spreads the bend that a wire's
 /// end makes in another over about a thirtieth of the piece; the first holds wires nearly in their
 /// shape while forces are found; beyond the largest the wires' own stiffness makes the forces.
-constexpr double leastBending = 7.3e-6;
+constexpr double minBending = 7.3e-6;
 constexpr double firstBending = 2e-5;
 constexpr double largestBending = 8e-5;
 /// Bending stiffness over the cube of the force: seven times what keeps the edge of a sheet from
@@ -56,14 +56,14 @@ double WireStiffness::underForce(const WireHinge& hinge, double force) const
   const double pressing = std::max(0.0, force) / this->Modulus;
   const double needed =
     (hinge.sheetOnBothSides ? shareInside : 1.0) * bendingByForce * std::pow(pressing, 3);
-  return this->ofBending(hinge, std::clamp(needed, leastBending * unit, largestBending * unit));
+  return this->ofBending(hinge, std::clamp(needed, minBending * unit, largestBending * unit));
 }
 
 namespace
 {
 /// Stiffness against turns of a cloth that nothing holds: unstrained it knows of none, and rounding
 /// in the gradient must not turn it.
-constexpr double leastTurning = 1e-7;
+constexpr double minTurning = 1e-7;
 }
 
 IsometricModel::IsometricModel(const Piece& piece, const AngleProblem& problem,
@@ -371,7 +371,7 @@ void IsometricModel::fixMotion(const Eigen::VectorXd& x)
   const Eigen::Vector2d across = Eigen::Vector2d(-d.y(), d.x()).normalized();
   this->Diagonal.add(this->Assembler, 2 * near, 1.0);
   this->Diagonal.add(this->Assembler, 2 * near + 1, 1.0);
-  const double turning = this->Sheet.turnsFreely() ? 1.0 : this->Hold.holds() ? 0.0 : leastTurning;
+  const double turning = this->Sheet.turnsFreely() ? 1.0 : this->Hold.holds() ? 0.0 : minTurning;
   this->FarVertexBlock.add(
     this->Assembler, [&](int a, int b) { return turning * across[a] * across[b]; });
 }

@@ -149,13 +149,13 @@ VertexSide sharperSide(const TriangleMesh& mesh, const SurfacePoint& before,
 namespace
 {
 /// How often a path may be led round one vertex without getting shorter by more than rounding.
-constexpr int mostIdleTurns = 8;
+constexpr int maxIdleTurns = 8;
 /// A path is led round a vertex at most so often in all, and so often a vertex of the mesh. One
 /// that sweeps over the whole surface once is led round each vertex once.
 constexpr std::size_t fewestTurns = 1000;
 constexpr std::size_t turnsPerVertex = 10;
 /// What rounding may make of the length of two segments; who is shorter than that is shorter.
-constexpr double leastGain = 1.0 - 1e-14;
+constexpr double minGain = 1.0 - 1e-14;
 
 /// Straightens in passes. Each leads every run of vertices that are too sharp on one side round
 /// them at once, and draws the whole strip between the vertices before and after tight.
@@ -194,7 +194,7 @@ private:
       return false;
     }
     const auto turns = this->Idle.find(c.vertices[k].id);
-    if (this->Left == 0 || (turns != this->Idle.end() && turns->second > mostIdleTurns))
+    if (this->Left == 0 || (turns != this->Idle.end() && turns->second > maxIdleTurns))
     {
       this->Bent.push_back(c.vertices[k].id);
       return false;
@@ -303,7 +303,7 @@ private:
     }
     for (const GeodesicSegment& segment : tight.segments)
     {
-      length -= segment.length / leastGain;
+      length -= segment.length / minGain;
     }
     for (std::size_t k = first + 1; k < last && !(length > 0.0); ++k)
     {

@@ -15,7 +15,7 @@ namespace
 {
 /// Golden sections of the place that a way starts from; and places that are tried.
 constexpr int narrowings = 40;
-constexpr std::size_t mostFeet = 4;
+constexpr std::size_t maxFeet = 4;
 
 /// Whether a way leaves a segment on its left.
 bool leavesLeft(
@@ -110,7 +110,7 @@ PathDistance distanceFrom(
     }
     std::sort(
       feet.begin(), feet.end(), [](const PathFoot& a, const PathFoot& b) { return a.gap < b.gap; });
-    feet.resize(std::min(feet.size(), mostFeet));
+    feet.resize(std::min(feet.size(), maxFeet));
     for (const PathFoot& foot : feet)
     {
       if (found.distance.way.path.arrived && foot.gap >= found.distance.way.length)

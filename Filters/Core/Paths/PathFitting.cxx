@@ -14,7 +14,7 @@ namespace flattening
 namespace
 {
 /// Each round adds nodes where the spline is off; one that still is after these never comes near.
-constexpr int mostFittingRounds = 40;
+constexpr int maxFittingRounds = 40;
 
 Status checkFit(const TriangleMesh& mesh, const SurfacePath& path, double tolerance)
 {
@@ -147,7 +147,7 @@ FittedPath fitSpline(
       return fit;
     }
     std::vector<std::size_t> places = firstNodes(path);
-    for (int round = 0; round < mostFittingRounds; ++round)
+    for (int round = 0; round < maxFittingRounds; ++round)
     {
       fit = {};
       takeNodes(path, places, fit);

@@ -9,7 +9,7 @@ namespace
 {
 /// A corner of less weight counts for nothing: whether a point lies on an edge is not left to
 /// rounding.
-constexpr double leastWeight = 1e-12;
+constexpr double minWeight = 1e-12;
 }
 
 std::array<double, 3> weightsIn(const TriangleMesh& mesh, Index triangle, const SurfacePoint& point)
@@ -96,7 +96,7 @@ SurfacePoint pointOf(const TriangleMesh& mesh, Index triangle, const std::array<
   for (Index k = 0; k < 3; ++k)
   {
     position += weights[k] * mesh.point(mesh.triangle(triangle)[k]);
-    if (weights[k] > leastWeight)
+    if (weights[k] > minWeight)
     {
       corners.push_back(k);
     }

@@ -16,9 +16,9 @@ namespace
 constexpr double surelyShorter = 1.0 - 1e-10;
 /// The path is relaxed in 2, 4 and 8 parts while each has this many points.
 constexpr std::size_t fewestPoints = 8;
-constexpr int mostRelaxations = 6;
+constexpr int maxRelaxations = 6;
 /// Rounds that gain less are not worth their time.
-constexpr double leastShortening = 1e-6;
+constexpr double minShortening = 1e-6;
 
 /// Both ends in one triangle, where no path is shorter than the segment.
 bool withinTriangle(
@@ -104,7 +104,7 @@ SurfacePath relaxed(const TriangleMesh& mesh, const SnapDistance& snap, SurfaceP
   {
     int idle = 0;
     const double before = length;
-    for (int round = 0; round < mostRelaxations && idle < 2; ++round)
+    for (int round = 0; round < maxRelaxations && idle < 2; ++round)
     {
       if (path.points.size() < parts * fewestPoints)
       {
@@ -113,7 +113,7 @@ SurfacePath relaxed(const TriangleMesh& mesh, const SnapDistance& snap, SurfaceP
       SurfacePath next =
         sectionsThrough(mesh, snap, pointsAtParts(path, length, parts, round % 2 == 1), length);
       const double nextLength = lengthOf(next);
-      const bool gained = next.arrived && nextLength < (1.0 - leastShortening) * length;
+      const bool gained = next.arrived && nextLength < (1.0 - minShortening) * length;
       idle = gained ? 0 : idle + 1;
       if (gained)
       {
@@ -258,7 +258,7 @@ StraightPath pathByEdges(PathSearch& search, const SurfacePoint& to)
 namespace
 {
 /// Each move shortens the band; one that goes on after these is kept from rest by rounding.
-constexpr int mostMovesOfBase = 1000;
+constexpr int maxMovesOfBase = 1000;
 /// Halving ends before, at the rounding of a fraction.
 constexpr int baseHalvings = 100;
 /// A base so near to an end of its edge, as a fraction, is there.
@@ -283,7 +283,7 @@ public:
     do
     {
       this->tighten();
-    } while (!this->vanished() && this->moveBase() && ++rounds < mostMovesOfBase);
+    } while (!this->vanished() && this->moveBase() && ++rounds < maxMovesOfBase);
     result.path = this->Loop;
     result.length = lengthOf(result.path);
     if (this->vanished())
@@ -291,7 +291,7 @@ public:
       result.status = { StatusCode::CurveTooShort,
         "a loop can be drawn together to a point of the surface", {}, { Remedy::RedrawCurve } };
     }
-    else if (rounds == mostMovesOfBase || !this->Bent.empty())
+    else if (rounds == maxMovesOfBase || !this->Bent.empty())
     {
       result.status = { StatusCode::NotConverged,
         "a loop is not straight at points " + listIds(this->Bent),

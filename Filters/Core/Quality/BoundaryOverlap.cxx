@@ -193,11 +193,11 @@ std::vector<Side> contractedSides(
 }
 
 BoundaryOverlaps countBoundaryOverlaps(const TriangleMesh& mesh, const Points2& positions,
-  std::size_t most, double contact, std::size_t mostVisits)
+  std::size_t most, double contact, std::size_t maxVisits)
 {
   const std::vector<Side> sides = contractedSides(mesh, positions, contact);
   constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
-  return sides.size() < 2 ? BoundaryOverlaps() : SideTree(sides, most, all, mostVisits).crossings();
+  return sides.size() < 2 ? BoundaryOverlaps() : SideTree(sides, most, all, maxVisits).crossings();
 }
 
 std::vector<std::array<Index, 2>> findBoundaryOverlaps(

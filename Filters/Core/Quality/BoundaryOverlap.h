@@ -10,7 +10,7 @@ constexpr std::size_t mostListedOverlaps = 1000;
 /// Pairs of runs of boundary edges that are looked at before counting ends: some seconds. The edges
 /// of a piece are short beside it, so that far fewer are near each other; in a scribble of n long
 /// edges all n^2 / 2 may be.
-constexpr std::size_t mostOverlapVisits = 200000000;
+constexpr std::size_t maxOverlapVisits = 200000000;
 
 struct BoundaryOverlaps
 {
@@ -31,7 +31,7 @@ struct BoundaryOverlaps
 /// that. From there on the test is exact: signs of orientation are those of exact arithmetic, and
 /// edges that touch, cross or lie on each other all count unless they share a vertex.
 BoundaryOverlaps countBoundaryOverlaps(const TriangleMesh& mesh, const Points2& positions,
-  std::size_t most, double contact = 1e-9, std::size_t mostVisits = mostOverlapVisits);
+  std::size_t most, double contact = 1e-9, std::size_t maxVisits = maxOverlapVisits);
 
 /// The same without a count: ends as soon as `most` are found.
 std::vector<std::array<Index, 2>> findBoundaryOverlaps(

@@ -14,7 +14,7 @@ constexpr double largestCotangent = 1e6;
 /// Cotangents of an edge may add up to this much less than zero, by rounding.
 constexpr double roundingCotangent = 1e-9;
 /// Flips per half-edge until slivers that rounding keeps from ending are left as they are.
-constexpr std::size_t mostFlips = 50;
+constexpr std::size_t maxFlips = 50;
 
 class Flipping
 {
@@ -39,7 +39,7 @@ public:
     {
       waiting.push_back(h);
     }
-    std::size_t left = mostFlips * this->Twin.size();
+    std::size_t left = maxFlips * this->Twin.size();
     while (!waiting.empty() && left > 0)
     {
       const Index h = waiting.back();

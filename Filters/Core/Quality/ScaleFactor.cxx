@@ -187,7 +187,7 @@ bool ScaleFactor::solve(const TriangleMesh& mesh, const std::vector<double>& are
 {
   const Indices members = freeVertices(mesh, options.fixed);
   const Index count = static_cast<Index>(members.size());
-  this->SiteOfVertex = clusterVertices(mesh, members, std::max<Index>(options.mostSites, 1));
+  this->SiteOfVertex = clusterVertices(mesh, members, std::max<Index>(options.maxSites, 1));
   if (count == 0)
   {
     return mesh.triangleCount() > 0;

@@ -35,7 +35,7 @@ struct ScaleFactorOptions
   Indices fixed;
   /// Up to so many free vertices each counts by itself; of more only means over as many clusters
   /// are known.
-  Index mostSites = 600;
+  Index maxSites = 600;
 };
 
 /// How much larger than flat cloth a surface is, by Yamabe's equation: the surface is scaled by
@@ -58,7 +58,7 @@ struct ScaleFactorOptions
 /// open. Gain and opening follow by sums. G is computed once, so a path of p points costs p^3 / 3
 /// for q and p multiplications a vertex.
 ///
-/// Surfaces with more vertices than `mostSites` are looked at through clusters: columns of E are
+/// Surfaces with more vertices than `maxSites` are looked at through clusters: columns of E are
 /// then means over clusters instead of single vertices, G is E^T L^-1 E with the L of all vertices,
 /// and a path makes the means over the clusters that it runs through zero.
 class ScaleFactor

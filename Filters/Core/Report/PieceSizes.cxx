@@ -17,7 +17,7 @@ namespace
 {
 /// In mm, of the largest piece: what is smaller, or larger than any garment's panel, is most likely
 /// stated in a wrong unit.
-constexpr double leastSize = 20.0;
+constexpr double minSize = 20.0;
 constexpr double largestSize = 3000.0;
 constexpr double largestStatedSize = 15000.0; // of sails, tents and hulls
 /// Less is not worth a word.
@@ -215,7 +215,7 @@ std::string sizeWarning(const std::vector<PieceSize>& sizes, const std::string& 
   }
   // A wrong unit makes all pieces too small; a small one beside others is a small one.
   const std::string text = sizes.empty() ? ""
-    : largest < leastSize                ? format("the largest piece is %.2g mm long", largest)
+    : largest < minSize                  ? format("the largest piece is %.2g mm long", largest)
     : largest > (unit.empty() ? largestSize : largestStatedSize)
     ? format("the largest piece is %.3g m long", largest / 1000.0)
     : "";

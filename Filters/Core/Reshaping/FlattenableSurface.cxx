@@ -178,7 +178,7 @@ constexpr int wayHalvings = 6;
 /// Under the weakest springs rounds go on for as long as this many of them lower the strain by that
 /// fraction: each takes out a part of what is left, as of a diffusion.
 constexpr std::size_t roundsToGain = 4;
-constexpr double leastGain = 0.03;
+constexpr double minGain = 0.03;
 /// Where they do not, the surface lies in wrinkles a few triangles wide. As a plate thicker by
 /// these factors, then thinner by halves, it lies smoothly, and rounds go on from there.
 constexpr std::array<double, 5> thickenings{ 1.0, 8.0, 32.0, 64.0, 16.0 };
@@ -479,7 +479,7 @@ private:
       std::vector<double> strains{ this->BestStrain };
       const auto gains = [&strains] {
         return strains.size() <= roundsToGain ||
-          strains.back() < (1.0 - leastGain) * *(strains.end() - 1 - roundsToGain);
+          strains.back() < (1.0 - minGain) * *(strains.end() - 1 - roundsToGain);
       };
       while (!this->met() && this->goesOn() && gains())
       {

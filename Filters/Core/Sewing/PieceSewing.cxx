@@ -18,7 +18,7 @@ namespace flattening
 namespace
 {
 /// Pressure and weight as large as the stiffness would stretch any cloth to twice its size.
-constexpr double mostLoad = 1.0;
+constexpr double maxLoad = 1.0;
 /// The second start, over the size, and how much of the distance may be chance.
 constexpr double shaking = 1e-3;
 constexpr double severalBeyond = 0.1;
@@ -38,13 +38,13 @@ Status checked(const CutSurface& cut, const Points2& positions, const SewingOpti
   {
     return invalid("the area bias is outside (-1, 1)", "0 for a plain sheet");
   }
-  if (!std::isfinite(options.pressure) || std::abs(options.pressure) > mostLoad)
+  if (!std::isfinite(options.pressure) || std::abs(options.pressure) > maxLoad)
   {
     return invalid("the pressure is outside -1..1", "a share of stiffness over size, such as 0.01");
   }
   const bool finite = std::all_of(options.gravity.begin(), options.gravity.end(),
     [](double component) { return std::isfinite(component); });
-  if (!finite || options.gravity.norm() > mostLoad)
+  if (!finite || options.gravity.norm() > maxLoad)
   {
     return invalid("the gravity is longer than 1", "a share of stiffness over size, such as 0.001");
   }

@@ -77,7 +77,7 @@ void DesignAnchor::add(
 namespace
 {
 /// Cloth that is stretched to less than this many times its volume has an energy above zero.
-constexpr double mostInflated = 4.0;
+constexpr double maxInflated = 4.0;
 
 Eigen::Matrix3d crossMatrix(const Point3& v)
 {
@@ -98,7 +98,7 @@ InnerPressure::InnerPressure(
   {
     designed += unknowns.points[c[0]].dot(unknowns.points[c[1]].cross(unknowns.points[c[2]])) / 6.0;
   }
-  this->Offset = mostInflated * std::abs(pressure * designed);
+  this->Offset = maxInflated * std::abs(pressure * designed);
 }
 
 double InnerPressure::volume(const Eigen::VectorXd& x) const

@@ -263,7 +263,7 @@ constexpr double stepTolerance = 1e-11;
 /// area: first soft, then, while a vertex is inside, ten times as hard.
 constexpr double firstPush = 1.0;
 constexpr double hardening = 10.0;
-constexpr int mostHardenings = 4;
+constexpr int maxHardenings = 4;
 /// No force on a vertex, over modulus times the root of the mean triangle area, is larger at rest.
 constexpr double forceRounding = 1e-12;
 }
@@ -289,7 +289,7 @@ NewtonKktState bringToRest(
   }
   NewtonKktState state{ model.unknownsAt(from), {} };
   double stiffness = firstPush;
-  for (int k = 0; k <= mostHardenings; ++k)
+  for (int k = 0; k <= maxHardenings; ++k)
   {
     model.push(ContactForce::Penalty, stiffness);
     state = minimumFrom(state.x);

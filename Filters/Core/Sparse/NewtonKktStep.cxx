@@ -27,11 +27,11 @@ constexpr double singleIsEnoughForChords = 2e-3;
 constexpr double smallestShift = 1e-4;
 constexpr double shiftGrowth = 4.0;
 constexpr double largestShift = 1e12;
-constexpr int mostShifts = 30;
+constexpr int maxShifts = 30;
 /// The exact Hessian with more of a shift, or with a larger one, is no better than its convex part:
 /// a wire that is pressed far beyond what makes it give way asks for a shift that holds the whole
 /// sheet, and every step stays short.
-constexpr int mostExactShifts = 4;
+constexpr int maxExactShifts = 4;
 constexpr double largestExactShift = 1.0;
 /// Beside which the Hessian, with entries about 1, does not count.
 constexpr double shorteningShift = 100.0;
@@ -175,10 +175,10 @@ bool NewtonKktStep::tryFactorize()
 }
 
 /// Adds a growing multiple of the identity to the Hessian, so many times and so much at most.
-bool NewtonKktStep::shiftUntilConvex(double tau, int mostShifts, double largest)
+bool NewtonKktStep::shiftUntilConvex(double tau, int maxShifts, double largest)
 {
   bool done = false;
-  for (int k = 0; !done && k < mostShifts && tau <= largest && !this->cancelled();
+  for (int k = 0; !done && k < maxShifts && tau <= largest && !this->cancelled();
        ++k, tau *= shiftGrowth)
   {
     this->Model.shift(tau - this->Shift);
@@ -210,7 +210,7 @@ bool NewtonKktStep::factorize()
     this->Indefinite = !done;
     done = done ||
       (this->HandlesSaddles &&
-        this->shiftUntilConvex(from(this->ExactShift), mostExactShifts, largestExactShift));
+        this->shiftUntilConvex(from(this->ExactShift), maxExactShifts, largestExactShift));
     this->ExactShift = done ? this->Shift : shiftGrowth * largestExactShift; // then try once
     if (!done)
     {
@@ -218,7 +218,7 @@ bool NewtonKktStep::factorize()
       done = damped();
     }
   }
-  done = done || this->shiftUntilConvex(from(this->LastShift), mostShifts, largestShift);
+  done = done || this->shiftUntilConvex(from(this->LastShift), maxShifts, largestShift);
   this->LastShift = this->Shift;
   return done;
 }
@@ -226,7 +226,7 @@ bool NewtonKktStep::factorize()
 Eigen::VectorXd NewtonKktStep::negativeCurvatureDirection()
 {
   this->linearize(this->X, this->OldMultipliers, Curvature::Exact);
-  if (this->tryFactorize() || !this->shiftUntilConvex(smallestShift, mostShifts, largestShift))
+  if (this->tryFactorize() || !this->shiftUntilConvex(smallestShift, maxShifts, largestShift))
   {
     return {};
   }

@@ -40,7 +40,7 @@ public:
     , Newton(model, std::move(solver), execution)
     , X(start)
     , Constraints(model.constraints(start))
-    , StepsLeft(options.mostSteps)
+    , StepsLeft(options.maxSteps)
   {
     this->Newton.enableSaddleHandling();
   }

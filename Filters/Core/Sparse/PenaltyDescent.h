@@ -11,7 +11,7 @@ struct PenaltyDescentOptions
   double constraintTolerance = 1e-3;
   /// The largest |c_i| with which the model is told to settle.
   double finalObjectiveConstraint = 0.05;
-  int mostSteps = 400;
+  int maxSteps = 400;
   /// No other step is begun after so many factorizations.
   int maximumFactorizations = std::numeric_limits<int>::max();
 };

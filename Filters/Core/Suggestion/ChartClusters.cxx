@@ -23,7 +23,7 @@ namespace
 {
 /// Cotangents are held above this, so that the system of a surface with obtuse triangles stays
 /// definite.
-constexpr double leastCotangent = 1e-3;
+constexpr double minCotangent = 1e-3;
 /// What the outline weighs where normals fit alike, as a share of the bound.
 constexpr double outlineShare = 0.1;
 
@@ -313,7 +313,7 @@ double forecastStrain(const TriangleMesh& piece)
     for (Index h : VertexFan(piece, inner[k]))
     {
       const Index twin = piece.twin(h);
-      const double weight = std::max(leastCotangent,
+      const double weight = std::max(minCotangent,
         0.5 / std::tan(piece.angle(TriangleMesh::previous(h))) +
           0.5 / std::tan(piece.angle(TriangleMesh::previous(twin))));
       sum += weight;

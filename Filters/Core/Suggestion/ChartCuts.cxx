@@ -49,9 +49,9 @@ constexpr Index settledTriangles = 15000;
 constexpr double partedShare = 1.5;
 /// The flattening of a chart is given up after these steps; those of charts that keep the bound
 /// take 55 at most.
-constexpr double mostChartSteps = 50.0;
+constexpr double maxChartSteps = 50.0;
 /// Charts are parted again this often at most.
-constexpr int mostPartings = 3;
+constexpr int maxPartings = 3;
 /// Where the mirror is worse than this, in sqrt(area / pi), cuts are tried from either side.
 constexpr double unlikeSides = 0.01;
 /// Of the price of pairs, below which other cuts are taken there.
@@ -277,7 +277,7 @@ public:
     , Budget(budget)
     , Run(execution)
     , Size(std::sqrt(mesh.area() / pi))
-    , Trials(roughly(options.flattening), mostChartSteps)
+    , Trials(roughly(options.flattening), maxChartSteps)
   {
     if (plane)
     {
@@ -594,7 +594,7 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
   for (std::size_t p = 0; p < pieces.size() && !budget.spent(); ++p)
   {
     if (done[p] || drawn.results[p].keeps(bound) ||
-      static_cast<double>(cuts.size()) > options.mostCuts)
+      static_cast<double>(cuts.size()) > options.maxCuts)
     {
       continue;
     }
@@ -693,8 +693,8 @@ std::vector<SuggestedCurve> partedCharts(const TriangleMesh& mesh,
   const std::optional<SurfaceMirror>& mirror, const ChartOptions& options, double bound,
   std::vector<SuggestedCurve> cuts, TrialBudget& budget, const Execution& execution)
 {
-  ChartTrials trials(options.flattening, mostDrawnSteps);
-  const int partings = options.pieces > 0 ? 0 : mostPartings;
+  ChartTrials trials(options.flattening, maxDrawnSteps);
+  const int partings = options.pieces > 0 ? 0 : maxPartings;
   for (int k = 0; k < partings && !cuts.empty() && !budget.spent(); ++k)
   {
     if (!addCuts(mesh, mirror, k == 0, options, bound, cuts, trials, budget, execution) && k > 0)

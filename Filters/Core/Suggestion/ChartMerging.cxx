@@ -25,7 +25,7 @@ namespace
 /// is multiplied each time; the last parts are triangles.
 constexpr double dividedBound = 0.5;
 constexpr double dividedShare = 0.3;
-constexpr int mostDivisions = 4;
+constexpr int maxDivisions = 4;
 /// A chart whose forecast is more than this many times the bound is not flattened: of 8,000 merged
 /// charts of animals and parts of machines 0.3 % kept the bound from there on.
 constexpr double hopelessShare = 1.5;
@@ -88,14 +88,14 @@ void Charts::divide(TrialBudget& budget, const Execution& execution)
 {
   double bound = dividedBound * this->Bound;
   this->number(budget, execution);
-  for (int round = 1; round <= mostDivisions && !execution.cancelled() && !budget.spent(); ++round)
+  for (int round = 1; round <= maxDivisions && !execution.cancelled() && !budget.spent(); ++round)
   {
     if (std::all_of(this->All.begin(), this->All.end(),
           [](const Chart& chart) { return chart.keeps || chart.triangles.size() < 2; }))
     {
       return;
     }
-    this->divideOnce(round < mostDivisions ? bound : -1.0);
+    this->divideOnce(round < maxDivisions ? bound : -1.0);
     bound *= dividedShare;
     this->number(budget, execution);
   }
@@ -789,6 +789,6 @@ Indices Charts::partOf(const Arc& arc, bool front, double share) const
     sum += step;
     part.push_back(h);
   }
-  return whole - sum < leastCutLength * this->Size ? Indices{} : part;
+  return whole - sum < minCutLength * this->Size ? Indices{} : part;
 }
 }

@@ -17,7 +17,7 @@ struct ChartOptions
   bool holes = true; ///< whether charts may surround holes of the surface
   Index pieces = 0;  ///< no fewer charts; 0: as few as the bound takes
   /// With more cuts charts are not parted again.
-  double mostCuts = std::numeric_limits<double>::infinity();
+  double maxCuts = std::numeric_limits<double>::infinity();
   /// Whether a mirror plane is kept to where its two sides differ too much to be cut alike.
   bool mirrorKept = false;
   FlatteningOptions flattening;

@@ -25,10 +25,10 @@ public:
     bool keeps(double bound) const { return this->sound && this->strain <= bound; }
   };
 
-  /// \param mostSteps after which a flattening is given up
-  ChartTrials(const FlatteningOptions& flattening, double mostSteps)
+  /// \param maxSteps after which a flattening is given up
+  ChartTrials(const FlatteningOptions& flattening, double maxSteps)
     : Flattening(flattening)
-    , MostSteps(mostSteps)
+    , MostSteps(maxSteps)
   {
   }
 

@@ -42,7 +42,7 @@ constexpr double shareOfMeasuring = 0.3;
 constexpr double stepsOfMeasuring = 40.0;
 /// Of cuts that are added one after the other where the number is not limited. Where charts take no
 /// more, darts may cost less.
-constexpr Index mostAdded = 8;
+constexpr Index maxAdded = 8;
 /// A surface with more strain than this many times the bound takes charts rather than single cuts.
 constexpr double chartStrain = 4.0;
 /// Charts that leave more of the strain than this, and more than the above times the bound, are
@@ -50,13 +50,13 @@ constexpr double chartStrain = 4.0;
 constexpr double noiseShare = 0.5;
 /// Charts are given up that take as many cuts in each part of the surface where the number is not
 /// limited.
-constexpr double mostChartCuts = 500.0;
+constexpr double maxChartCuts = 500.0;
 /// Where charts would take more cuts than may be, they are tried again with the bound times this,
 /// so often.
 constexpr double looserBound = 1.5;
-constexpr int mostLooser = 6;
+constexpr int maxLooser = 6;
 /// Pieces are parted into strips this often at most.
-constexpr int mostStrippings = 3;
+constexpr int maxStrippings = 3;
 /// Of the width allowed, that of strips: they are flattened anew and may come out a little wider.
 constexpr std::array<double, 3> stripShares{ 1.0, 0.97, 0.9 };
 
@@ -113,7 +113,7 @@ public:
       return refusal({ StatusCode::Cancelled, "cancelled before any cut was chosen" });
     }
     this->MostMeasuring = std::min(shareOfMeasuring * this->Budget.left(),
-      stepsOfMeasuring * this->Mesh.triangleCount() * mostMeasuredCuts);
+      stepsOfMeasuring * this->Mesh.triangleCount() * maxMeasuredCuts);
     const CutSet best = this->narrowSet(surface, uncut);
     const Index most = this->Options.search.maximumCuts;
     if (!best.outcome.valid && most > 0 && !this->Run.cancelled())
@@ -233,7 +233,7 @@ private:
     const double most = this->Options.search.maximumWidth;
     CutTrials::Trial flat = this->Whole.trial(linesOf(set.cuts), this->Budget, this->Run);
     this->Result.width = flat.outcome.valid ? greatestWidth(flat, most) : 0.0;
-    for (int k = 0; k < mostStrippings && this->tooWide(); ++k)
+    for (int k = 0; k < maxStrippings && this->tooWide(); ++k)
     {
       const CutTrials::Trial before = flat;
       const CutSet wide = set;
@@ -243,7 +243,7 @@ private:
         addStripSeams(before, stripShares[s] * most, this->Result.mirror,
           std::sqrt(this->Area / pi), next.cuts);
         openDividingDarts(this->Mesh, this->Curves, this->Options.imprint, next.cuts);
-        if (static_cast<double>(next.cuts.size()) > mostChartCuts || !this->allowed(next))
+        if (static_cast<double>(next.cuts.size()) > maxChartCuts || !this->allowed(next))
         {
           return set;
         }
@@ -347,7 +347,7 @@ private:
       found.push_back(this->chartSet(surface, uncut));
     }
     const bool few = uncut.outcome.valid && !parting && !found.empty() &&
-      static_cast<Index>(found.front().cuts.size()) <= mostAdded;
+      static_cast<Index>(found.front().cuts.size()) <= maxAdded;
     if (found.empty() || (pieces == 0 && (few || !this->isFlat(found.front()))))
     {
       this->addSets(found, this->neededCuts(surface));
@@ -440,10 +440,10 @@ private:
     double bound = wanted.bound > 0.0 ? wanted.bound : SearchOptions().bound;
     const double most = wanted.maximumCuts > 0
       ? farTooManyCuts * static_cast<double>(wanted.maximumCuts)
-      : mostChartCuts * cutSurface(surface.mesh, surface.curves).pieceCount;
+      : maxChartCuts * cutSurface(surface.mesh, surface.curves).pieceCount;
     const double noise = uncut.outcome.valid ? noiseShare * uncut.outcome.strainP95 : 1.0;
     bool tooMany = false;
-    for (int k = 0; k < mostLooser; ++k)
+    for (int k = 0; k < maxLooser; ++k)
     {
       TrialBudget budget(shareOfCharts * this->Budget.left(), this->Budget);
       set = {};
@@ -454,7 +454,7 @@ private:
       // The number of cuts falls with the root of the bound, as the width of strips grows.
       const double excess = set.cutsNeeded / most;
       const double looser = bound * std::max(looserBound, excess * excess);
-      if (excess > 1.0 && (looser > noise || k + 1 == mostLooser))
+      if (excess > 1.0 && (looser > noise || k + 1 == maxLooser))
       {
         return rejected(SearchEnd::GivenUp, needed); // it is no nearer to flat with as many cuts
       }
@@ -529,7 +529,7 @@ private:
     SearchOptions options = this->Options.search;
     const auto count = static_cast<Index>(set.cuts.size());
     options.maximumCuts =
-      options.maximumCuts > 0 ? options.maximumCuts : count + std::max(mostAdded, count / 2);
+      options.maximumCuts > 0 ? options.maximumCuts : count + std::max(maxAdded, count / 2);
     if (goal != SearchGoal::Energy) // which is that of the set's outcome
     {
       set.outcome = this->flattened(set.cuts, goal, budget);
@@ -572,7 +572,7 @@ private:
     double bound, double most, TrialBudget& budget) const
   {
     ChartOptions options = this->chartOptions(bound);
-    options.mostCuts = most;
+    options.maxCuts = most;
     const CutSurface cut = cutSurface(surface.mesh, surface.curves);
     const std::vector<Piece> pieces = extractPieces(cut);
     const bool known = uncut.outcome.pieceStrains.size() == pieces.size();
@@ -684,7 +684,7 @@ private:
     {
       SearchOptions options = wanted;
       options.cuts = ways[k].cuts;
-      options.maximumCuts = wanted.maximumCuts > 0 ? wanted.maximumCuts : needed + mostAdded;
+      options.maximumCuts = wanted.maximumCuts > 0 ? wanted.maximumCuts : needed + maxAdded;
       TrialBudget budget(
         (first.empty() ? shareOfSearch : shareOpened) * (this->Budget.left() - this->MostMeasuring),
         this->Budget);

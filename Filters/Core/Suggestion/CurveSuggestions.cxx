@@ -16,7 +16,7 @@ constexpr double forcedError = 0.25;
 constexpr double nearlyExact = 3e-3;
 
 /// More in a message are not read.
-constexpr std::size_t mostNames = 8;
+constexpr std::size_t maxNames = 8;
 
 Status checkGrain(const FlatteningOptions& flattening, const std::vector<Polyline>& curves)
 {
@@ -38,7 +38,7 @@ Status checkGrain(const FlatteningOptions& flattening, const std::vector<Polylin
   }
   const auto listed = [](const auto& names) {
     std::string list;
-    std::size_t left = mostNames;
+    std::size_t left = maxNames;
     for (const std::string& name : names)
     {
       if (left-- == 0)

@@ -27,7 +27,7 @@ enum class SuggestedCuts
 /// In R = sqrt(area / pi) of the piece: what a cut costs beside its length, and how long it is at
 /// least.
 inline constexpr double cutPrice = 0.2;
-inline constexpr double leastCutLength = 0.12;
+inline constexpr double minCutLength = 0.12;
 
 /// All lengths are in units of R, except where said.
 struct SearchOptions

@@ -18,29 +18,29 @@ namespace
 /// Bases stay this far from corners, where a dart would cut off a sliver.
 constexpr double clearOfCorner = 0.05;
 /// Banks may overlap this much by the forecast, which is linear.
-constexpr double mostOverlap = 4e-3;
+constexpr double maxOverlap = 4e-3;
 /// Longer darts cut a piece through: this is the diameter of a disk.
 constexpr double longestDart = 2.0;
 /// Ends of a seam nearer to each other along the boundary cut off a corner alone.
-constexpr double leastSeamArc = 0.35;
+constexpr double minSeamArc = 0.35;
 /// With the tips below some thousand plans, ranked within hundredths of a second.
-constexpr Index mostBases = 80;
-constexpr Index mostTips = 140;
+constexpr Index maxBases = 80;
+constexpr Index maxTips = 140;
 /// Where fewer stay clear of corners these are bases as well.
-constexpr std::size_t leastBases = 8;
+constexpr std::size_t minBases = 8;
 /// Seams run over this many of the places that are farthest from flat, this far apart.
-constexpr std::size_t mostPeaks = 6;
+constexpr std::size_t maxPeaks = 6;
 constexpr double peaksApart = 0.3;
 /// They turn there by less than the angle whose cosine this is, 37 degrees, as seen from this far:
 /// nearly straight, though edges zigzag.
-constexpr double leastTurn = 0.8;
+constexpr double minTurn = 0.8;
 constexpr double seenFrom = 0.25;
 /// Of more bases every other is the end of such a seam, since their pairs are many.
 constexpr std::size_t fewBases = 40;
 /// Darts inside join two of the places with most curvature: some hundred pairs.
-constexpr std::size_t mostSites = 24;
+constexpr std::size_t maxSites = 24;
 /// Tips are also the vertices with most curvature, where a dart has to end exactly.
-constexpr std::size_t mostApexes = 16;
+constexpr std::size_t maxApexes = 16;
 /// Of these none where less than this angle is missing, in radians: it is spread, not an apex.
 constexpr double apexDefect = 0.3;
 
@@ -62,8 +62,8 @@ CutPlaces cutPlaces(const TriangleMesh& mesh, const std::vector<char>& barred)
       inside.push_back(v);
     }
   }
-  const Indices cluster = clusterVertices(mesh, inside, mostTips);
-  const Index count = std::min<Index>(mostTips, static_cast<Index>(inside.size()));
+  const Indices cluster = clusterVertices(mesh, inside, maxTips);
+  const Index count = std::min<Index>(maxTips, static_cast<Index>(inside.size()));
   std::vector<Point3> center(count, Point3::Zero());
   std::vector<double> members(count, 0.0);
   for (Index v : inside)
@@ -96,7 +96,7 @@ CutPlaces cutPlaces(const TriangleMesh& mesh, const std::vector<char>& barred)
   const auto sharper = [&](
                          Index a, Index b) { return std::abs(defects[a]) > std::abs(defects[b]); };
   std::stable_sort(apexes.begin(), apexes.end(), sharper);
-  apexes.resize(std::min(apexes.size(), mostApexes));
+  apexes.resize(std::min(apexes.size(), maxApexes));
   for (Index v : apexes)
   {
     if (std::abs(defects[v]) > apexDefect && std::find(tips.begin(), tips.end(), v) == tips.end())
@@ -107,7 +107,7 @@ CutPlaces cutPlaces(const TriangleMesh& mesh, const std::vector<char>& barred)
   CutPlaces places;
   for (const auto& [defect, tip] : curved)
   {
-    if (defect < 0.0 && places.sites.size() < mostSites)
+    if (defect < 0.0 && places.sites.size() < maxSites)
     {
       places.sites.push_back(tip);
     }
@@ -257,9 +257,9 @@ public:
     {
       around += piece.ruler().length(l);
     }
-    const double spacing = std::max(baseSpacing * piece.size(), around / mostBases);
+    const double spacing = std::max(baseSpacing * piece.size(), around / maxBases);
     Indices bases = piece.ruler().spread(spacing, clearOfCorner * piece.size());
-    if (bases.size() < leastBases) // all may be corners
+    if (bases.size() < minBases) // all may be corners
     {
       bases = piece.ruler().spread(spacing, 0.0);
     }
@@ -384,7 +384,7 @@ private:
         return (this->Mesh.point(peak) - this->Mesh.point(tip)).norm() <
           peaksApart * this->Piece.size();
       });
-      if (!near && this->Peaks.size() < mostPeaks)
+      if (!near && this->Peaks.size() < maxPeaks)
       {
         this->Peaks.push_back(tip);
       }
@@ -416,7 +416,7 @@ private:
     {
       for (std::size_t b = 0; b < e; ++b)
       {
-        if (ends[b].second.dot(ends[e].second) < -leastTurn)
+        if (ends[b].second.dot(ends[e].second) < -minTurn)
         {
           this->addSeamOver(paths, ends[b].first, peak, ends[e].first, plans);
         }
@@ -485,7 +485,7 @@ private:
     plan.base = ruler.placeOf(base);
     plan.end = ruler.placeOf(end);
     if (base == end || !paths.reaches(end) ||
-      ruler.distance(plan.base, plan.end) < leastSeamArc * this->Piece.size() ||
+      ruler.distance(plan.base, plan.end) < minSeamArc * this->Piece.size() ||
       !(this->Piece.worth(plan.end) > 0.0))
     {
       return;
@@ -513,14 +513,14 @@ private:
     }
     const double one = plan.length;
     plan.length *= plan.role == MirrorRole::Pair ? 2.0 : 1.0;
-    if (one < leastCutLength * this->Piece.size() || plan.length > this->Longest)
+    if (one < minCutLength * this->Piece.size() || plan.length > this->Longest)
     {
       return;
     }
     CutForecast forecast =
       plan.start ? this->Factor.forecastInside(path) : this->Factor.forecast(path);
     plan.opening = forecast.leastOpening();
-    if (plan.type == CurveType::Dart && plan.opening < -mostOverlap * this->Piece.size())
+    if (plan.type == CurveType::Dart && plan.opening < -maxOverlap * this->Piece.size())
     {
       return;
     }

@@ -14,12 +14,12 @@ namespace
 {
 /// A cut whose price is sqrt(area / pi) has to lower the goal by this share to be worth it, and one
 /// that is looked for anew by as much to be moved.
-constexpr double leastShare = 0.01;
+constexpr double minShare = 0.01;
 /// Where a surface had to be cut open, a piece with more strain than this is divided by seams
 /// before it is shaped by darts.
 constexpr double dividedStrain = 0.1;
 /// All cuts are looked for anew this often at most: more gave nothing on a hemisphere.
-constexpr int mostRefits = 3;
+constexpr int maxRefits = 3;
 /// A price, in sqrt(area / pi), besides which the length matters little.
 constexpr double gainAlone = 5.0;
 /// A search is given up from this many cuts on, where the bound would take four times the most
@@ -27,9 +27,9 @@ constexpr double gainAlone = 5.0;
 constexpr Index cutsToTellBy = 3;
 /// What a flattening in which legs of darts fold on each other may take, by one in which they do
 /// not: mostly it is twice as much.
-constexpr double mostFolding = 4.0;
+constexpr double maxFolding = 4.0;
 /// As many of the cuts found are tried on the surface itself, where the coarse version misled.
-constexpr std::size_t mostAttempts = 4;
+constexpr std::size_t maxAttempts = 4;
 /// Up to this many cuts are searched for once.
 constexpr Index singleSearch = 2;
 
@@ -162,7 +162,7 @@ private:
   {
     if (this->FirstCount == 0)
     {
-      thinCuts(this->Whole, this->Search.bound, leastCutLength * this->Size, this->Result.cuts,
+      thinCuts(this->Whole, this->Search.bound, minCutLength * this->Size, this->Result.cuts,
         this->now(), this->Budget, this->Run);
     }
   }
@@ -170,7 +170,7 @@ private:
   /// Looks for each cut anew, given all others, where it may now lie better or be shorter.
   void refit()
   {
-    for (int pass = 0; this->groups() > 1 && pass < mostRefits; ++pass)
+    for (int pass = 0; this->groups() > 1 && pass < maxRefits; ++pass)
     {
       bool better = false;
       for (std::size_t k = this->FirstCount; k < this->Result.cuts.size(); ++k)
@@ -204,7 +204,7 @@ private:
     this->now() = this->Whole.run(this->chosen(), this->Budget, this->Run);
     this->Refitting = true;
     const bool found = this->now().valid && this->addCut() && this->now().soundAfter(now) &&
-      this->now().goal < (1.0 - leastShare) * now.goal &&
+      this->now().goal < (1.0 - minShare) * now.goal &&
       static_cast<Index>(this->Result.cuts.size()) <= this->Search.maximumCuts;
     this->Refitting = false;
     if (!found)
@@ -299,7 +299,7 @@ private:
     }
     const std::vector<TriedCut> best =
       found.run(this->lengthLeft() / copies, this->Budget, this->Run);
-    for (std::size_t k = 0; k < std::min(best.size(), mostAttempts) && this->worthIt(best[k]); ++k)
+    for (std::size_t k = 0; k < std::min(best.size(), maxAttempts) && this->worthIt(best[k]); ++k)
     {
       if (this->accept(best[k], found, twice))
       {
@@ -312,7 +312,7 @@ private:
   bool worthIt(const TriedCut& cut) const
   {
     const double share = this->now().valid ? cut.score / this->now().goal : 1.0;
-    return share * this->Size >= leastShare;
+    return share * this->Size >= minShare;
   }
 
   bool accept(const TriedCut& best, PieceSearch& piece, bool twice)
@@ -424,7 +424,7 @@ CutSet withFolds(CutSet set, const CutTrials& trials, std::size_t curves, double
   }
   CutTrials::Trial flat = trials.trial(linesOf(open.cuts), budget, execution);
   open.outcome = std::move(flat.outcome);
-  const double most = mostFolding * flat.work;
+  const double most = maxFolding * flat.work;
   while (open.outcome.valid && std::any_of(set.cuts.begin(), set.cuts.end(), isDart))
   {
     TrialBudget folding(std::min(most, budget.left()), budget);
@@ -460,7 +460,7 @@ void measureCuts(const CutTrials& trials, const TrialOutcome& without, const Tri
   {
     lines.back().clear();
   }
-  if (static_cast<Index>(lines.size()) > mostMeasuredCuts)
+  if (static_cast<Index>(lines.size()) > maxMeasuredCuts)
   {
     lines.assign(lines.size(), {});
   }

@@ -38,7 +38,7 @@ CutSet withFolds(CutSet set, const CutTrials& trials, std::size_t curves, double
 inline constexpr double farTooManyCuts = 4.0;
 
 /// More cuts than these are not measured one by one.
-inline constexpr Index mostMeasuredCuts = 12;
+inline constexpr Index maxMeasuredCuts = 12;
 
 /// Measures what each cut gives after those before it; what the work does not allow is not known.
 /// \param without, with all cuts \param area of the surface

@@ -31,15 +31,15 @@ constexpr double lengthTolerance = 1e-4;
 constexpr double collapsed = 1e-6;
 
 /// No triangle counts for more, so that one that has collapsed does not hide all others.
-constexpr double mostStrain = 2.0;
+constexpr double maxStrain = 2.0;
 
 double strainOf(const TriangleQuality& quality)
 {
   if (!(quality.smallStretch > 0.0))
   {
-    return mostStrain;
+    return maxStrain;
   }
-  return std::min(mostStrain,
+  return std::min(maxStrain,
     std::max(std::abs(std::log(quality.smallStretch)), std::abs(std::log(quality.largeStretch))));
 }
 
@@ -209,14 +209,14 @@ double TrialOutcome::cutLength() const
 
 CutTrials::CutTrials(const TriangleMesh& mesh, std::vector<Polyline> curves,
   const ImprintOptions& imprint, const FlatteningOptions& flattening, SearchGoal goal,
-  RegionWeights weights, double mostSteps)
+  RegionWeights weights, double maxSteps)
   : Mesh(mesh)
   , Curves(std::move(curves))
   , Imprint(imprint)
   , Flattening(flattening)
   , Goal(goal)
   , Weights(std::move(weights))
-  , MostSteps(mostSteps)
+  , MostSteps(maxSteps)
 {
   this->Imprint.split = true;
   this->Flattening.arrange = false;
@@ -427,7 +427,7 @@ void CutTrials::measure(
       return triangle.smallStretch >= 0.0 && triangle.smallStretch < collapsed;
     }));
   outcome.areaError /= total;
-  outcome.leastPiece = *std::min_element(areas.begin(), areas.end()) / total;
+  outcome.minPiece = *std::min_element(areas.begin(), areas.end()) / total;
   if (this->Goal == SearchGoal::Strain)
   {
     outcome.pieceGoals = peakStrains(flat, counted);

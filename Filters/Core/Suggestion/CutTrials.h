@@ -93,9 +93,9 @@ struct TrialOutcome
   std::vector<double> pieceGoals;
   std::vector<char> pieceFaults; ///< whether it is folded or lies over another part
 
-  double waste = 0.0;      ///< area of the pieces' convex hulls beyond their own
-  double leastPiece = 1.0; ///< area of the smallest piece over that of all
-  int severity = 0;        ///< of its status
+  double waste = 0.0;    ///< area of the pieces' convex hulls beyond their own
+  double minPiece = 1.0; ///< area of the smallest piece over that of all
+  int severity = 0;      ///< of its status
   /// Where the strain is largest of what counts.
   Point3 worstPlace = Point3::Zero();
 
@@ -140,11 +140,11 @@ FlatteningOptions roughly(FlatteningOptions options);
 class CutTrials
 {
 public:
-  /// The mesh must outlive it. \param mostSteps after which a trial with cuts is given up, by far
+  /// The mesh must outlive it. \param maxSteps after which a trial with cuts is given up, by far
   /// more than sound ones take
   CutTrials(const TriangleMesh& mesh, std::vector<Polyline> curves, const ImprintOptions& imprint,
     const FlatteningOptions& flattening, SearchGoal goal = SearchGoal::Energy,
-    RegionWeights weights = {}, double mostSteps = std::numeric_limits<double>::infinity());
+    RegionWeights weights = {}, double maxSteps = std::numeric_limits<double>::infinity());
 
   /// One flattening. The outcome is not valid where the budget ends it.
   struct Trial

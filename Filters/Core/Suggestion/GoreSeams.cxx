@@ -23,11 +23,11 @@ constexpr int planesTried = 5;
 constexpr double inPlane = 1e-3;
 /// No more gores are tried of a surface of revolution: 46 hold a ball to 0.3 %. Where they are
 /// unequal, other seams do better by then.
-constexpr double mostEqualGores = 48.0;
-constexpr double mostGores = 12.0;
+constexpr double maxEqualGores = 48.0;
+constexpr double maxGores = 12.0;
 /// A trial is given up after these steps where more gores may follow: of shapes by formula sets
 /// within twice the bound took 5 to 40, and those far from it up to 1,200.
-constexpr double mostGoreSteps = 75.0;
+constexpr double maxGoreSteps = 75.0;
 /// No more are tried where the forecast is this many times the most.
 constexpr double hopelessGores = 1.5;
 /// Half planes at this many angles tell whether there are gores.
@@ -437,7 +437,7 @@ std::vector<SuggestedCurve> GoreSeams::seams(Index gores) const
 CutSet fewestGores(const GoreSeams& gores, double triangles, const CutTrials& trials,
   const SearchOptions& wanted, TrialBudget& budget, const Execution& execution)
 {
-  double most = gores.equal() ? mostEqualGores : mostGores;
+  double most = gores.equal() ? maxEqualGores : maxGores;
   most = wanted.maximumCuts > 0 ? std::min<double>(most, wanted.maximumCuts) : most;
   const auto tried = [&](Index count) {
     CutSet set;
@@ -446,8 +446,8 @@ CutSet fewestGores(const GoreSeams& gores, double triangles, const CutTrials& tr
     if (!set.cuts.empty())
     {
       const bool last = wanted.pieces > 0 || (wanted.maximumCuts > 0 && count + 1 > most);
-      TrialBudget some(last ? budget.left()
-                            : std::min(budget.left(), mostGoreSteps * factorizationWork(triangles)),
+      TrialBudget some(
+        last ? budget.left() : std::min(budget.left(), maxGoreSteps * factorizationWork(triangles)),
         budget);
       set.outcome = trials.run(linesOf(set.cuts), some, execution);
     }

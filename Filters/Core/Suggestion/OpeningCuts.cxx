@@ -207,7 +207,7 @@ std::vector<char> findHoles(const TriangleMesh& mesh, const std::vector<Indices>
   for (std::size_t l = 1; l < loops.size(); ++l)
   {
     const bool hole = lengthOf(loops[l]) <= shortLoop * lengthOf(loops[0]) ||
-      turnOf(mesh, loops[l]) <= -leastHoleTurn * 2.0 * pi;
+      turnOf(mesh, loops[l]) <= -minHoleTurn * 2.0 * pi;
     holes[l] = hole ? 1 : 0;
   }
   return holes;

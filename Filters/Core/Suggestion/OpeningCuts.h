@@ -11,7 +11,7 @@ namespace flattening
 inline constexpr double shortLoop = 0.2;
 /// Of a full turn, what the edge of a hole in a flat piece turns by at least, the other way than an
 /// outer one; the ends of tubes do not.
-inline constexpr double leastHoleTurn = 0.95;
+inline constexpr double minHoleTurn = 0.95;
 
 /// Cuts without which a connected surface cannot be laid flat: along loops around its handles, two
 /// each; of a closed surface without handles, along its section with the mirror plane, or with the

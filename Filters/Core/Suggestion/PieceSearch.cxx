@@ -15,7 +15,7 @@ namespace
 /// Of the version on which cuts are tried: a flattening takes some milliseconds.
 constexpr Index coarseTriangles = 500;
 /// A trial on it is given up after these steps, several times what sound ones take.
-constexpr double mostSteps = 75.0;
+constexpr double maxSteps = 75.0;
 /// What the price of a cut is divided by that begins or ends on the leg of a dart: seams over a
 /// sewn dart are thick.
 constexpr double worthOfLegs = 0.5;
@@ -24,9 +24,9 @@ constexpr double plansApart = 0.15;
 /// In the same unit, how far a cut's ends are moved at last; at first as far as bases are apart.
 constexpr double lastStep = 0.025;
 /// A seam that cuts off less than this share of the area only trims the piece.
-constexpr double leastPiece = 0.03;
+constexpr double minPiece = 0.03;
 /// Moves are taken that raise the score by more than this share.
-constexpr double leastRise = 0.005;
+constexpr double minRise = 0.005;
 /// The best by score need not be the best once its ends are moved.
 constexpr std::size_t polishedCuts = 2;
 
@@ -213,7 +213,7 @@ PieceSearch::PieceSearch(const PieceSurface& piece, const VertexMarks& marks,
   , Options(options)
   , Coarse(coarsened(piece, coarseTriangles))
   , Trials(this->Coarse.mesh, this->Coarse.polylines(), subject.imprint,
-      roughly(subject.flattening), subject.goal, this->Coarse.weights, mostSteps)
+      roughly(subject.flattening), subject.goal, this->Coarse.weights, maxSteps)
 {
 }
 
@@ -273,7 +273,7 @@ std::vector<TriedCut> PieceSearch::tryAll(const std::vector<CutPlan>& plans, dou
     }
   });
   std::vector<TrialOutcome> outcomes = this->Trials.runAll(cuts, budget, execution);
-  const double least = leastCutLength * this->Searched->size();
+  const double least = minCutLength * this->Searched->size();
   std::vector<TriedCut> tried;
   for (std::size_t k = 0; k < plans.size(); ++k)
   {
@@ -282,7 +282,7 @@ std::vector<TriedCut> PieceSearch::tryAll(const std::vector<CutPlan>& plans, dou
     const bool seam = cut.plan.type == CurveType::Seam;
     if (!cut.outcome.soundAfter(this->Before) || length > longest ||
       length < least * static_cast<double>(cut.outcome.lengths.size()) ||
-      (seam && cut.outcome.leastPiece < leastPiece))
+      (seam && cut.outcome.minPiece < minPiece))
     {
       continue;
     }
@@ -321,7 +321,7 @@ TriedCut PieceSearch::polished(
     plans.erase(std::remove_if(plans.begin(), plans.end(), tried), plans.end());
     before.insert(before.end(), plans.begin(), plans.end());
     std::vector<TriedCut> found = this->tryAll(plans, longest, budget, execution);
-    if (!found.empty() && found.front().score > (1.0 + leastRise) * cut.score)
+    if (!found.empty() && found.front().score > (1.0 + minRise) * cut.score)
     {
       cut = std::move(found.front());
     }

@@ -18,7 +18,7 @@ namespace
 /// Places this near to vertices, in mean edges, are moved onto them.
 constexpr double placeSnap = 0.03;
 /// In mean edges, points of a line are farther apart.
-constexpr double leastStep = 0.02;
+constexpr double minStep = 0.02;
 /// By level, how far lines go from their chains, in the longest steps of these.
 constexpr std::array<double, SeamDrawing::levels> farthest{ std::numeric_limits<double>::infinity(),
   3.0, 1.0, 0.4, 0.0 };
@@ -174,7 +174,7 @@ Points3 SeamDrawing::draw(const std::vector<SurfacePoint>& chain, int level) con
     }
   }
   // What is shorter than the snap distance of an imprint may turn back on itself there.
-  const double least = leastStep * this->Snap.greatest() / placeSnap;
+  const double least = minStep * this->Snap.greatest() / placeSnap;
   std::vector<SurfacePoint> thinned{ points.front() };
   for (std::size_t k = 1; k < points.size(); ++k)
   {

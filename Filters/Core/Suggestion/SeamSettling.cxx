@@ -15,7 +15,7 @@ namespace flattening
 namespace
 {
 /// Seams are drawn anew this often at most.
-constexpr int mostDrawings = 24;
+constexpr int maxDrawings = 24;
 /// Of the work that is left then, what drawing them straighter may take.
 constexpr double relaxingShare = 0.5;
 /// Of the bound, up to where: the flattening to come may have a few triangles otherwise.
@@ -56,7 +56,7 @@ public:
     , Budget(budget)
     , Run(execution)
     , Drawing(drawn)
-    , Trials(flattening, mostDrawnSteps)
+    , Trials(flattening, maxDrawnSteps)
   {
   }
 
@@ -68,10 +68,10 @@ public:
       levels.push_back(seam.level);
     }
     bool changed = true;
-    for (int k = 0; k <= mostDrawings && changed && !this->Run.cancelled() && !this->Budget.spent();
+    for (int k = 0; k <= maxDrawings && changed && !this->Run.cancelled() && !this->Budget.spent();
          ++k)
     {
-      if (k == mostDrawings && this->Best.cuts.empty())
+      if (k == maxDrawings && this->Best.cuts.empty())
       {
         levels.assign(levels.size(), SeamDrawing::levels - 1);
       }

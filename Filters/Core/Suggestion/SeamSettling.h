@@ -16,7 +16,7 @@ namespace flattening
 {
 /// The flattening of a chart on the surface itself is given up after these steps; those of charts
 /// that keep the bound take 126 at most, beside the narrow triangles of seams that are drawn.
-inline constexpr double mostDrawnSteps = 130.0;
+inline constexpr double maxDrawnSteps = 130.0;
 
 /// A mirror plane along whose section the surface has edges.
 struct MirrorSection

@@ -19,7 +19,7 @@ constexpr double clearOfBoundary = 0.3;
 /// From where on both sides the direction of the boundary is seen, in sqrt(area / pi).
 constexpr double edgeSeenFrom = 0.05;
 /// More slanted darts cost no more.
-constexpr double leastSine = 0.5;
+constexpr double minSine = 0.5;
 }
 
 SearchedPiece::SearchedPiece(TriangleMesh mesh, std::vector<char> barred, std::vector<double> worth,
@@ -178,7 +178,7 @@ double SearchedPiece::slant(const CutPlan& plan) const
   const Point3 ahead = plan.tip - this->Ruler.point(plan.base);
   const double most = edge.norm() * ahead.norm();
   const double across = edge.cross(ahead).norm();
-  return across > leastSine * most ? most / across : 1.0 / leastSine;
+  return across > minSine * most ? most / across : 1.0 / minSine;
 }
 
 double SearchedPiece::price(const CutPlan& plan, double length, const SearchOptions& options) const

@@ -111,7 +111,7 @@ private:
       {
         continue;
       }
-      tubeEnds += turn > -leastHoleTurn ? 1 : 0;
+      tubeEnds += turn > -minHoleTurn ? 1 : 0;
       // From below upwards on the one side, and down on the other.
       const Point3 out = opening.center - this->Moments.center;
       opening.angle = std::atan2(this->Side.dot(out), -this->Up.dot(out));

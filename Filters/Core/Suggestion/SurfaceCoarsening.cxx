@@ -13,8 +13,8 @@ namespace
 {
 /// Cosine of the most that a triangle may turn in one step, and the least shape (1: equilateral) of
 /// one that changes, unless it becomes no worse.
-constexpr double leastCosine = 0.7;
-constexpr double leastShape = 0.15;
+constexpr double minCosine = 0.7;
+constexpr double minShape = 0.15;
 /// What an edge of mean length weighs against curvature that moves, in radians.
 constexpr double lengthShare = 0.03;
 
@@ -207,8 +207,8 @@ private:
       const Point3 was = areaVector(before[0], before[1], before[2]);
       const Point3 is = areaVector(after[0], after[1], after[2]);
       const double form = shape(after[0], after[1], after[2]);
-      if (was.dot(is) < leastCosine * was.norm() * is.norm() ||
-        (form < leastShape && form < shape(before[0], before[1], before[2])))
+      if (was.dot(is) < minCosine * was.norm() * is.norm() ||
+        (form < minShape && form < shape(before[0], before[1], before[2])))
       {
         return false;
       }

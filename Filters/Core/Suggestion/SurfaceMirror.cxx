@@ -17,12 +17,12 @@ constexpr Index samples = 512;
 /// Of the Gaussian by which turning is smoothed, as a share of the boundary's length: some samples.
 constexpr double smoothing = 0.015;
 /// Correlation of the boundary and its image from which on they may be the same.
-constexpr double leastLikeness = 0.9;
+constexpr double minLikeness = 0.9;
 /// Axes that are considered, and how far they lie apart at least: a square has four.
-constexpr std::size_t mostAxes = 8;
+constexpr std::size_t maxAxes = 8;
 constexpr Index axesApart = samples / 32;
 /// Medians of the misses, which settle in two where vertices are images of each other.
-constexpr int mostRefinements = 3;
+constexpr int maxRefinements = 3;
 
 /// The boundary of length 1.
 struct TurningLoop
@@ -104,7 +104,7 @@ std::vector<double> correlations(const std::vector<double>& turning)
 /// The sum of arcs nearby by which vertices are images of vertices, in the median.
 double refined(const TurningLoop& loop, double sum)
 {
-  for (int step = 0; step < mostRefinements; ++step)
+  for (int step = 0; step < maxRefinements; ++step)
   {
     std::vector<double> misses;
     for (double arc : loop.arcs)
@@ -137,7 +137,7 @@ std::vector<double> boundaryAxes(const TriangleMesh& mesh)
   Indices order;
   for (Index sum = 0; sum < samples; ++sum)
   {
-    if (alikeness[sum] >= leastLikeness)
+    if (alikeness[sum] >= minLikeness)
     {
       order.push_back(sum);
     }
@@ -152,7 +152,7 @@ std::vector<double> boundaryAxes(const TriangleMesh& mesh)
       const Index between = std::abs(sum - other);
       return std::min(between, samples - between) < axesApart;
     });
-    if (near || chosen.size() >= mostAxes)
+    if (near || chosen.size() >= maxAxes)
     {
       continue;
     }
@@ -167,7 +167,7 @@ std::vector<double> boundaryAxes(const TriangleMesh& mesh)
 }
 
 /// No triangle counts for more, so that one that has collapsed does not hide all others.
-constexpr double mostScale = 1.0;
+constexpr double maxScale = 1.0;
 /// Axes are compared by about this many triangles, and the best then measured by all.
 constexpr Index triangleSamples = 150;
 
@@ -285,8 +285,8 @@ double IntrinsicMirror::strainOf(Index triangle) const
   const Eigen::Matrix2d ratio = before.inverse() * after;
   const double mean = 0.5 * ratio.trace();
   const double spread = std::sqrt(std::max(0.0, mean * mean - ratio.determinant()));
-  const double small = std::max(mean - spread, std::exp(-2.0 * mostScale));
-  return std::min(mostScale,
+  const double small = std::max(mean - spread, std::exp(-2.0 * maxScale));
+  return std::min(maxScale,
     0.5 * std::max(std::abs(std::log(small)), std::abs(std::log(std::max(mean + spread, small)))));
 }
 

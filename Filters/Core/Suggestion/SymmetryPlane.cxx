@@ -19,7 +19,7 @@ namespace flattening
 namespace
 {
 /// Gauss-Newton converges in fewer where there is a plane.
-constexpr int mostPlaneRefinements = 10;
+constexpr int maxPlaneRefinements = 10;
 /// About this many vertices are mirrored: enough for a mean.
 constexpr Index vertexSamples = 500;
 /// Mirrored vertices that are this near, in sqrt(area / pi), are exact but for rounding.
@@ -152,7 +152,7 @@ private:
     std::vector<ClosestPoint> closest;
     SymmetryPlane best = this->measured({ normal, normal.dot(this->Shape.center), 0.0 }, closest);
     SymmetryPlane plane = best;
-    for (int step = 0; step < mostPlaneRefinements && best.error > exactly; ++step)
+    for (int step = 0; step < maxPlaneRefinements && best.error > exactly; ++step)
     {
       plane = this->measured(this->step(plane, closest), closest);
       if (plane.error < best.error)
@@ -264,7 +264,7 @@ SymmetryPlane measuredPlane(const TriangleMesh& mesh, const SymmetryPlane& plane
 
 Point3 frontOf(const TriangleMesh& mesh)
 {
-  constexpr double leastAlong = 0.9; // else it is the symmetry of front and back, or of both ends
+  constexpr double minAlong = 0.9; // else it is the symmetry of front and back, or of both ends
   Eigen::AlignedBox3d box;
   for (const Point3& point : mesh.points())
   {
@@ -276,7 +276,7 @@ Point3 frontOf(const TriangleMesh& mesh)
   const Point3 front = Point3::Unit(sides.x() >= sides[level] ? level : 0);
   const std::optional<SymmetryPlane> plane = findSymmetryPlane(mesh);
   const Point3 along = plane ? Point3(Point3::Unit(up).cross(plane->normal)) : Point3::Zero();
-  return std::abs(along.dot(front)) > leastAlong ? along.normalized() : front;
+  return std::abs(along.dot(front)) > minAlong ? along.normalized() : front;
 }
 
 Status readSymmetry(const std::string& text, const TriangleMesh& mesh,

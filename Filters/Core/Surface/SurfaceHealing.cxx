@@ -28,7 +28,7 @@ constexpr double singleFinArea = 1e-1;
 /// more all others have to that share one with them.
 constexpr double largestBend = 60.0 * degree;
 constexpr double clearBend = 30.0 * degree;
-constexpr int mostRounds = 64;
+constexpr int maxRounds = 64;
 
 /// The surface while it is mended: triangles over the input's points, and over those behind them,
 /// which are copies.
@@ -256,7 +256,7 @@ bool takeFlat(Draft& draft, Indices& taken)
   {
     return false;
   }
-  for (int round = 0; round < mostRounds && !flat.empty(); ++round)
+  for (int round = 0; round < maxRounds && !flat.empty(); ++round)
   {
     flat = flatOf(draft, divideBehind(draft, flat));
   }
