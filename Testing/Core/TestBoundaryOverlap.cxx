@@ -85,7 +85,7 @@ struct Slit
     return square;
   }
 
-  /// Moves the right bank to the right, all but the tip.
+  /// Moves the right side to the right, all but the tip.
   Points2 opened(double width) const
   {
     const TriangleMesh& mesh = wired.piece.mesh;
@@ -189,12 +189,12 @@ TEST(BoundaryOverlap, FindsTheSamePairsAsComparingAll)
   }
 }
 
-TEST(BoundaryOverlap, BanksThatTouchAreNoOverlap)
+TEST(BoundaryOverlap, SidesThatTouchAreNoOverlap)
 {
   const Slit slit;
   ASSERT_EQ(slit.wired.piece.mesh.vertexCount(), 49 + 3);
   const TriangleMesh& mesh = slit.wired.piece.mesh;
-  ASSERT_FALSE(allPairs(mesh, slit.positions).empty()) << "the banks do touch";
+  ASSERT_FALSE(allPairs(mesh, slit.positions).empty()) << "the sides do touch";
   EXPECT_TRUE(findBoundaryOverlaps(mesh, slit.positions, 100).empty());
   // also not where rounding turned and bent them through each other
   for (double angle : { 0.3, 1.0, 2.0 })
@@ -211,7 +211,7 @@ TEST(BoundaryOverlap, BanksThatTouchAreNoOverlap)
   }
 }
 
-TEST(BoundaryOverlap, BanksThatPassEachOtherAreAnOverlap)
+TEST(BoundaryOverlap, SidesThatPassEachOtherAreAnOverlap)
 {
   const Slit slit;
   const TriangleMesh& mesh = slit.wired.piece.mesh;

@@ -74,7 +74,7 @@ FlatteningResult flattened(const Surface& surface, Scheme scheme, bool closeCuts
 
 TEST(CutClosure, TakesTimeInProportionToTheLengthOfTheCut)
 {
-  // A slit along the middle of a strip, every other vertex of one bank across the other.
+  // A slit along the middle of a strip, every other vertex of one side across the other.
   constexpr Index columns = 100000;
   constexpr Index rows = 4;
   Surface strip = patch(columns, rows, [](double i, double j) { return Point3(i, j, 0.0); });
@@ -92,8 +92,8 @@ TEST(CutClosure, TakesTimeInProportionToTheLengthOfTheCut)
     positions.emplace_back(p.x(), p.y());
   }
   const Points2 open = positions;
-  const std::vector<CutBanks> banks = findCutBanks(piece, cut);
-  for (const auto& pair : banks.front().pairs)
+  const std::vector<CutSides> sides = findCutSides(piece, cut);
+  for (const auto& pair : sides.front().pairs)
   {
     Point2& first = positions[pair[0]];
     Point2& second = positions[pair[1]];
@@ -151,7 +151,7 @@ TEST(CutClosure, ASaddleConeCutToItsApexOverlapsUnlessTheCutIsClosed)
   }
 }
 
-TEST(CutClosure, ACutWhoseBanksOpenIsLeftAsItIs)
+TEST(CutClosure, ACutWhoseSidesOpenIsLeftAsItIs)
 {
   const Surface surface = cutCone({ 5.5, 5.5, 5.5, 5.5 });
   const FlatteningResult open = flattened(surface, Scheme::Isometric, false);
@@ -161,7 +161,7 @@ TEST(CutClosure, ACutWhoseBanksOpenIsLeftAsItIs)
   EXPECT_TRUE(closed.pieces[0].closedEdges.empty());
 }
 
-TEST(CutClosure, ACutIsClosedOnlyWhereItsBanksCross)
+TEST(CutClosure, ACutIsClosedOnlyWhereItsSidesCross)
 {
   // The inner rings ask for an open cut, the outer ones for more cloth than there is.
   const Surface surface = cutCone({ 5.6, 5.6, 6.6, 7.4, 7.8 });
@@ -211,23 +211,23 @@ TEST(CutClosure, WhereOnlyTheMouthCrossesNoTwoFansOfTrianglesAreHeldTogetherAtAV
   EXPECT_GE(overlapping, 8);
 }
 
-TEST(CutClosure, ClosedBanksDoNotBoundTheirPiece)
+TEST(CutClosure, ClosedSidesDoNotBoundTheirPiece)
 {
   const Surface surface = cutCone({ 6.6, 6.6, 6.6, 6.6 });
   for (const bool closeCuts : { false, true })
   {
     const FlatteningResult result = flattened(surface, Scheme::Isometric, closeCuts);
-    Index banks = 0;
+    Index sides = 0;
     for (const Wire& wire : result.wires)
     {
-      banks += wire.curve == 0 ? 1 : 0;
+      sides += wire.curve == 0 ? 1 : 0;
       EXPECT_EQ(wire.boundary, wire.curve != 0 || !closeCuts);
     }
-    EXPECT_EQ(banks, 2);
+    EXPECT_EQ(sides, 2);
   }
 }
 
-TEST(CutClosure, JoinedBanksLeaveNothingInTheCache)
+TEST(CutClosure, JoinedSidesLeaveNothingInTheCache)
 {
   const Surface surface = cutCone({ 5.6, 5.6, 6.6, 7.4, 7.8 });
   FlatteningOptions options;

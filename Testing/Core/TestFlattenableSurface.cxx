@@ -119,7 +119,7 @@ TEST(FlattenableSurface, ADartLessensTheShift)
     }
     const FlattenableSurface result = flattenable(surface);
     EXPECT_TRUE(result.boundMet);
-    // Both banks stay one curve on the surface.
+    // Both sides stay one curve on the surface.
     EXPECT_EQ(result.mesh.vertexCount(), surface.mesh.vertexCount());
     return result.shift.mean;
   };

@@ -240,7 +240,7 @@ TEST(RandomCurves, FlatSurfacesFlattenToThemselves)
     SCOPED_TRACE(seed);
     surface.curves = randomCurves(surface.mesh, seed, true);
     const FlatteningResult result = flatten(surface, optionsOf(seed));
-    // Cuts in a flat sheet leave banks that touch; they are no overlap.
+    // Cuts in a flat sheet leave sides that touch; they are no overlap.
     ASSERT_TRUE(result.status.ok()) << result.status.message;
     for (const PieceReport& piece : result.pieces)
     {

@@ -189,7 +189,7 @@ TEST(PieceTopology, CurvesCountAsFarAsTheyRunOnWhatIsKept)
   ASSERT_EQ(result.leftOut.size(), 1U);
   EXPECT_EQ(result.leftOut[0].handles, 1);
   EXPECT_EQ(result.leftOut[0].triangles, 2 * ringSize * ringSize - 8);
-  EXPECT_TRUE(result.cut->seamPairs.empty()) << "the other bank is not there";
+  EXPECT_TRUE(result.cut->seamPairs.empty()) << "the other side is not there";
 
   const auto lengthOf = [&surface](const FeatureCurve& curve, std::size_t edges) {
     double length = 0.0;

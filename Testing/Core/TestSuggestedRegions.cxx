@@ -89,7 +89,7 @@ TEST(CurveSuggestion, ProposesADartInsideAtAWaist)
   }
   EXPECT_GT(suggestions.curves[0].opening, 0.0);
   EXPECT_LT(suggestions.rigidEnergyAfter, 0.5 * suggestions.rigidEnergyBefore);
-  // Its banks keep their lengths, and lie apart.
+  // Its sides keep their lengths, and lie apart.
   const FlatteningResult result = flattened(mesh, {}, suggestions);
   EXPECT_TRUE(result.status.ok()) << result.status.message;
   ASSERT_EQ(result.pieces.size(), 1u);

@@ -99,7 +99,7 @@ TEST(CutLength, ASurfaceThatNothingCutsHasNone)
   EXPECT_EQ(cutLengthsOf(surface), std::vector<double>{ 0.0 });
 }
 
-TEST(CutLength, ADartCountsOnceThoughItHasTwoBanks)
+TEST(CutLength, ADartCountsOnceThoughItHasTwoSides)
 {
   // From (2, 0) to (2, 3) in a grid of 5 points a row.
   const Surface surface = grid(4, 4, { curveOf(CurveType::Dart, "dart", { 2, 7, 12, 17 }) });

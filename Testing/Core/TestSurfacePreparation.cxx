@@ -182,7 +182,7 @@ TEST(SurfacePreparation, JoinsATriangleSoup)
   }
 }
 
-TEST(SurfacePreparation, KeepsBanksThatMeetInSpaceApart)
+TEST(SurfacePreparation, KeepsSidesThatMeetInSpaceApart)
 {
   // A dart that is open in the mesh and closed in space.
   Surface surface = cushion(4, 4, 0.3);

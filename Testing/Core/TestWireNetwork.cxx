@@ -147,7 +147,7 @@ TEST(WireNetwork, TheLoopAroundAHoleIsAFaceWithoutTriangles)
 
 TEST(WireNetwork, TheOuterBoundaryIsTheOneThatTurnsAroundTheSurfaceHoweverLongOthersAre)
 {
-  // A zigzag slit, whose two banks are longer than the boundary of the flat sheet.
+  // A zigzag slit, whose two sides are longer than the boundary of the flat sheet.
   Surface surface = flatPatch(8, 8);
   Indices zigzag;
   for (Index j = 1; j < 8; ++j)

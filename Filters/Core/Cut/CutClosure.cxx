@@ -9,17 +9,17 @@
 
 namespace flattening
 {
-std::vector<CutBanks> findCutBanks(const Piece& piece, const CutSurface& cut)
+std::vector<CutSides> findCutSides(const Piece& piece, const CutSurface& cut)
 {
-  std::vector<CutBanks> cuts;
+  std::vector<CutSides> cuts;
   for (const Indices& loop : piece.mesh.boundaryLoops())
   {
     const std::size_t count = loop.size();
     const auto vertex = [&](std::size_t k) { return piece.mesh.from(loop[k % count]); };
     for (std::size_t tip = 0; tip < count; ++tip)
     {
-      CutBanks banks;
-      banks.tip = vertex(tip);
+      CutSides sides;
+      sides.tip = vertex(tip);
       for (std::size_t k = 1; 2 * k < count; ++k)
       {
         const std::array<Index, 2> pair{ vertex(tip + count - k), vertex(tip + k) };
@@ -28,11 +28,11 @@ std::vector<CutBanks> findCutBanks(const Piece& piece, const CutSurface& cut)
         {
           break;
         }
-        banks.pairs.push_back(pair);
+        sides.pairs.push_back(pair);
       }
-      if (!banks.pairs.empty())
+      if (!sides.pairs.empty())
       {
-        cuts.push_back(std::move(banks));
+        cuts.push_back(std::move(sides));
       }
     }
   }
@@ -88,7 +88,7 @@ public:
   JoinedCuts(const Piece& piece, const CutSurface& cut)
     : Subject(piece)
     , Cut(cut)
-    , Cuts(findCutBanks(piece, cut))
+    , Cuts(findCutSides(piece, cut))
     , Joined(piece.mesh.vertexCount())
   {
     std::iota(this->Joined.begin(), this->Joined.end(), 0);
@@ -152,21 +152,21 @@ private:
     return crossing;
   }
 
-  /// How far the first bank is from the second, across both: negative where they have crossed.
-  double gap(const Points2& positions, const CutBanks& cut, std::size_t k) const
+  /// How far the first side is from the second, across both: negative where they have crossed.
+  double gap(const Points2& positions, const CutSides& cut, std::size_t k) const
   {
     const Points2& at = positions;
     const std::size_t outer = std::min(k + 1, cut.pairs.size() - 1);
     Point2 across = Point2::Zero();
-    for (int bank : { 0, 1 })
+    for (int side : { 0, 1 })
     {
-      const Index inner = k == 0 ? cut.tip : cut.pairs[k - 1][bank];
-      across += turnedLeft((at[inner] - at[cut.pairs[outer][bank]]).normalized());
+      const Index inner = k == 0 ? cut.tip : cut.pairs[k - 1][side];
+      across += turnedLeft((at[inner] - at[cut.pairs[outer][side]]).normalized());
     }
     return across.dot(at[cut.pairs[k][0]] - at[cut.pairs[k][1]]);
   }
 
-  bool takesPart(const CutBanks& cut) const
+  bool takesPart(const CutSides& cut) const
   {
     return this->Crossing[cut.tip] ||
       std::any_of(cut.pairs.begin(), cut.pairs.end(),
@@ -177,7 +177,7 @@ private:
   Pairs crossedPairs(const Points2& positions) const
   {
     Pairs crossed;
-    for (const CutBanks& cut : this->Cuts)
+    for (const CutSides& cut : this->Cuts)
     {
       for (std::size_t k = 0; this->takesPart(cut) && k < cut.pairs.size(); ++k)
       {
@@ -194,7 +194,7 @@ private:
   Pairs crossingPairs() const
   {
     Pairs ends;
-    for (const CutBanks& cut : this->Cuts)
+    for (const CutSides& cut : this->Cuts)
     {
       std::copy_if(cut.pairs.begin(), cut.pairs.end(), std::back_inserter(ends),
         [&](const auto& pair) { return this->Crossing[pair[0]] || this->Crossing[pair[1]]; });
@@ -206,7 +206,7 @@ private:
   Pairs wholeCuts() const
   {
     Pairs all;
-    for (const CutBanks& cut : this->Cuts)
+    for (const CutSides& cut : this->Cuts)
     {
       if (this->takesPart(cut))
       {
@@ -264,7 +264,7 @@ private:
       fans[mesh.from(h)] += mesh.twin(h) == none ? 1 : 0;
     }
     bool grown = false;
-    for (const CutBanks& cut : this->Cuts)
+    for (const CutSides& cut : this->Cuts)
     {
       for (std::size_t k = 1; k < cut.pairs.size(); ++k)
       {
@@ -287,8 +287,8 @@ private:
     {
       before[now.place[v]] = this->Joined[v];
     }
-    std::vector<CutBanks> cuts = findCutBanks(now.piece, this->Cut);
-    for (CutBanks& cut : cuts)
+    std::vector<CutSides> cuts = findCutSides(now.piece, this->Cut);
+    for (CutSides& cut : cuts)
     {
       cut.tip = before[cut.tip];
       for (auto& pair : cut.pairs)
@@ -301,7 +301,7 @@ private:
 
   const Piece& Subject;
   const CutSurface& Cut;
-  std::vector<CutBanks> Cuts; ///< with what is joined left out
+  std::vector<CutSides> Cuts; ///< with what is joined left out
   Indices Joined;
   Indices NextJoined;         ///< per vertex the next one of those joined with it, in a ring
   std::vector<char> Crossing; ///< vertices on boundary edges that cross

@@ -8,8 +8,8 @@
 
 namespace flattening
 {
-/// The two banks of a cut from its tip on.
-struct CutBanks
+/// The two sides of a cut from its tip on.
+struct CutSides
 {
   Index tip = none; ///< a boundary vertex of the piece
   /// Boundary vertices that are one vertex of the surface: first the one before the tip along the
@@ -19,7 +19,7 @@ struct CutBanks
 
 /// All cuts of a piece that end inside it or at a point of its boundary; one with two tips is found
 /// from each.
-std::vector<CutBanks> findCutBanks(const Piece& piece, const CutSurface& cut);
+std::vector<CutSides> findCutSides(const Piece& piece, const CutSurface& cut);
 
 /// A piece some of whose vertices have become one.
 struct JoinedPiece

@@ -13,7 +13,7 @@ namespace
 struct Presence
 {
   bool there = false;
-  bool twice = false; ///< with both banks
+  bool twice = false; ///< with both sides
 };
 
 Presence presenceOf(Index curve, const Piece& piece, const CutSurface& cut)

@@ -48,7 +48,7 @@ struct Wire
 {
   CurveType type = CurveType::Accessory;
   Index curve = none;    ///< none: boundary of the surface, or a connector
-  bool boundary = false; ///< bounds its piece: so do the banks of a cut
+  bool boundary = false; ///< bounds its piece: so do the sides of a cut
   bool connector = false;
   Index piece = 0;
   Indices vertices;        ///< of the cut surface
@@ -84,7 +84,7 @@ struct PieceReport
   /// not closed.
   double cutLength = 0.0;
   BoundaryOverlaps overlaps; ///< listed: half-edges of the cut surface
-  /// Half-edges of the cut surface on banks of cuts that were closed (see closeCuts()).
+  /// Half-edges of the cut surface on sides of cuts that were closed (see closeCuts()).
   Indices closedEdges;
   /// What was done, which may be another thing than was asked for: then `fallbacks` says why.
   std::optional<AngleMethod> solverUsed;          ///< none in a conformal map
@@ -117,7 +117,7 @@ struct CurveReport
   double flatLength = 0.0;
   double error = 0.0;     ///< largest relative error of one of its edges
   double tolerance = 0.0; ///< of an elastic curve; 0: rigid
-  /// Of a cut: the length along which its banks were closed, on the surface.
+  /// Of a cut: the length along which its sides were closed, on the surface.
   double closedLength = 0.0;
   /// dF* / d ln(length), summed over the pieces (see ReleaseAdvice).
   double sensitivity = 0.0;

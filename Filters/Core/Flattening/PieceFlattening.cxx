@@ -261,22 +261,22 @@ bool isAsGood(
 /// By curve the turning angles of darts' legs, as in CurveRules::legTurns, from the piece with free
 /// legs; darts that branch are added to the free ones.
 std::vector<std::vector<double>> turnsOfLegs(
-  const PieceContext& context, const std::vector<DartBankVertex>& banks, PieceSolution& piece)
+  const PieceContext& context, const std::vector<DartSideVertex>& vertices, PieceSolution& piece)
 {
   const std::size_t curves = context.curves.size();
   std::vector<Points2> sums(curves); // of the left and the right side
   std::vector<Index> found(curves, 0);
   std::vector<char> aroundHole(curves, 0);
-  for (const DartBankVertex& bank : banks)
+  for (const DartSideVertex& vertex : vertices)
   {
-    const auto c = static_cast<std::size_t>(bank.curve);
-    const Point2& at = piece.positions[context.network.hostVertices[bank.host]];
-    const Point2 in = at - piece.positions[bank.before];
-    const Point2 out = piece.positions[bank.after] - at;
+    const auto c = static_cast<std::size_t>(vertex.curve);
+    const Point2& at = piece.positions[context.network.hostVertices[vertex.host]];
+    const Point2 in = at - piece.positions[vertex.before];
+    const Point2 out = piece.positions[vertex.after] - at;
     sums[c].resize(context.curves[c].vertices.size(), Point2::Zero());
-    sums[c][bank.place][bank.onLeft ? 0 : 1] = std::atan2(cross(in, out), in.dot(out));
+    sums[c][vertex.place][vertex.onLeft ? 0 : 1] = std::atan2(cross(in, out), in.dot(out));
     ++found[c];
-    aroundHole[c] = aroundHole[c] || context.network.interior[bank.host];
+    aroundHole[c] = aroundHole[c] || context.network.interior[vertex.host];
   }
   std::vector<std::vector<double>> turns(curves);
   for (std::size_t c = 0; c < curves; ++c)
@@ -353,7 +353,7 @@ PieceSolution flattenWithDarts(const PieceContext& context, const CurveRules& ru
     return piece;
   }
   const std::vector<std::vector<double>> turns = turnsOfLegs(
-    context, findDartBanks(context.network, context.piece, context.cut, context.curves), piece);
+    context, findDartSides(context.network, context.piece, context.cut, context.curves), piece);
   Indices folding;
   for (std::size_t c = 0; c < turns.size(); ++c)
   {

@@ -318,7 +318,7 @@ Status flippedTriangles(const PieceReport& report, const FlatteningOptions& opti
   return status;
 }
 
-/// The cuts with a bank vertex on an edge that crosses another one.
+/// The cuts with a side vertex on an edge that crosses another one.
 Indices crossingCuts(const CutSurface& cut, const PieceReport& report)
 {
   const TriangleMesh& mesh = cut.mesh;

@@ -161,7 +161,7 @@ void addToCurves(const PieceReport& report, FlatteningResult& result)
   }
   for (Index h : report.closedEdges)
   {
-    // Both banks are in the list.
+    // Both sides are in the list.
     result.curves[cut.curveOfHalfedge[h]].closedLength += 0.5 * cut.mesh.length(h);
   }
   noteClosedEdges(cut.mesh, report.closedEdges, result.wires);

@@ -273,7 +273,7 @@ std::vector<CurveReport> summarizeCurves(const TriangleMesh& original, const Cut
     }
     if (report.restLength > 0.0)
     {
-      // Both banks of a cut are wires, but the curve is one.
+      // Both sides of a cut are wires, but the curve is one.
       report.flatLength *= length / report.restLength;
       report.restLength = length;
     }

@@ -27,7 +27,7 @@ void measureWire(const CutSurface& cut, const Points2& positions, Wire& wire);
 /// \pre closedEdges of the pieces are in ascending order
 void measureCuts(const CutSurface& cut, std::vector<PieceReport>& pieces);
 
-/// One row a curve, from its measured wires; of a curve that was cut the mean of its two banks.
+/// One row a curve, from its measured wires; of a curve that was cut the mean of its two sides.
 /// What runs on pieces that are left out does not count.
 std::vector<CurveReport> summarizeCurves(const TriangleMesh& original, const CutSurface& cut,
   const std::vector<FeatureCurve>& curves, const std::vector<Wire>& wires);

@@ -24,7 +24,7 @@ struct BoundaryOverlaps
 /// pair once: all are counted, at most `most` listed. One piece without flipped triangles is free
 /// of overlap exactly where there is none.
 ///
-/// Banks that merely touch are no overlap: a cut in a developable surface lies flat with both banks
+/// Sides that merely touch are no overlap: a cut in a developable surface lies flat with both sides
 /// on top of each other, equal up to rounding. So each boundary vertex is first moved inwards,
 /// along the bisector of its angle, by `contact` times the size of its boundary loop (by less in
 /// slivers, so that it stays within its own triangles); whatever still meets overlaps deeper than

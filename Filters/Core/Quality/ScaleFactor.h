@@ -20,7 +20,7 @@ struct CutForecast
   std::vector<double> arc;
 
   /// Width at arc length s of a dart whose mouth is the path's first vertex: each point further in
-  /// opens the dart by its curvature times its distance. Negative: the banks overlap there.
+  /// opens the dart by its curvature times its distance. Negative: the sides overlap there.
   double opening(double s) const;
   /// The least opening at the points of the path and its first vertex, and the greatest.
   double leastOpening() const;
@@ -48,7 +48,7 @@ struct ScaleFactorOptions
 /// Transactions on Graphics 27(3), 2008, to first order). u > 0: flat cloth with the boundary's
 /// exact lengths is too small there. The energy is int w u^2, w the weight.
 ///
-/// A cut along a path g makes its banks wires of exact length: to first order it adds the condition
+/// A cut along a path g makes its sides wires of exact length: to first order it adds the condition
 /// u_g = 0. With G = L^-1 and E_g the path's columns of the identity, the multipliers of that
 /// condition are
 ///
@@ -76,10 +76,10 @@ public:
   double energy() const { return this->Energy; }
   /// What a cut along a path of vertices, each joined to the next by an edge, would do.
   CutForecast forecast(const Indices& path) const;
-  /// The same of a cut that ends inside at both ends: there its banks, whose lengths are the same,
+  /// The same of a cut that ends inside at both ends: there its sides, whose lengths are the same,
   /// have to meet. What it takes up is then the nearest q, by the energy of its u, with
   ///
-  ///     sum q_i = 0  (the banks turn alike),    sum q_i s_i = 0  (they end in one point).
+  ///     sum q_i = 0  (the sides turn alike),    sum q_i s_i = 0  (they end in one point).
   CutForecast forecastInside(const Indices& path) const;
 
 private:

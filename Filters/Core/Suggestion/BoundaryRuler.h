@@ -29,7 +29,7 @@ public:
   SurfacePoint surfacePoint(const BoundaryPlace& place) const;
   /// A point inside the surface close to the place.
   Point3 inside(const BoundaryPlace& place) const;
-  /// The place nearest to a point in space; of the two banks of a cut that on the side of `inside`.
+  /// The place nearest to a point in space; of the two sides of a cut that next to `inside`.
   BoundaryPlace nearest(const Point3& point, const Point3& inside) const;
   /// Distance along the boundary; infinite between loops.
   double distance(const BoundaryPlace& a, const BoundaryPlace& b) const;

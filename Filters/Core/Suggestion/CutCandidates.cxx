@@ -17,7 +17,7 @@ namespace
 
 /// Bases stay this far from corners, where a dart would cut off a sliver.
 constexpr double clearOfCorner = 0.05;
-/// Banks may overlap this much by the forecast, which is linear.
+/// Sides may overlap this much by the forecast, which is linear.
 constexpr double maxOverlap = 4e-3;
 /// Longer darts cut a piece through: this is the diameter of a disk.
 constexpr double longestDart = 2.0;

@@ -65,8 +65,8 @@ private:
       }
       const Index from = forward ? this->Subject.mesh.from(h) : this->Subject.mesh.to(h);
       const Index to = forward ? this->Subject.mesh.to(h) : this->Subject.mesh.from(h);
-      const bool bank = curve.opens() && bounds;
-      const CurveType type = bank ? CurveType::Accessory : curve.type;
+      const bool side = curve.opens() && bounds;
+      const CurveType type = side ? CurveType::Accessory : curve.type;
       if (last != from || this->Found.back().type != type)
       {
         this->begin(curve, type, k - 1, from);

@@ -32,12 +32,12 @@ Indices nodesBetween(const WireNetwork& network, Index startSide, Index endVerte
 
 /// The side of a dart that comes from one vertex of its curve and goes on to another, vertices of
 /// the surface before the cut; without nodes where there is none.
-DartBankVertex bankAt(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
+DartSideVertex sideVertexAt(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
   Index host, Index to, Index from)
 {
   const auto original = [&](Index v) { return cut.originalVertex[piece.vertices[v]]; };
-  DartBankVertex bank;
-  bank.host = host;
+  DartSideVertex found;
+  found.host = host;
   Index start = none;
   for (Index n = network.vertexNodeBegin[host]; n < network.vertexNodeBegin[host + 1]; ++n)
   {
@@ -50,25 +50,25 @@ DartBankVertex bankAt(const WireNetwork& network, const Piece& piece, const CutS
     if (original(network.endVertex(side)) == to)
     {
       start = side;
-      bank.after = network.endVertex(side);
+      found.after = network.endVertex(side);
     }
     if (original(network.vertex[incoming]) == from)
     {
-      bank.before = network.vertex[incoming];
+      found.before = network.vertex[incoming];
     }
   }
-  if (start != none && bank.before != none)
+  if (start != none && found.before != none)
   {
-    bank.nodes = nodesBetween(network, start, bank.before);
+    found.nodes = nodesBetween(network, start, found.before);
   }
-  return bank;
+  return found;
 }
 }
 
-std::vector<DartBankVertex> findDartBanks(const WireNetwork& network, const Piece& piece,
+std::vector<DartSideVertex> findDartSides(const WireNetwork& network, const Piece& piece,
   const CutSurface& cut, const std::vector<FeatureCurve>& curves)
 {
-  std::vector<DartBankVertex> banks;
+  std::vector<DartSideVertex> all;
   for (std::size_t c = 0; c < curves.size(); ++c)
   {
     const Indices& vertices = curves[c].vertices;
@@ -90,20 +90,20 @@ std::vector<DartBankVertex> findDartBanks(const WireNetwork& network, const Piec
       }
       const Index last = vertices[k - 1];
       const Index next = vertices[k + 1];
-      DartBankVertex left = bankAt(network, piece, cut, host, next, last);
-      DartBankVertex right = bankAt(network, piece, cut, host, last, next);
+      DartSideVertex left = sideVertexAt(network, piece, cut, host, next, last);
+      DartSideVertex right = sideVertexAt(network, piece, cut, host, last, next);
       if (left.nodes.empty() == right.nodes.empty())
       {
         continue; // branches off, or joined
       }
       left.onLeft = !left.nodes.empty();
-      DartBankVertex& bank = left.onLeft ? left : right;
-      bank.curve = static_cast<Index>(c);
-      bank.place = k;
-      banks.push_back(std::move(bank));
+      DartSideVertex& one = left.onLeft ? left : right;
+      one.curve = static_cast<Index>(c);
+      one.place = k;
+      all.push_back(std::move(one));
     }
   }
-  return banks;
+  return all;
 }
 
 namespace
@@ -233,7 +233,7 @@ std::vector<std::vector<SideSum>> collectSideSums(const WireNetwork& network, co
   return sums;
 }
 
-/// Both banks of a dart turn towards its cloth by the same angles, so that it folds.
+/// Both sides of a dart turn towards its cloth by the same angles, so that it folds.
 void addLegSums(const WireNetwork& network, const Piece& piece, const CutSurface& cut,
   const std::vector<FeatureCurve>& curves, const CurveRules& rules,
   std::vector<std::vector<SideSum>>& sums)
@@ -242,12 +242,12 @@ void addLegSums(const WireNetwork& network, const Piece& piece, const CutSurface
   {
     return;
   }
-  for (DartBankVertex& bank : findDartBanks(network, piece, cut, curves))
+  for (DartSideVertex& one : findDartSides(network, piece, cut, curves))
   {
-    const std::vector<double>& turns = rules.legTurns[bank.curve];
+    const std::vector<double>& turns = rules.legTurns[one.curve];
     if (!turns.empty())
     {
-      sums[bank.host].push_back({ std::move(bank.nodes), pi - turns[bank.place], bank.curve });
+      sums[one.host].push_back({ std::move(one.nodes), pi - turns[one.place], one.curve });
     }
   }
 }

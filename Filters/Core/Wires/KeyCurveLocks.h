@@ -9,21 +9,21 @@
 
 namespace flattening
 {
-/// A vertex between mouth and tip on one bank of a dart.
-struct DartBankVertex
+/// A vertex between mouth and tip on one side of a dart.
+struct DartSideVertex
 {
   Index curve = none;
   Index place = none;  ///< in the curve's vertices
   bool onLeft = false; ///< the cloth is on the left of the curve
   Index host = none;   ///< in WireNetwork::hostVertices
-  Index before = none; ///< piece vertices beside it on the bank, the cloth on the left of the way
+  Index before = none; ///< piece vertices beside it on the side, the cloth on the left of the way
   Index after = none;
   Indices nodes; ///< whose angles make up the cloth's
 };
 
-/// All vertices inside the open darts whose banks lie in a piece. None where more than the dart's
-/// two banks meet, or where they are joined.
-std::vector<DartBankVertex> findDartBanks(const WireNetwork& network, const Piece& piece,
+/// All vertices inside the open darts whose sides lie in a piece. None where more than the dart's
+/// two sides meet, or where they are joined.
+std::vector<DartSideVertex> findDartSides(const WireNetwork& network, const Piece& piece,
   const CutSurface& cut, const std::vector<FeatureCurve>& curves);
 
 /// What a run decides of the feature curves beyond what was asked for. The curves themselves stay

@@ -158,7 +158,7 @@ public:
 
 private:
   /// The outer boundary turns by about 2 pi around the surface, holes by about -2 pi, however long
-  /// their banks are; of equals, as on a tube, it is the longest.
+  /// their sides are; of equals, as on a tube, it is the longest.
   void putOuterLoopFirst()
   {
     std::size_t outer = 0;
