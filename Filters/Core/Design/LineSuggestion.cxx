@@ -384,8 +384,8 @@ public:
       return std::move(this->Result);
     }
     TrialOutcome now = this->tried();
-    this->Result.strainBefore = now.known(now.strainP95);
-    this->Result.rigidEnergyBefore = now.known(now.energy / this->Area);
+    this->Result.strainBefore = now.valueOrNaN(now.strainP95);
+    this->Result.rigidEnergyBefore = now.valueOrNaN(now.energy / this->Area);
     if (now.valid)
     {
       const CutSurface cut = cutSurface(surface.mesh, surface.curves);
@@ -405,8 +405,8 @@ public:
       cancelled.status = { StatusCode::Cancelled, "cancelled while trying lines" };
       return cancelled;
     }
-    this->Result.strainAfter = now.known(now.strainP95);
-    this->Result.rigidEnergyAfter = now.known(now.energy / this->Area);
+    this->Result.strainAfter = now.valueOrNaN(now.strainP95);
+    this->Result.rigidEnergyAfter = now.valueOrNaN(now.energy / this->Area);
     this->Result.boundMet = now.valid && now.strainP95 <= this->Options.search.bound;
     return std::move(this->Result);
   }
@@ -434,10 +434,10 @@ private:
   {
     TrialOutcome after = this->tried(&line);
     line.strainBefore = now.strainP95;
-    line.strainAfter = after.known(after.strainP95);
+    line.strainAfter = after.valueOrNaN(after.strainP95);
     line.areaErrorBefore = now.areaError;
-    line.areaErrorAfter = after.known(after.areaError);
-    line.gain = (now.energy - after.known(after.energy)) / this->Area;
+    line.areaErrorAfter = after.valueOrNaN(after.areaError);
+    line.gain = (now.energy - after.valueOrNaN(after.energy)) / this->Area;
     const bool cheap = line.curve.type == CurveType::Key ||
       after.energy <= (1.0 + littleCost) * now.energy + flatEnergy * this->Area;
     if (after.soundAfter(now) && cheap)

@@ -144,8 +144,8 @@ public:
     measureCuts(this->Whole, uncut.outcome, best.outcome, this->Area, this->Result.curves,
       this->Budget, this->Run);
     const auto stateOf = [this](const TrialOutcome& outcome, double& strain, double& energy) {
-      strain = outcome.known(outcome.strainP95);
-      energy = outcome.known(outcome.energy / this->Area);
+      strain = outcome.valueOrNaN(outcome.strainP95);
+      energy = outcome.valueOrNaN(outcome.energy / this->Area);
     };
     stateOf(uncut.outcome, this->Result.strainBefore, this->Result.rigidEnergyBefore);
     stateOf(best.outcome, this->Result.strainAfter, this->Result.rigidEnergyAfter);
@@ -674,24 +674,24 @@ private:
   {
     const SearchOptions& wanted = this->Options.search;
     const auto better = [this](const CutSet& a, const CutSet& b) { return this->better(a, b); };
-    const std::vector<SearchWay> ways = searchWays(wanted);
+    const std::vector<SearchStrategy> strategies = searchStrategies(wanted);
     const auto needed = static_cast<Index>(first.size());
     if (wanted.maximumCuts > 0 && needed > wanted.maximumCuts)
     {
       return;
     }
-    for (std::size_t k = 0; k < ways.size() && !this->Run.cancelled(); ++k)
+    for (std::size_t k = 0; k < strategies.size() && !this->Run.cancelled(); ++k)
     {
       SearchOptions options = wanted;
-      options.cuts = ways[k].cuts;
+      options.cuts = strategies[k].cuts;
       options.maximumCuts = wanted.maximumCuts > 0 ? wanted.maximumCuts : needed + maxAdded;
       TrialBudget budget(
         (first.empty() ? shareOfSearch : shareOpened) * (this->Budget.left() - this->MostMeasuring),
         this->Budget);
       found.push_back(
         searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
-                     options, this->Result.mirror, this->Weights, ways[k].goal },
-          this->start(first, ways[k].goal, budget), budget, this->Run));
+                     options, this->Result.mirror, this->Weights, strategies[k].goal },
+          this->start(first, strategies[k].goal, budget), budget, this->Run));
       const bool met = this->isFlat(*std::min_element(found.begin(), found.end(), better));
       if ((met && (found.back().cuts.size() == first.size() || k > 0)) ||
         found.back().end == SearchEnd::GivenUp || found.front().end == SearchEnd::GivenUp ||

@@ -265,7 +265,7 @@ public:
     }
     for (Index v : bases)
     {
-      if (piece.worth(piece.ruler().placeOf(v)) > 0.0 && !piece.barred()[v])
+      if (piece.endpointPreference(piece.ruler().placeOf(v)) > 0.0 && !piece.barred()[v])
       {
         this->Bases.push_back(v);
       }
@@ -486,7 +486,7 @@ private:
     plan.end = ruler.placeOf(end);
     if (base == end || !paths.reaches(end) ||
       ruler.distance(plan.base, plan.end) < minSeamArc * this->Piece.size() ||
-      !(this->Piece.worth(plan.end) > 0.0))
+      !(this->Piece.endpointPreference(plan.end) > 0.0))
     {
       return;
     }

@@ -391,9 +391,9 @@ bool openFolds(
 }
 }
 
-std::vector<SearchWay> searchWays(const SearchOptions& options)
+std::vector<SearchStrategy> searchStrategies(const SearchOptions& options)
 {
-  std::vector<SearchWay> all;
+  std::vector<SearchStrategy> all;
   for (SuggestedCuts cuts : { SuggestedCuts::All, SuggestedCuts::Darts, SuggestedCuts::Seams })
   {
     if (cuts == options.cuts || options.cuts == SuggestedCuts::All)
@@ -472,11 +472,11 @@ void measureCuts(const CutTrials& trials, const TrialOutcome& without, const Tri
     const TrialOutcome& now = e + 1 == ends.size() ? with : after[e];
     for (std::size_t j = begin; j < ends[e]; ++j)
     {
-      cuts[j].areaErrorBefore = before.known(before.areaError);
-      cuts[j].areaErrorAfter = now.known(now.areaError);
-      cuts[j].strainBefore = before.known(before.strainP95);
-      cuts[j].strainAfter = now.known(now.strainP95);
-      cuts[j].gain = (before.known(before.energy) - now.known(now.energy)) / area;
+      cuts[j].areaErrorBefore = before.valueOrNaN(before.areaError);
+      cuts[j].areaErrorAfter = now.valueOrNaN(now.areaError);
+      cuts[j].strainBefore = before.valueOrNaN(before.strainP95);
+      cuts[j].strainAfter = now.valueOrNaN(now.strainP95);
+      cuts[j].gain = (before.valueOrNaN(before.energy) - now.valueOrNaN(now.energy)) / area;
     }
     begin = ends[e];
     before = now;

@@ -45,14 +45,14 @@ inline constexpr Index maxMeasuredCuts = 12;
 void measureCuts(const CutTrials& trials, const TrialOutcome& without, const TrialOutcome& with,
   double area, std::vector<SuggestedCurve>& cuts, TrialBudget& budget, const Execution& execution);
 
-/// One way to search, beside the options.
-struct SearchWay
+/// A strategy of search, beside the options.
+struct SearchStrategy
 {
   SuggestedCuts cuts = SuggestedCuts::All;
   SearchGoal goal = SearchGoal::Energy;
 };
 
-/// The ways to search one after the other, the most promising first: by two goals, and where darts
-/// and seams are wanted also with either alone.
-std::vector<SearchWay> searchWays(const SearchOptions& options);
+/// The strategies of search one after the other, the most promising first: by two goals, and where
+/// darts and seams are wanted also with either alone.
+std::vector<SearchStrategy> searchStrategies(const SearchOptions& options);
 }

@@ -101,7 +101,7 @@ struct TrialOutcome
 
   double cutLength() const;
   /// One of the measures; NaN where there is no flattening to measure.
-  double known(double measure) const
+  double valueOrNaN(double measure) const
   {
     return this->valid ? measure : std::numeric_limits<double>::quiet_NaN();
   }

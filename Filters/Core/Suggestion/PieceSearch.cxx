@@ -18,7 +18,7 @@ constexpr Index coarseTriangles = 500;
 constexpr double maxSteps = 75.0;
 /// What the price of a cut is divided by that begins or ends on the leg of a dart: seams over a
 /// sewn dart are thick.
-constexpr double worthOfLegs = 0.5;
+constexpr double preferenceForLegs = 0.5;
 /// In sqrt(area / pi): plans that differ by less are tried once.
 constexpr double plansApart = 0.15;
 /// In the same unit, how far a cut's ends are moved at last; at first as far as bases are apart.
@@ -45,12 +45,12 @@ std::unique_ptr<SearchedPiece> searchedPiece(
     return nullptr;
   }
   std::vector<char> barred;
-  std::vector<double> worth;
+  std::vector<double> preference;
   for (Index v : opened.vertices)
   {
     const Index marked = piece.vertices[cut.originalVertex[v]];
     barred.push_back(marks.barred[marked]);
-    worth.push_back(marks.worth[marked]);
+    preference.push_back(marks.preference[marked]);
   }
   RegionWeights weights;
   for (std::size_t t = 0; t < opened.triangles.size() && !piece.weights.empty(); ++t)
@@ -59,7 +59,7 @@ std::unique_ptr<SearchedPiece> searchedPiece(
   }
   std::vector<double> weight = vertexWeights(opened.mesh, weights);
   return std::make_unique<SearchedPiece>(
-    std::move(opened.mesh), std::move(barred), std::move(worth), std::move(weight), mirror);
+    std::move(opened.mesh), std::move(barred), std::move(preference), std::move(weight), mirror);
 }
 
 /// The plans of types that none of some others is of.
@@ -121,7 +121,7 @@ std::vector<CutPlan> movedPlans(const SearchedPiece& piece, const CutPlan& plan,
     CutPlan moved = plan;
     moved.base = ruler.moved(plan.base, base);
     moved.end = plan.type == CurveType::Seam ? ruler.moved(plan.end, end) : plan.end;
-    if (piece.worth(moved.base) > 0.0)
+    if (piece.endpointPreference(moved.base) > 0.0)
     {
       plans.push_back(moved);
     }
@@ -183,18 +183,18 @@ VertexMarks markVertices(const ImprintedSurface& surface, const SearchOptions& o
 {
   VertexMarks marks;
   marks.barred.assign(surface.mesh.vertexCount(), 0);
-  marks.worth.assign(surface.mesh.vertexCount(), 1.0);
+  marks.preference.assign(surface.mesh.vertexCount(), 1.0);
   for (const FeatureCurve& curve : surface.curves)
   {
     for (std::size_t k = 1; k < curve.vertices.size() && curve.type == CurveType::Dart; ++k)
     {
-      marks.worth[curve.vertices[k]] = worthOfLegs;
+      marks.preference[curve.vertices[k]] = preferenceForLegs;
     }
     for (const SearchOptions::Preference& preference : options.preferences)
     {
       for (Index v : curve.name == preference.curve ? curve.vertices : Indices{})
       {
-        marks.worth[v] = preference.weight;
+        marks.preference[v] = preference.weight;
       }
     }
     for (Index v : curve.type == CurveType::Key ? curve.vertices : Indices{})

@@ -26,8 +26,9 @@ struct SearchSubject
 /// Marks of the vertices of the surface that the pieces are parts of.
 struct VertexMarks
 {
-  std::vector<char> barred;  ///< on a key curve, which no cut may cross
-  std::vector<double> worth; ///< what the price of a cut that begins or ends there is divided by
+  std::vector<char> barred; ///< on a key curve, which no cut may cross
+  /// What the price of a cut that begins or ends there is divided by.
+  std::vector<double> preference;
 };
 
 VertexMarks markVertices(const ImprintedSurface& surface, const SearchOptions& options);

@@ -22,11 +22,12 @@ constexpr double edgeSeenFrom = 0.05;
 constexpr double minSine = 0.5;
 }
 
-SearchedPiece::SearchedPiece(TriangleMesh mesh, std::vector<char> barred, std::vector<double> worth,
-  std::vector<double> weight, const std::optional<SurfaceMirror>& mirror)
+SearchedPiece::SearchedPiece(TriangleMesh mesh, std::vector<char> barred,
+  std::vector<double> preference, std::vector<double> weight,
+  const std::optional<SurfaceMirror>& mirror)
   : Mesh(std::move(mesh))
   , Barred(std::move(barred))
-  , Worth(std::move(worth))
+  , Preference(std::move(preference))
   , Weight(std::move(weight))
   , Area(this->Mesh.area())
   , Size(std::sqrt(this->Area / pi))
@@ -77,9 +78,9 @@ bool SearchedPiece::mirrorIsExact() const
   return this->Mirror && this->Mirror->error < SurfaceMirror::exact;
 }
 
-double SearchedPiece::worth(const BoundaryPlace& place) const
+double SearchedPiece::endpointPreference(const BoundaryPlace& place) const
 {
-  return this->Worth.empty() ? 1.0 : this->Worth[this->Ruler.vertex(place)];
+  return this->Preference.empty() ? 1.0 : this->Preference[this->Ruler.vertex(place)];
 }
 
 Point3 SearchedPiece::normalNear(const Point3& point) const
@@ -185,12 +186,12 @@ double SearchedPiece::price(const CutPlan& plan, double length, const SearchOpti
 {
   const double fixed =
     (plan.role == MirrorRole::Pair ? 2.0 : 1.0) * options.fixedPrice * this->Size;
-  double worth = plan.start ? 1.0 : this->worth(plan.base);
+  double preference = plan.start ? 1.0 : this->endpointPreference(plan.base);
   if (plan.type == CurveType::Seam)
   {
-    worth = std::sqrt(worth * this->worth(plan.end));
+    preference = std::sqrt(preference * this->endpointPreference(plan.end));
   }
   return (fixed + length) *
-    (plan.type == CurveType::Dart && !plan.start ? this->slant(plan) : 1.0) / worth;
+    (plan.type == CurveType::Dart && !plan.start ? this->slant(plan) : 1.0) / preference;
 }
 }

@@ -44,10 +44,10 @@ class SearchedPiece
 {
 public:
   /// \param barred per vertex, whether it lies on a key curve, which no cut may cross
-  /// \param worth per vertex, what the price of a cut that begins or ends there is divided by; 0: none
-  /// may
+  /// \param preference per vertex, what the price of a cut that begins or ends there is divided by;
+  /// 0: none may
   /// \param weight per vertex, how much distortion matters there; empty: everywhere alike
-  SearchedPiece(TriangleMesh mesh, std::vector<char> barred, std::vector<double> worth,
+  SearchedPiece(TriangleMesh mesh, std::vector<char> barred, std::vector<double> preference,
     std::vector<double> weight, const std::optional<SurfaceMirror>& mirror);
   SearchedPiece(const SearchedPiece&) = delete;
   SearchedPiece& operator=(const SearchedPiece&) = delete;
@@ -55,7 +55,7 @@ public:
   const TriangleMesh& mesh() const { return this->Mesh; }
   const BoundaryRuler& ruler() const { return this->Ruler; }
   const std::vector<char>& barred() const { return this->Barred; }
-  double worth(const BoundaryPlace& place) const;
+  double endpointPreference(const BoundaryPlace& place) const;
   const std::vector<double>& weight() const { return this->Weight; }
   double area() const { return this->Area; }
   /// R = sqrt(area / pi)
@@ -96,7 +96,7 @@ private:
 
   TriangleMesh Mesh;
   std::vector<char> Barred;
-  std::vector<double> Worth;
+  std::vector<double> Preference;
   std::vector<double> Weight;
   double Area = 0.0;
   double Size = 0.0;
