@@ -25,8 +25,8 @@ public:
 
   Index unknownCount() const { return this->Rotations + this->groupCount(); }
   Index rotationCount() const { return this->Rotations; }
-  /// The first so many rotations are those of single edges along wires, in an order in which each
-  /// leaves one neighbor only where it is eliminated.
+  /// How many of the first rotations are those of single edges along wires, in an order in which
+  /// each leaves one neighbor only where it is eliminated.
   Index rotationsAlongWires() const { return this->RotationsAlong; }
   Index groupCount() const { return static_cast<Index>(this->Problem->groups.size()); }
   Index constraintCount() const { return 2 * this->Problem->network->loopCount(); }

@@ -11,9 +11,9 @@ namespace flattening
 {
 namespace
 {
-/// The search for a least set ends after so many solutions; those are few where few keys clash.
+/// The search for a least set ends after this many solutions; those are few where few keys clash.
 constexpr std::size_t maxSolves = 100;
-/// Of several least sets so many are compared by their objective.
+/// Of several least sets this many are compared by their objective.
 constexpr std::size_t maxCompared = 32;
 
 Indices without(const Indices& all, const Indices& left)
@@ -37,7 +37,7 @@ std::array<Indices, 2> halves(const Indices& all)
   return { Indices(all.begin(), middle), Indices(middle, all.end()) };
 }
 
-/// Sets of so many curves with one of each conflict.
+/// Sets of a size with one of each conflict.
 void hitConflicts(const std::vector<Indices>& conflicts, std::size_t size, const Indices& chosen,
   std::set<Indices>& found)
 {

@@ -42,7 +42,7 @@ private:
   std::runtime_error Reason; ///< whose copies do not throw
 };
 
-/// Ends the run because of so many bytes that are not there.
+/// Ends the run because this number of bytes is not there.
 [[noreturn]] void throwOutOfMemory(std::size_t bytes);
 
 /// The status of a run that ended by it. \param bytes that were wanted; 0: not known.

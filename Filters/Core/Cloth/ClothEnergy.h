@@ -22,7 +22,7 @@ struct Curve2
 };
 
 /// Half the square of what x is above 0, but with a second derivative that rises to 1 over [0,
-/// width] along 3 t^2 - 2 t^3 in place of a jump.
+/// width] along 3 t^2 - 2 t^3 instead of a jump.
 inline Curve2 smoothRamp(double x, double width)
 {
   if (!(x > 0.0))

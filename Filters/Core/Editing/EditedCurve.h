@@ -73,7 +73,7 @@ bool nameTaken(const CurveSet& set, const std::string& name, std::size_t except)
 /// The wish, or with a number behind it where it is taken; "curve" and a number where it is empty.
 std::string freeName(const CurveSet& set, const std::string& wish);
 
-/// Segments that so many nodes have.
+/// How many segments there are between nodes.
 std::size_t segmentCount(std::size_t nodes, bool closed);
 double lengthOf(const EditedCurve& curve);
 /// All points from the first node on, once each; a closed curve ends where it starts.

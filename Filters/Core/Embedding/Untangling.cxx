@@ -22,7 +22,7 @@ constexpr double areaWeight = 1.0 / 128.0; ///< of the area term beside the shap
 constexpr double maxTriangles = 4e6;
 constexpr int maxIterations = 200;
 constexpr int fewestIterations = 20;
-/// From so many interior vertices on a factorization by blocks pays.
+/// From this number of interior vertices on a factorization by blocks pays.
 constexpr Index manyVertices = 400;
 /// Around a single flipped triangle.
 constexpr int fewestRings = 4;
@@ -68,7 +68,7 @@ bool isFlipped(const TriangleFrame& frame, const Triangle& corners, const Points
   return determinant(mapPartsDerivative(frame) * at) <= 0.0;
 }
 
-/// The part of a patch that is so many rings of vertices around its flipped triangles; more of them
+/// The part of a patch in some rings of vertices around its flipped triangles; more of them
 /// need more room.
 InteriorPatch aroundFolds(
   const InteriorPatch& patch, const TriangleMesh& mesh, const Points2& positions)

@@ -80,8 +80,8 @@ struct PieceReport
   double angleEnergy = 0.0;
   QualitySummary quality;           ///< flipped: triangles of the cut surface
   std::optional<ClothReport> cloth; ///< where options have one
-  /// On the surface, of darts and seams that bound or slit the piece, each once, as far as they are
-  /// not closed.
+  /// On the surface, of darts and seams that bound or slit the piece, each once, without what is
+  /// closed.
   double cutLength = 0.0;
   BoundaryOverlaps overlaps; ///< listed: half-edges of the cut surface
   /// Half-edges of the cut surface on sides of cuts that were closed (see closeCuts()).

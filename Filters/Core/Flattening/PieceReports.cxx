@@ -32,7 +32,7 @@ std::string otherEnergy(const PieceContext& context, const PieceSolution& flat)
       "global scheme has put it";
 }
 
-/// What was done in place of what was asked for.
+/// What was done instead of what was requested.
 std::vector<std::string> fallbacks(const PieceContext& context, const PieceSolution& flat)
 {
   std::vector<std::string> all;

@@ -46,9 +46,9 @@ constexpr int finalObjectiveIteration = 30;
 constexpr double triangleFactorizations = 4e6;
 constexpr int fewestFactorizations = 40;
 constexpr int maximumFactorizations = 180;
-/// From so many coordinates on the memory of a factor is what limits solving with it.
+/// From this number of coordinates on the memory of a factor is what limits solving with it.
 constexpr Index singleFrom = 10000;
-/// Below so many coordinates of a plain sheet threads take longer to start than they save.
+/// Below this number of coordinates of a plain sheet threads take longer to start than they save.
 constexpr Index threadsFrom = 4000;
 /// The way from afar is long; what is left after it is short.
 constexpr double descentShare = 2.0;

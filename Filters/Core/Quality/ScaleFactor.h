@@ -33,7 +33,7 @@ struct ScaleFactorOptions
   std::vector<double> weight;
   /// Vertices beside those of the boundary where lengths are kept.
   Indices fixed;
-  /// Up to so many free vertices each counts by itself; of more only means over as many clusters
+  /// Up to this number free vertices count by themselves; of more only means over as many clusters
   /// are known.
   Index maxSites = 600;
 };
@@ -72,7 +72,7 @@ public:
   bool ok() const { return this->Ok; }
   /// u by vertex.
   const std::vector<double>& values() const { return this->Values; }
-  /// int w u^2, as far as clusters tell.
+  /// int w u^2, by the means over clusters.
   double energy() const { return this->Energy; }
   /// What a cut along a path of vertices, each joined to the next by an edge, would do.
   CutForecast forecast(const Indices& path) const;
@@ -100,9 +100,9 @@ private:
   bool Ok = false;
 };
 
-/// Shares vertices among at most so many seeds that lie far from each other: each next seed is the
-/// vertex farthest, along edges, from those before, and a vertex goes to the nearest seed. Every
-/// vertex is a cluster of its own where there are no more.
+/// Shares vertices among at most this many seeds that lie far from each other: each next seed is
+/// the vertex farthest, along edges, from those before, and a vertex goes to the nearest seed.
+/// Every vertex is a cluster of its own where there are no more.
 /// \param members vertices to share, ascending; paths run through them alone.
 /// \return per vertex its cluster, none for others than members
 Indices clusterVertices(const TriangleMesh& mesh, const Indices& members, Index most);

@@ -72,7 +72,7 @@ struct FlattenableSurface
 /// design by springs that are weakened until the bound holds; then they are strengthened again and
 /// the surface goes back towards the design while it holds (block descent on shift plus strain
 /// energy; the aim is that of C. C. L. Wang, "Towards flattenable mesh surfaces", Computer-Aided
-/// Design 40(1), 2008, with a bound on the strain in place of angles that sum to 2 pi). Under the
+/// Design 40(1), 2008, with a bound on the strain instead of angles that sum to 2 pi). Under the
 /// weakest springs it goes on for as long as that lowers the strain; where it does not, it starts
 /// again as a thicker plate, which takes wrinkles out. What is kept does not move at all. The same
 /// for any number of threads.

@@ -59,7 +59,7 @@ public:
   {
     return count * (this->Precision == FactorPrecision::Single ? sizeof(float) : sizeof(double));
   }
-  /// Makes room for so many numbers, whose values are left open.
+  /// Makes room for numbers, whose values are left open.
   void allocate(std::size_t count);
   /// Keeps the columns of a front from a place on. False where a number is too large for what is
   /// kept.

@@ -311,7 +311,7 @@ private:
     return StepResult::Minimum;
   }
 
-  /// Goes along the step as far as the merit function falls.
+  /// Takes the longest part of the step by which the merit function falls.
   bool advance()
   {
     this->Merit.raise(this->Newton.multipliers());
@@ -348,7 +348,7 @@ private:
       this->Newton.predictedReduction() <= this->Options.saddleReduction * this->Objective;
   }
 
-  /// Along the direction that bends downwards most, to the side and as far as it falls.
+  /// Along the direction that bends downwards most, to the side on which it falls.
   bool escapeSaddle()
   {
     ++this->SaddlesEscaped;

@@ -174,7 +174,7 @@ bool NewtonKktStep::tryFactorize()
   return factored && this->Solver.positive() == this->Unknowns;
 }
 
-/// Adds a growing multiple of the identity to the Hessian, so many times and so much at most.
+/// Adds a growing multiple of the identity to the Hessian, at most this often and this much.
 bool NewtonKktStep::shiftUntilConvex(double tau, int maxShifts, double largest)
 {
   bool done = false;
@@ -275,8 +275,7 @@ bool NewtonKktStep::solve()
     return this->solveChord();
   }
   bool found = this->factorize() && this->solveActive();
-  // An unknown that would leave its bounds goes as far as the bound, and the rest of the step
-  // adapts.
+  // An unknown that would leave its bounds goes to the bound, and the rest of the step adapts.
   while (found && this->growActiveSet())
   {
     found = this->factorize() && this->solveActive();

@@ -9,10 +9,10 @@ struct PenaltyDescentOptions
 {
   /// The largest |c_i| with which the descent ends.
   double constraintTolerance = 1e-3;
-  /// The largest |c_i| with which the model is told to settle.
+  /// The largest |c_i| with which the model switches to its final objective.
   double finalObjectiveConstraint = 0.05;
   int maxSteps = 400;
-  /// No other step is begun after so many factorizations.
+  /// No other step is begun after this many factorizations.
   int maximumFactorizations = std::numeric_limits<int>::max();
 };
 

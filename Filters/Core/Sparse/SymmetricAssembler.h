@@ -26,7 +26,7 @@ public:
     : Size(size)
   {
   }
-  /// Makes room for so many entries.
+  /// Makes room for entries.
   void reserve(std::size_t count)
   {
     this->Rows.reserve(count);
@@ -124,7 +124,7 @@ private:
   Index First = none; ///< entry; the others follow
 };
 
-/// A dense symmetric block of the coordinates x and y, unknowns 2 v and 2 v + 1, of so many
+/// A dense symmetric block of the coordinates x and y, unknowns 2 v and 2 v + 1, of N
 /// different vertices: its entries are known by the first, so that blocks in a row need no memory.
 template <int N>
 class PointsBlock
@@ -190,7 +190,7 @@ class JacobianBlock
 {
 public:
   JacobianBlock() = default;
-  /// Declares the entries of so many rows from the first on.
+  /// Declares the entries of some rows from the first on.
   JacobianBlock(
     SymmetricAssembler& assembler, Index firstRow, const std::array<Index, Columns>& columns)
     : Unknowns(columns)

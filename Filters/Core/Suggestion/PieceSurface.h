@@ -28,7 +28,7 @@ struct PieceSurface
 std::vector<PieceSurface> pieceSurfaces(
   const ImprintedSurface& surface, const CutSurface& cut, const RegionWeights& weights = {});
 
-/// The same with about so many triangles, where it has more; boundary and curves stay as they are.
+/// The same with about this number of triangles, where it has more; boundary and curves stay.
 PieceSurface coarsened(const PieceSurface& piece, Index triangles);
 
 /// By piece the other one that is its exact image in a plane, as the halves of what is cut along

@@ -9,8 +9,8 @@
 
 namespace flattening
 {
-/// How much distortion matters, by triangle of a surface: each counts as if its area were so many
-/// times as large. Empty: everywhere alike. Only their ratios matter.
+/// How much distortion matters, by triangle of a surface: each counts as if its area were
+/// multiplied by it. Empty: everywhere alike. Only their ratios matter.
 using RegionWeights = std::vector<double>;
 
 /// Errors: InvalidOption (not one for each triangle, one that is negative or no number, or none
