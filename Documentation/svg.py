@@ -4,7 +4,7 @@
 import math
 from xml.sax.saxutils import escape
 
-# Okabe and Ito's colours, which colour-blind readers tell apart.
+# Okabe and Ito's colors, which color-blind readers tell apart.
 COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 MARGIN = 16
 SIZE = 13  # of the words

@@ -12,7 +12,7 @@
 
 namespace figures
 {
-/// What the colours of a surface and its flat pieces show.
+/// What the colors of a surface and its flat pieces show.
 enum class Coloring
 {
   Developability,
@@ -40,7 +40,7 @@ constexpr std::array<Coloring, 4> threadColorings{ Coloring::Stretch, Coloring::
 const char* nameOf(Coloring coloring);
 std::optional<Coloring> coloringOf(const std::string& name);
 
-/// An array of the outputs of vtkWireWarpingFilter, or of vtkSewnShape, and how it is coloured.
+/// An array of the outputs of vtkWireWarpingFilter, or of vtkSewnShape, and how it is colored.
 struct ColorMap
 {
   const char* array;

@@ -50,7 +50,7 @@ int valueAt(vtkDataArray* array, vtkIdType cell, int otherwise)
   return array ? static_cast<int>(array->GetComponent(cell, 0)) : otherwise;
 }
 
-/// Twelve light colours, far apart from one to the next.
+/// Twelve light colors, far apart from one to the next.
 vtkSmartPointer<vtkLookupTable> makeCategories(int count)
 {
   static constexpr std::array<Vector, 12> colors{ { { 0.99, 0.71, 0.38 }, { 0.55, 0.83, 0.78 },
@@ -173,7 +173,7 @@ vtkActor* Drawing::addActor(const PolyData& data, bool interpolated)
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetLighting(this->InSpace);
-  // Shaded enough to show the form, and not more, so that colours stay readable.
+  // Shaded enough to show the form, and not more, so that colors stay readable.
   actor->GetProperty()->SetAmbient(0.5);
   actor->GetProperty()->SetDiffuse(0.5);
   this->Renderer->AddActor(actor);

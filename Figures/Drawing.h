@@ -15,7 +15,7 @@ namespace figures
 {
 using Vector = std::array<double, 3>;
 
-/// A range of values from blue to red; `low` above `high` turns the colours round.
+/// A range of values from blue to red; `low` above `high` turns the colors round.
 struct ColorRange
 {
   double low;
@@ -28,7 +28,7 @@ struct FigureStyle
   double wireWidth = 4.0;
   int gap = 14;
   int titleHeight = 28;
-  int scaleHeight = 90; ///< of colours, with title and numbers
+  int scaleHeight = 90; ///< of colors, with title and numbers
 };
 
 /// How the two sides of an opened dart are drawn.
@@ -55,7 +55,7 @@ public:
   void addPointMap(const PolyData& surface, const char* array, ColorRange range);
   void addCellMap(const PolyData& surface, const char* array, ColorRange range);
   void addMap(const PolyData& surface, const char* array, bool onPoints, vtkLookupTable* colors);
-  /// Neighbouring numbers get colours that differ.
+  /// Neighbouring numbers get colors that differ.
   void addCategories(const PolyData& surface, const char* array);
 
   /// The wires of a flat piece, or feature curves in space: key red, accessory green, dart blue,

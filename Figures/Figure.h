@@ -21,7 +21,7 @@ public:
   /// A drawing at the end of the row.
   Drawing& add();
   void nextRow();
-  /// A scale of colours below all rows, as many as there is room for beside each other.
+  /// A scale of colors below all rows, as many as there is room for beside each other.
   void addScale(const std::string& title, ColorRange range);
 
   /// Draws everything.

@@ -18,7 +18,7 @@ std::vector<FlatPiece> flattenAll(
 /// Surfaces with their boundaries and curves in space.
 void drawSpace(Drawing& drawing, const std::vector<Piece>& pieces, const Vector& direction);
 
-/// Surfaces and boundaries in the colours of E_dev, Eq. 25. Returns the largest value, which is
+/// Surfaces and boundaries in the colors of E_dev, Eq. 25. Returns the largest value, which is
 /// red.
 double drawDevelopability(
   Drawing& drawing, const std::vector<Piece>& pieces, const Vector& direction);
@@ -26,6 +26,6 @@ double drawDevelopability(
 /// Flat pieces with their wires.
 void drawFlat(Drawing& drawing, const std::vector<FlatPiece>& pieces);
 
-/// Flat pieces in the colours of a cell array of quality, with their wires.
+/// Flat pieces in the colors of a cell array of quality, with their wires.
 void drawIndex(Drawing& drawing, const std::vector<FlatPiece>& pieces, const char* array);
 }

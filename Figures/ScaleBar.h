@@ -7,7 +7,7 @@
 
 namespace figures
 {
-/// A horizontal bar of colours with numbers below it.
+/// A horizontal bar of colors with numbers below it.
 /// @param labels how many numbers; textSize in pixels
 vtkSmartPointer<vtkScalarBarActor> makeScaleBar(vtkLookupTable* colors, int labels, int textSize);
 }

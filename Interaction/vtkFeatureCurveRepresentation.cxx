@@ -43,7 +43,7 @@ void setColor(vtkActor* actor, const Color& color)
   actor->GetProperty()->SetColor(color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
 }
 
-/// Lines or points with a colour for each cell.
+/// Lines or points with a color for each cell.
 class CellWriter
 {
 public:

@@ -35,7 +35,7 @@ QIcon swatch(int type)
   return QIcon(square);
 }
 
-/// The types in their colours.
+/// The types in their colors.
 QLabel* makeLegend()
 {
   QString words;

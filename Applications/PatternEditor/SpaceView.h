@@ -10,7 +10,7 @@
 
 namespace editor
 {
-/// The surface to draw on, in the colours of the measures.
+/// The surface to draw on, in the colors of the measures.
 class SpaceView
 {
 public:

@@ -11,7 +11,7 @@ collection's blocks lie beside each other.
 
 import paraview.simple as pv
 
-WIRE_COLORS = {  # WireKind or CurveType: name and colour
+WIRE_COLORS = {  # WireKind or CurveType: name and color
     -2: ("connector", (0.7, 0.7, 0.7)),
     -1: ("boundary", (0.0, 0.0, 0.0)),
     0: ("accessory", (0.0, 0.6, 0.1)),
@@ -22,7 +22,7 @@ WIRE_COLORS = {  # WireKind or CurveType: name and colour
 
 
 def color_wires(display, array="WireKind"):
-    """Colours of an array of types, as categories."""
+    """Colors of an array of types, as categories."""
     pv.ColorBy(display, ("CELLS", array))
     colors = pv.GetColorTransferFunction(array)
     colors.InterpretValuesAsCategories = 1
@@ -67,7 +67,7 @@ def show_flat(flattening, view, **colors):
 
 
 def color_drawn_curves(view):
-    """Those that are seen in the view get the colours of their types."""
+    """Those that are seen in the view get the colors of their types."""
     for display in list(view.Representations):
         if not display.GetProperty("Input") or not display.Visibility:
             continue

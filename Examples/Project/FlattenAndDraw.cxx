@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Flattens a surface with its feature curves and draws the pieces beside it, coloured by how their
+// Flattens a surface with its feature curves and draws the pieces beside it, colored by how their
 // area changed, in a window or into a PNG file.
 #include <vtkActor.h>
 #include <vtkErrorCode.h>

@@ -233,7 +233,7 @@ TEST_F(PatternEditor, PatternsAndPicturesAreWritten)
     EXPECT_GT(textOf(path).size(), 2000U) << extension;
     if (picture)
     {
-      // Both views are in it, with all the colours of a surface.
+      // Both views are in it, with all the colors of a surface.
       const QImage image(QString::fromStdString(path));
       for (QWidget* view :
         std::initializer_list<QWidget*>{ this->window->spaceWidget(), this->window->planeWidget() })

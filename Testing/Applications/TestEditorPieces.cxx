@@ -146,7 +146,7 @@ TEST_F(EditorPieces, AKeyWithACornerThatIsToBeStraightIsNamedWhateverBecomesOfIt
   EXPECT_NE(editor::cornersOfStraightKeys(curves).find("is closed"), std::string::npos);
 }
 
-TEST_F(EditorPieces, TheScaleOfColoursLiesBesideThePiece)
+TEST_F(EditorPieces, TheScaleOfColorsLiesBesideThePiece)
 {
   this->waitForPieces();
   vtkRenderer* const plane = this->window->plane();

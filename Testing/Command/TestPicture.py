@@ -39,14 +39,14 @@ class Picture(CommandTest):
         self.assertEqual(run.stderr, "")
         return read_picture(self.path(name))
 
-    def test_it_shows_the_wires_in_their_colours_in_space_and_in_the_plane(self):
+    def test_it_shows_the_wires_in_their_colors_in_space_and_in_the_plane(self):
         pixels = self.draw("shirt.png")
         middle = pixels.shape[1] // 2
         for name, color in WIRES.items():
             for side in (pixels[200:, :middle], pixels[200:, middle:]):
                 self.assertGreater(count(side, color), 200, name)
 
-    def test_each_colouring_gives_another_picture(self):
+    def test_each_coloring_gives_another_picture(self):
         names = ("strain", "developability", "homogeneity", "aspect-ratio", "area")
         pictures = [self.draw(name + ".png", "--color", name) for name in names]
         for k, picture in enumerate(pictures):
@@ -131,14 +131,14 @@ class Picture(CommandTest):
         for side in (changed[:, :middle], changed[:, middle:]):
             self.assertGreater(side.mean(), 0.1)
 
-    def test_colourings_need_what_they_show(self):
+    def test_colorings_need_what_they_show(self):
         for coloring, remedy in (("distance", "wirewarp sew"), ("stretch", "--material"), ("shear", "--material")):
             run = self.run_command("picture", SURFACE, "-o", "a.png", "--color", coloring)
             self.assertEqual(run.returncode, 3)
             self.assertIn(remedy, run.stderr)
             self.assertEqual(os.listdir(self.folder), [])
 
-    def test_other_endings_and_colourings_are_bad_usage(self):
+    def test_other_endings_and_colorings_are_bad_usage(self):
         for arguments in (("-o", "a.pdf"), ("-o", "a.png", "--color", "taste")):
             run = self.run_command("picture", SURFACE, *arguments)
             self.assertEqual(run.returncode, 2)

@@ -178,7 +178,7 @@ class Readers(command.CommandTest):
         self.write("plain.obj", command.obj(self.points, self.triangles))
         self.assertEqual(self.measures("seams.obj", "arc.txt"), self.measures("plain.obj", "arc.txt"))
 
-    def test_obj_takes_backward_ids_normals_colours_continued_lines_and_windows_line_ends(self):
+    def test_obj_takes_backward_ids_normals_colors_continued_lines_and_windows_line_ends(self):
         text = "# comment\r\nmtllib x.mtl\r\no piece\r\n"
         text += "".join("v %r %r %r 0.1 0.2 0.3\r\n" % point for point in self.points)
         count = len(self.points)

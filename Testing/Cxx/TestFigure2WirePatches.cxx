@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fig. 2a: the wires of the shirt's front after the darts are opened, its surface, and the
-// wire-patches in colours.
+// wire-patches in colors.
 #include "FigureTest.h"
 
 #include <map>

@@ -89,7 +89,7 @@ int TestWrongPicturesFail(int argc, char* argv[])
       [&](Drawing& drawing) { figures::drawIndex(drawing, { mirror }, homogeneity); });
     expectFailure("another index",
       [&](Drawing& drawing) { figures::drawIndex(drawing, { progressive }, "AspectRatio"); });
-    expectFailure("another range of colours", [&](Drawing& drawing) {
+    expectFailure("another range of colors", [&](Drawing& drawing) {
       drawing.addCellMap(progressive.flat, homogeneity, { 1.0, 0.4 });
       drawing.addWires(progressive.wires);
     });

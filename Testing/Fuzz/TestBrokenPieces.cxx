@@ -196,7 +196,7 @@ FileOptions randomOptions(std::mt19937& random, const PatternSource& source)
   pattern.cutOnFold = oneIn(3);
   pattern.pairs = oneIn(3);
   pattern.quantity = static_cast<int>(1 + random() % 3);
-  options.laserColours = oneIn(2);
+  options.laserColors = oneIn(2);
   options.cutterStyle = oneIn(2);
   options.walkTable = oneIn(2);
   options.pages.paper = static_cast<PaperSize>(random() % 5);

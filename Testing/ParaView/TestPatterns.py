@@ -68,7 +68,7 @@ class Patterns(unittest.TestCase):
             self.assertRegex(said.read().decode(), r"ERR.*missing.pattern\.svg")
         self.assertFalse(os.path.exists(os.path.dirname(path)))
 
-    def test_what_is_shown_first_is_coloured(self):
+    def test_what_is_shown_first_is_colored(self):
         view = pv.CreateView("RenderView")
         shown = [pv.Show(pv.OutputPort(self.flattening, port), view) for port in range(3)]
         self.assertEqual([list(display.ColorArrayName) for display in shown],

@@ -115,7 +115,7 @@ class Pictures(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "select"):
             show_beside(flattening.Input)
 
-    def test_the_surface_is_in_the_middle_with_its_curves_coloured_and_the_legend_below(self):
+    def test_the_surface_is_in_the_middle_with_its_curves_colored_and_the_legend_below(self):
         sys.path.insert(0, os.path.join(SOURCE, "Examples", "ParaView"))
         from flat_beside import show_beside
 

@@ -281,7 +281,7 @@ TEST(Joins, ALaserFollowsARoundByFewArcs)
   }
   source.pieceOfTriangle.assign(200, 0);
   FileOptions options;
-  options.laserColours = true;
+  options.laserColors = true;
   options.pattern = inMillimetres();
   Pattern pattern;
   std::string content;

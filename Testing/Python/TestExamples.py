@@ -34,7 +34,7 @@ def colors_of(path):
 
 
 def share(colors, lowest, highest):
-    """Share of the pixels between two colours."""
+    """Share of the pixels between two colors."""
     return ((colors[:, :3] >= lowest) & (colors[:, :3] <= highest)).all(axis=1).mean()
 
 

@@ -22,7 +22,7 @@ def records(text):
 
 
 def contrast(one, other):
-    """Of two sRGB colours, by the definition of WCAG 2: 1 to 21."""
+    """Of two sRGB colors, by the definition of WCAG 2: 1 to 21."""
     def luminance(rgb):
         parts = [value / 255 for value in rgb]
         linear = [v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4 for v in parts]
@@ -97,16 +97,16 @@ class Layers(pattern.PatternTest):
         self.assertEqual({tuple(circle.dxf.center)[:2] for circle in circles}, set(marks(block, "13")))
         self.assertEqual(len(circles), 2)
 
-    def test_colours_of_layers_can_be_read_on_black_and_on_white(self):
+    def test_colors_of_layers_can_be_read_on_black_and_on_white(self):
         self.make("tshirt", "-o", "out/pattern.dxf")
         document, _ = self.blocks()
         read = 0
         for layer in document.layers:
             if layer.dxf.color == 7:  # black on white, white on black
                 continue
-            colour = ezdxf.colors.aci2rgb(layer.dxf.color)
+            color = ezdxf.colors.aci2rgb(layer.dxf.color)
             for ground in ((0, 0, 0), (255, 255, 255)):
-                self.assertGreater(contrast(colour, ground), 3.0, (layer.dxf.name, colour))
+                self.assertGreater(contrast(color, ground), 3.0, (layer.dxf.name, color))
             read += 1
         self.assertEqual(read, 9)
 

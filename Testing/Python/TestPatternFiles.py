@@ -64,21 +64,21 @@ class Svg(pattern.PatternTest):
         for label in ("cut line", "sew line", "dart leg", "dart fold", "notch", "drill hole", "text"):
             self.assertIn(label, labels)
 
-    def test_a_laser_gets_thin_whole_lines_in_a_colour_a_role(self):
+    def test_a_laser_gets_thin_whole_lines_in_a_color_a_role(self):
         self.make("shirt_front", "-o", "out/pattern.svg", "--style", "laser")
         root = pattern.svg_root(self.path("out", "pattern.svg"))
         (piece,) = pattern.pieces_of(root)
-        colours = {}
+        colors = {}
         for role in self.layers(piece):
             if role.get("class") == "text":
                 continue
             self.assertIsNone(role.get("stroke-dasharray"))
             self.assertLessEqual(float(role.get("stroke-width")), 0.1)
-            colours[role.get("class")] = role.get("stroke")
-        self.assertEqual(colours["cut-line"], "#ff0000")
-        self.assertEqual(colours["sew-line"], "#0000ff")
-        self.assertEqual(len(set(colours.values())), len(colours))
-        self.assertGreater(len(colours), 6)
+            colors[role.get("class")] = role.get("stroke")
+        self.assertEqual(colors["cut-line"], "#ff0000")
+        self.assertEqual(colors["sew-line"], "#0000ff")
+        self.assertEqual(len(set(colors.values())), len(colors))
+        self.assertGreater(len(colors), 6)
 
     def test_heads_of_the_grain_are_filled_but_for_a_laser_which_would_engrave_them(self):
         for options, fill in (((), "#000000"), (("--style", "laser",), None)):

@@ -148,7 +148,7 @@ class Pages(pattern.PatternTest):
         self.assertEqual(together, whole)
 
     def dark_pixels(self, page, with_mixed=False):
-        """Pixels of black lines; crosses and trim lines are coloured, frames grey."""
+        """Pixels of black lines; crosses and trim lines are colored, frames grey."""
         width, height, pixels = page
         margin = round(2 * MARGIN) + 1  # labels stand in the margin
         for y in range(margin, height - margin):

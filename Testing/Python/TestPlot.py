@@ -31,7 +31,7 @@ class Plot(unittest.TestCase):
         return {collection.get_label(): collection for collection in ax.collections
                 if isinstance(collection, LineCollection)}
 
-    def test_every_wire_is_drawn_in_its_length_and_the_colour_of_its_type(self):
+    def test_every_wire_is_drawn_in_its_length_and_the_color_of_its_type(self):
         drawn = self.wires_of(self.result.plot())
         self.assertEqual(set(drawn), {wire.type for wire in self.result.wires})
         for kind, collection in drawn.items():
@@ -41,7 +41,7 @@ class Plot(unittest.TestCase):
                 lengths, [wire.flat_length for wire in self.result.wires if wire.type == kind])
         self.assertEqual(matplotlib.colors.to_hex(drawn["key"].get_color()[0]), "#d90000")
 
-    def test_triangles_are_coloured_by_the_array_that_is_named(self):
+    def test_triangles_are_colored_by_the_array_that_is_named(self):
         for word, name in (("homogeneity", "HomogeneityOfDistortion"), ("area", "AreaRatio"),
                            ("aspect-ratio", "AspectRatio")):
             ax = self.result.plot(word)

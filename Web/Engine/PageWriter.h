@@ -31,8 +31,7 @@ public:
   {
     this->call("clip", corner.x(), corner.y(), extent.x(), extent.y());
   }
-  void pen(
-    const pattern::Colour& colour, double width, const std::array<double, 4>& dashes) override
+  void pen(const pattern::Color& color, double width, const std::array<double, 4>& dashes) override
   {
     emscripten::val list = emscripten::val::array();
     for (const double dash : dashes)
@@ -42,7 +41,7 @@ public:
         list.call<void>("push", dash);
       }
     }
-    this->call("pen", colour[0], colour[1], colour[2], width, list);
+    this->call("pen", color[0], color[1], color[2], width, list);
   }
   void moveTo(const Point2& to) override { this->call("moveTo", to.x(), to.y()); }
   void lineTo(const Point2& to) override { this->call("lineTo", to.x(), to.y()); }

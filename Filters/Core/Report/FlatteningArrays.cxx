@@ -126,7 +126,7 @@ void addPatches(const FlatteningResult& result, Columns& cells)
   }
 }
 
-/// One number that colours wires: the type of the curve, -1 for the boundary, -2 for connectors.
+/// One number that colors wires: the type of the curve, -1 for the boundary, -2 for connectors.
 int kindOf(const Wire& wire)
 {
   return wire.connector ? -2 : wire.curve == none ? -1 : static_cast<int>(wire.type);

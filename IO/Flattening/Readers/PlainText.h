@@ -7,7 +7,7 @@
 namespace wirewarp
 {
 /// A text as one line of sound UTF-8 that a terminal and XML can take: each control character and
-/// each byte that is no UTF-8 becomes a question mark. Names in files may hold what would colour,
+/// each byte that is no UTF-8 becomes a question mark. Names in files may hold what would color,
 /// move or overwrite what stands on the screen.
 std::string plainText(std::string_view text);
 

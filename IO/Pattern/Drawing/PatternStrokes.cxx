@@ -13,15 +13,15 @@ namespace flattening::pattern
 {
 namespace
 {
-constexpr Colour black{ 0.0, 0.0, 0.0 };
-constexpr Colour red{ 0.8, 0.0, 0.0 };
-constexpr Colour green{ 0.0, 0.5, 0.1 };
-constexpr Colour blue{ 0.0, 0.2, 0.8 };
+constexpr Color black{ 0.0, 0.0, 0.0 };
+constexpr Color red{ 0.8, 0.0, 0.0 };
+constexpr Color green{ 0.0, 0.5, 0.1 };
+constexpr Color blue{ 0.0, 0.2, 0.8 };
 
 struct Look
 {
   StrokeStyle onPaper;
-  Colour laser;
+  Color laser;
 };
 
 /// In the order of LineKind.
@@ -65,7 +65,7 @@ StrokeStyle styleOf(LineKind role)
   return looks.at(static_cast<std::size_t>(role)).onPaper;
 }
 
-Colour laserColour(LineKind role)
+Color laserColor(LineKind role)
 {
   return looks.at(static_cast<std::size_t>(role)).laser;
 }

@@ -7,23 +7,23 @@
 
 namespace flattening::pattern
 {
-using Colour = std::array<double, 3>;
+using Color = std::array<double, 3>;
 
-/// How a kind of line looks on paper: in colour it bears the colour of its wire, in black and white
+/// How a kind of line looks on paper: in color it bears the color of its wire, in black and white
 /// its dashes tell it apart.
 struct StrokeStyle
 {
   const char* name = ""; ///< as a class in SVG
-  Colour colour{ 0.0, 0.0, 0.0 };
+  Color color{ 0.0, 0.0, 0.0 };
   double width = 0.25;            ///< millimetres
   std::array<double, 4> dashes{}; ///< millimetres on, off, on, off; 0 ends them
 };
 
 StrokeStyle styleOf(LineKind role);
 
-/// A colour of its own for each role, with every part 0, 1/2 or 1: programs of laser cutters choose
-/// power, speed and order by colour.
-Colour laserColour(LineKind role);
+/// A color of its own for each role, with every part 0, 1/2 or 1: programs of laser cutters choose
+/// power, speed and order by color.
+Color laserColor(LineKind role);
 
 /// One line to draw, in the coordinates of its piece.
 struct Stroke

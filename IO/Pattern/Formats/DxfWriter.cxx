@@ -21,13 +21,13 @@ namespace
 struct DxfLayer
 {
   const char* name;
-  int colour; ///< AutoCAD's color index
+  int color; ///< AutoCAD's color index
   bool dashed = false;
 };
 
 namespace dxf
 {
-// The layers of ASTM D6673 that patterns are drawn on, in colours that can be read on black and on
+// The layers of ASTM D6673 that patterns are drawn on, in colors that can be read on black and on
 // white alike.
 constexpr DxfLayer boundary{ "1", 7 };
 constexpr DxfLayer turnPoints{ "2", 8 };
@@ -208,7 +208,7 @@ public:
     {
       this->beginEntry("LAYER", layer.name);
       this->add(70, 0);
-      this->add(62, layer.colour);
+      this->add(62, layer.color);
       this->add(6, layer.dashed ? dashed : solid);
     }
     this->add(0, "ENDTAB");

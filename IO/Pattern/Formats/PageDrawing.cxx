@@ -75,9 +75,9 @@ private:
     this->Canvas.stroke(false);
   }
 
-  void pen(const Colour& colour, double width, const std::array<double, 4>& dashes = {})
+  void pen(const Color& color, double width, const std::array<double, 4>& dashes = {})
   {
-    this->Canvas.pen(colour, width, dashes);
+    this->Canvas.pen(color, width, dashes);
   }
 
   void text(
@@ -159,7 +159,7 @@ private:
         continue;
       }
       const StrokeStyle style = styleOf(stroke.role);
-      this->pen(style.colour, style.width, style.dashes);
+      this->pen(style.color, style.width, style.dashes);
       this->addPath(p, stroke);
       if (stroke.closed)
       {

@@ -36,7 +36,7 @@ public:
   virtual void scale(double factor) = 0;
   virtual void clip(const Point2& corner, const Point2& extent) = 0;
   /// \param dashes lengths on, off, on, off; 0 ends them
-  virtual void pen(const Colour& colour, double width, const std::array<double, 4>& dashes) = 0;
+  virtual void pen(const Color& color, double width, const std::array<double, 4>& dashes) = 0;
   virtual void moveTo(const Point2& to) = 0;
   virtual void lineTo(const Point2& to) = 0;
   virtual void curveTo(const Point2& one, const Point2& two, const Point2& to) = 0;

@@ -172,7 +172,7 @@ Status makePatternFile(
     case FileFormat::GarmentCode:
       return makeGarmentCode(source, *all, drawing, content);
     default:
-      content = makeSvg(drawing, options.laserColours);
+      content = makeSvg(drawing, options.laserColors);
       return {};
   }
 }

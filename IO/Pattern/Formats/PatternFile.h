@@ -41,11 +41,11 @@ struct FileOptions
 {
   FileFormat format = FileFormat::Svg;
   PatternOptions pattern;
-  PageOptions pages;         ///< of PDF
-  FabricOptions fabric;      ///< of SVG, PDF and HPGL: lay the pieces on cloth
-  bool walkTable = false;    ///< of PDF: on pages after the pattern
-  bool laserColours = false; ///< of SVG
-  bool cutterStyle = false;  ///< of DXF
+  PageOptions pages;        ///< of PDF
+  FabricOptions fabric;     ///< of SVG, PDF and HPGL: lay the pieces on cloth
+  bool walkTable = false;   ///< of PDF: on pages after the pattern
+  bool laserColors = false; ///< of SVG
+  bool cutterStyle = false; ///< of DXF
   const Grading* grading =
     nullptr;                    ///< of a pattern of several sizes, of which the source is the base
   PageCanvas* canvas = nullptr; ///< of PDF: takes the pages, of which no bytes are made then

@@ -237,7 +237,7 @@ void addFormats(Table& table)
     .help("Most pages of a PDF; with more the unit is likely wrong.");
 
   table.group(OptionOwner::Pattern, "SVG");
-  table.add("LaserColors", [](All& all) { return &all.laserColours; })
+  table.add("LaserColors", [](All& all) { return &all.laserColors; })
     .label("Colors for Lasers")
     .spelled("style laser", "laser_colors")
     .help("Draw an SVG in thin lines with a color for each role, as laser cutters need it.");

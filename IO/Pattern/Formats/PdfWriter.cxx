@@ -97,14 +97,14 @@ public:
     this->rectangle(corner, extent);
     cairo_clip(this->Context);
   }
-  void pen(const Colour& colour, double width, const std::array<double, 4>& dashes) override
+  void pen(const Color& color, double width, const std::array<double, 4>& dashes) override
   {
     int count = 0;
     while (count < 4 && dashes[static_cast<std::size_t>(count)] > 0.0)
     {
       ++count;
     }
-    cairo_set_source_rgb(this->Context, colour[0], colour[1], colour[2]);
+    cairo_set_source_rgb(this->Context, color[0], color[1], color[2]);
     cairo_set_line_width(this->Context, width);
     cairo_set_dash(this->Context, dashes.data(), count, 0.0);
   }

@@ -36,10 +36,10 @@ std::string layerAttributes(const std::string& label)
   return attribute("inkscape:groupmode", "layer") + attribute("inkscape:label", label);
 }
 
-std::string hexOf(const Colour& colour)
+std::string hexOf(const Color& color)
 {
   std::string hex = "#";
-  for (const double part : colour)
+  for (const double part : color)
   {
     char buffer[8];
     std::snprintf(buffer, sizeof buffer, "%02x", static_cast<unsigned>(std::lround(255.0 * part)));
@@ -58,7 +58,7 @@ std::string styleAttributes(const StrokeStyle& style)
       dashes += (dashes.empty() ? "" : " ") + formatNumber(dash, 3);
     }
   }
-  return attribute("fill", "none") + attribute("stroke", hexOf(style.colour)) +
+  return attribute("fill", "none") + attribute("stroke", hexOf(style.color)) +
     attribute("stroke-width", formatNumber(style.width, 3)) +
     (dashes.empty() ? "" : attribute("stroke-dasharray", dashes));
 }
@@ -84,9 +84,9 @@ std::string textElement(
 class SvgDrawing
 {
 public:
-  SvgDrawing(const Pattern& pattern, bool laserColours)
+  SvgDrawing(const Pattern& pattern, bool laserColors)
     : Drawn(pattern)
-    , LaserColours(laserColours)
+    , LaserColors(laserColors)
     , Layout(layOut(pattern, squareWidth(pattern), legendHeight + margin))
   {
   }
@@ -186,9 +186,9 @@ private:
     StrokeStyle style = styleOf(role);
     std::string label = style.name;
     std::replace(label.begin(), label.end(), '-', ' ');
-    if (this->LaserColours)
+    if (this->LaserColors)
     {
-      style.colour = laserColour(role);
+      style.color = laserColor(role);
       style.width = laserWidth;
       style.dashes = {};
     }
@@ -207,16 +207,16 @@ private:
     {
       this->Text += attribute("data-length", number(stroke.measure));
     }
-    if (stroke.filled && !this->LaserColours) // a laser would engrave the area
+    if (stroke.filled && !this->LaserColors) // a laser would engrave the area
     {
-      this->Text += attribute("fill", hexOf(styleOf(stroke.role).colour));
+      this->Text += attribute("fill", hexOf(styleOf(stroke.role).color));
     }
     if (stroke.role == LineKind::Notch || stroke.role == LineKind::DartMark)
     {
       this->Text += attribute("data-arc-length", number(stroke.measure));
     }
     this->Text += " d=\"";
-    if (this->LaserColours && stroke.points.size() > 2)
+    if (this->LaserColors && stroke.points.size() > 2)
     {
       this->addArcs(p, stroke);
     }
@@ -280,14 +280,14 @@ private:
   }
 
   const Pattern& Drawn;
-  const bool LaserColours;
+  const bool LaserColors;
   SheetLayout Layout;
   std::string Text;
 };
 }
 
-std::string makeSvg(const Pattern& pattern, bool laserColours)
+std::string makeSvg(const Pattern& pattern, bool laserColors)
 {
-  return SvgDrawing(pattern, laserColours).make();
+  return SvgDrawing(pattern, laserColors).make();
 }
 }

@@ -16,7 +16,7 @@ constexpr double nestMargin = 10.0;
 constexpr double gapOfPieces = 20.0; ///< between pieces
 constexpr double headHeight = 20.0;  ///< for the names of the sizes
 constexpr double nameSpace = 25.0;
-constexpr std::array<const char*, 8> colours{ "#000000", "#c00000", "#0060c0", "#008040", "#a000a0",
+constexpr std::array<const char*, 8> colors{ "#000000", "#c00000", "#0060c0", "#008040", "#a000a0",
   "#c07000", "#606060", "#00a0a0" };
 
 /// A number of the nest; a wire of a millimetre still keeps its length to 1e-8.
@@ -92,11 +92,11 @@ private:
   std::string layer(std::size_t s) const
   {
     const std::string name = escapeXml(this->All.sizes[s]);
-    const std::string colour = colours[s % colours.size()];
+    const std::string color = colors[s % colors.size()];
     std::string text = "<g inkscape:groupmode=\"layer\" inkscape:label=\"" + name +
-      "\" data-size=\"" + name + "\" stroke=\"" + colour + "\">\n<text x=\"" +
+      "\" data-size=\"" + name + "\" stroke=\"" + color + "\">\n<text x=\"" +
       nestNumber(nestMargin + nameSpace * static_cast<double>(s)) + "\" y=\"" +
-      nestNumber(nestMargin + 5.0) + "\" font-size=\"5\" stroke=\"none\" fill=\"" + colour + "\">" +
+      nestNumber(nestMargin + 5.0) + "\" font-size=\"5\" stroke=\"none\" fill=\"" + color + "\">" +
       name + "</text>\n";
     for (const SourceWire& wire : this->All.wires)
     {

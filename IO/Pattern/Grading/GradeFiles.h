@@ -5,7 +5,7 @@
 
 namespace flattening::pattern
 {
-/// An SVG at true scale with the sew lines of all sizes on each other, a layer and a colour a size.
+/// An SVG at true scale with the sew lines of all sizes on each other, a layer and a color a size.
 std::string makeNest(const Grading& grading, const std::string& name);
 
 /// Comma-separated values, one row for each rule: piece (from 1), point, name, and dx and dy of

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from ._suggestion import Suggestion
 
 _WIDTH, _HEIGHT = 640.0, 400.0
-# Beyond, a notebook would carry megabytes: the pieces are drawn in one colour.
+# Beyond, a notebook would carry megabytes: the pieces are drawn in one color.
 _MOST_COLORED = 6000
 _COLORS = 12
 _COLUMNS: Tuple[Tuple[str, str, str], ...] = (
