@@ -30,7 +30,8 @@ Curves
   the plane: center line, grainline, fold), dart (cut open) or seam (cut through); edge is an
   accessory curve along the boundary, the shorter way from each vertex to the next: by its name a hem
   or neckline has its own allowance and notches, and it stays a sew line of the pattern; v0 v1 ... are
-  vertex ids of SURFACE, counted from 0, or points as x,y,z. Instead of them may stand
+  vertex ids of SURFACE, counted from 0, or points as x,y,z (of an edge the vertices next to them, if
+  no farther from the boundary than 0.5 % of the size of SURFACE). Instead of them may stand
     plane x=0              where a plane across x, y or z cuts SURFACE, all lines of it, or those on
                            one side of others: plane x=0 y>10 z<50
     opening 2              all around an opening, as wirewarp check numbers them; its name is then
@@ -39,8 +40,8 @@ Curves
                            back), or along the curve above of that name
     between waist and hem  the straight way from an opening (opening N) or curve above to another
   In a .csv they stand in the column x.
-  Polylines in SURFACE itself are curves too. Points of curves
-  need not be vertices: they are laid on SURFACE if no farther from it than --curve-distance.
+  Polylines in SURFACE itself are curves too. Points of curves need not be vertices: they are laid on
+  SURFACE if no farther from it than --curve-distance.
   Curves without a name are called "curve N", N counted from 0 over all curves. Where several share a
   name, options that take a NAME mean all of them.
 

@@ -10,12 +10,15 @@
  * | .csv | a point a row: columns `name`, `x`, `y`, `z` and `type` in any order, divided by comma, semicolon or tab |
  * | .dxf | ASCII: LINE, LWPOLYLINE, POLYLINE, ARC, CIRCLE, ELLIPSE, SPLINE; a layer "dart left" gives type and name |
  * | .obj | line elements `l`; a group or object "dart left" gives type and name |
- * | another | text, a curve a line: TYPE NAME v0 v1 ... with ids of the surface's points |
+ * | another | text, a curve a line: TYPE NAME v0 v1 ... with ids of the surface's points, or points as x,y,z |
  *
  * A type is accessory, key, straight (a key curve that is straight in the plane), dart or seam. In
  * texts and tables it may also be edge: an accessory curve that follows the boundary from each of
- * its vertices to the next, the shorter way. Coordinates are in the unit of the surface. Polylines
- * in the formats of VTK are read by vtkXMLPolyDataReader and vtkPolyDataReader.
+ * its vertices to the next, the shorter way; points of it may miss the boundary by 0.5 % of the
+ * size of the surface. Instead of points, in a table in the column x, may stand `plane x=0`,
+ * `opening 2`, `boundary left` or `between waist and hem`, as `wirewarp formats` explains.
+ * Coordinates are in the unit of the surface. Polylines in the formats of VTK are read by
+ * vtkXMLPolyDataReader and vtkPolyDataReader.
  *
  * Inputs and output:
  *

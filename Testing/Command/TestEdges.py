@@ -69,6 +69,22 @@ class Edges(command.CommandTest):
             for word in (*words, "'hem'"):
                 self.assertIn(word, run.stderr)
 
+    def test_points_of_an_edge_lie_on_the_boundary_whatever_the_format(self):
+        for places, wanted in (((101, 2, 0, 598, -3, 1), 500.0), ((140, 0, 0, 560, 0, 0), 500.0), ((60, 0, 0, 640, 0, 0), 500.0),
+                               ((400, 20, 0, 0, 0, 0), "20 off the boundary"), ((0, 0, 0, 300, 300, 0), "300 off the boundary")):
+            ends = [",".join(map(str, places[k:k + 3])) for k in (0, 3)]
+            for name, text in (("hem.txt", "edge hem " + " ".join(ends) + "\n"),
+                               ("hem.csv", "name,type,x,y,z\n" + "".join(f"hem,edge,{end}\n" for end in ends))):
+                self.write(name, text)
+                if isinstance(wanted, float):
+                    curve, = self.flatten("flat.obj", name, "--unit", "mm")["curves"]
+                    self.assertAlmostEqual(curve["length_3d"], wanted, delta=1e-9 * wanted)
+                    continue
+                run = self.run_command("flat.obj", name, "--output", "none")
+                self.assertEqual(run.returncode, 3, run.stderr)
+                for word in (name + ":", "edge 'hem'", wanted):
+                    self.assertIn(word, run.stderr)
+
     def test_names_of_curves_in_text_may_be_in_quotes(self):
         names = ['"left # hem"', '"centre ""front"" x"', "it's\"here\""]
         text = (f'edge {names[0]} {at(1, 0)} {at(6, 0)} # "a" remark\n'

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BorderWays.h"
 
+#include "Base/Types.h"
 #include "InputError.h"
 
 #include <algorithm>
@@ -69,14 +70,18 @@ std::int64_t BorderWays::nearest(const Point3& place, double& distance) const
   double least = std::numeric_limits<double>::infinity();
   for (const BoundaryLoop& loop : this->Loops)
   {
-    for (const std::int64_t point : loop.points)
+    for (std::size_t k = 0; k < loop.points.size(); ++k)
     {
-      const double square =
-        ((*this->Points)[static_cast<std::size_t>(point)] - place).squaredNorm();
+      const std::int64_t from = loop.points[k];
+      const std::int64_t to = loop.points[(k + 1) % loop.points.size()];
+      const Point3& a = (*this->Points)[static_cast<std::size_t>(from)];
+      const Point3& b = (*this->Points)[static_cast<std::size_t>(to)];
+      const double along = flattening::fractionAlong(a, b, place);
+      const double square = (a + along * (b - a) - place).squaredNorm();
       if (square < least)
       {
         least = square;
-        best = point;
+        best = along < 0.5 ? from : to;
       }
     }
   }

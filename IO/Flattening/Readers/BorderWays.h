@@ -20,7 +20,8 @@ public:
   /// round; of a point and itself the whole loop. Throws InputError where there is no such way.
   std::vector<std::int64_t> through(const std::vector<std::int64_t>& points) const;
 
-  /// The point of the boundary that is nearest to a place, -1 where there is no boundary.
+  /// The nearer end of the edge of the boundary that is nearest to a place; -1 where there is no
+  /// boundary. \param distance of the place from that edge
   std::int64_t nearest(const Point3& place, double& distance) const;
 
 private:

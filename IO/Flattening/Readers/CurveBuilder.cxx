@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 namespace wirewarp
@@ -23,6 +24,10 @@ using flattening::SurfacePoint;
 
 namespace
 {
+/// How far the points of an edge may be from the boundary, as a fraction of the size of the
+/// surface: coordinates may be rounded, or picked by hand.
+constexpr double edgeTolerance = 5e-3;
+
 /// A plane across an axis, and between which planes across axes its section is taken.
 struct SectionPlane
 {
@@ -297,14 +302,22 @@ const BorderWays& CurveBuilder::borders()
 }
 
 //------------------------------------------------------------------------------
-std::int64_t CurveBuilder::borderVertex(
-  const Point3& place, const std::string& edge, double& distance)
+std::int64_t CurveBuilder::borderVertex(const Point3& place, const std::string& edge)
 {
+  double distance = 0.0;
   const std::int64_t vertex = this->borders().nearest(place, distance);
   if (vertex < 0)
   {
     this->Lines.refuse(
       "edge " + inQuotes(edge) + ": the surface has no boundary; make the curve accessory");
+  }
+  if (!(distance <= edgeTolerance * boxOf(*this->Surface.points).diagonal().norm()))
+  {
+    std::ostringstream text;
+    text << "edge " << inQuotes(edge) << ": the point is " << distance
+         << " off the boundary, at vertex " << vertex
+         << " of it; give a point of the boundary, or make the curve accessory";
+    this->Lines.refuse(text.str());
   }
   return vertex;
 }

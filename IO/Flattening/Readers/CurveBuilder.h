@@ -51,8 +51,8 @@ public:
 
   /// The id of a new point.
   std::int64_t newPoint(const Point3& place);
-  /// The vertex of the boundary that is nearest to a point of an edge.
-  std::int64_t borderVertex(const Point3& place, const std::string& edge, double& distance);
+  /// The vertex of the boundary that is nearest along it to a point of an edge, which lies on it.
+  std::int64_t borderVertex(const Point3& place, const std::string& edge);
 
   bool empty() const { return this->Curves.empty(); }
   DataSet take();

@@ -4,13 +4,11 @@
 #include "CurveBuilder.h"
 #include "InputError.h"
 #include "TextFile.h"
-#include "TriangleList.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <sstream>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -20,10 +18,6 @@ namespace wirewarp
 namespace
 {
 constexpr std::size_t nowhere = std::string_view::npos;
-
-/// How far the points of an edge may be from vertices of the boundary, as a fraction of the size of
-/// the surface: coordinates may be rounded.
-constexpr double edgeTolerance = 1e-5;
 
 /// The fields of a line; none where quotes are not closed, or go on behind their end.
 std::optional<std::vector<std::string>> fieldsOf(std::string_view line, char divider)
@@ -88,7 +82,6 @@ struct RowTitle
 struct CsvReader
 {
   LineReader lines;
-  const DataSet& surface;
   CurveBuilder builder;
   char divider = ',';
   std::array<std::size_t, 5> column{}; ///< of name, type, x, y, z
@@ -98,7 +91,6 @@ struct CsvReader
 
   CsvReader(const std::string& path, const std::string& text, const DataSet& owner)
     : lines(path, text, false)
-    , surface(owner)
     , builder(this->lines, owner, false)
   {
   }
@@ -177,23 +169,6 @@ struct CsvReader
     return { name, { type_of_row.kind, name }, type_of_row.isEdge };
   }
 
-  /// The vertex of the boundary at a point of an edge.
-  std::int64_t borderVertex(const Point3& x)
-  {
-    double distance = 0.0;
-    const std::int64_t vertex = this->builder.borderVertex(x, this->title.curve.name, distance);
-    if (!(distance <= edgeTolerance * boxOf(*this->surface.points).diagonal().norm()))
-    {
-      std::ostringstream text;
-      text << "edge " << inQuotes(this->title.curve.name) << ": the point is " << distance
-           << " off vertex " << vertex
-           << ", the nearest of the boundary; give the coordinates of a vertex of the boundary, or "
-              "make the curve accessory";
-      this->refuse(text.str());
-    }
-    return vertex;
-  }
-
   /// Points of the curve so far.
   std::size_t size() const { return this->points.size() + this->ids.size(); }
 
@@ -243,7 +218,7 @@ struct CsvReader
     }
     if (this->title.isEdge)
     {
-      this->ids.push_back(this->borderVertex(x));
+      this->ids.push_back(this->builder.borderVertex(x, this->title.curve.name));
       return;
     }
     this->points.push_back(x);

@@ -53,8 +53,7 @@ struct TextPoint
   {
     if (word.find(',') != std::string_view::npos)
     {
-      double distance = 0.0;
-      return this->isEdge ? this->builder.borderVertex(this->placeOf(word), this->curve, distance)
+      return this->isEdge ? this->builder.borderVertex(this->placeOf(word), this->curve)
                           : this->builder.newPoint(this->placeOf(word));
     }
     long long id = 0;
