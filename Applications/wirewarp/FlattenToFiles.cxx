@@ -38,12 +38,14 @@ InputFiles inputFiles(const Options& options)
   {
     inputs.add(options.surface);
   }
-  for (const char* name : dataNames)
+  else
   {
-    if (!options.source.empty())
+    const std::filesystem::path source = std::filesystem::u8path(options.source);
+    for (const char* name : dataNames)
     {
-      inputs.add((std::filesystem::u8path(options.source) / (std::string(name) + ".vtp")).string());
+      inputs.add((source / (std::string(name) + ".vtp")).string());
     }
+    inputs.add((source / reportName).string());
   }
   for (const std::string& path : options.curves)
   {
@@ -199,6 +201,18 @@ void writeRefusal(const Options& options, const Flattening& result, OutputFiles&
 /// Where files cannot be put is found before the work, which would be lost.
 void demandPlaces(const Options& options, OutputFiles& files)
 {
+  std::set<std::filesystem::path> result{ reportFile(options).lexically_normal() };
+  for (const std::filesystem::path& file : dataFiles(options))
+  {
+    result.insert(file.lexically_normal());
+  }
+  for (const std::filesystem::path& file : furtherFiles(options))
+  {
+    if (result.count(file.lexically_normal()) > 0)
+    {
+      throw InputError(file.string(), "is a file of the result itself; name another with --output");
+    }
+  }
   if (!options.output.empty())
   {
     files.demandFolder(std::filesystem::u8path(options.output));

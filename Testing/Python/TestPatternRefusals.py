@@ -187,6 +187,18 @@ class Refusals(pattern.PatternTest):
                     block = document.blocks.get(document.modelspace().query("INSERT")[0].dxf.name)
                     self.assertEqual(len(pattern.block_lines(block, "11")), holes)
 
+    def test_a_pattern_never_replaces_what_keeps_a_result(self):
+        surface = self.arguments()[1]
+        self.run_command(surface, "--unit", "cm", "-o", "out")
+        kept = self.report("out")
+        for source, words, says in ((["out"], ["-o", "out/report.json"], "is an input"),
+                                    ([surface], ["-o", "other", "-o", "./other/report.json"], "is a file of the result itself")):
+            run = self.run_command("pattern", *source, *words, "--unit", "cm")
+            self.assertEqual(run.returncode, 3, run.stderr)
+            self.assertIn("report.json: " + says, run.stderr)
+        self.assertEqual(self.report("out"), kept)
+        self.assertFalse(os.path.exists(self.path("other")))
+
     def test_a_pattern_of_an_earlier_run_does_not_survive_a_new_flattening(self):
         surface = self.arguments()[1]
         self.run_command(surface, "--unit", "cm", "-o", "out")
