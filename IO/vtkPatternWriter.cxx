@@ -483,13 +483,7 @@ flattening::pattern::FileOptions vtkPatternWriter::MakeOptions(int format)
   options.format = static_cast<pattern::FileFormat>(format);
   options.pattern = *this->Lists;
   options.pattern.unit = static_cast<flattening::Unit>(this->Unit);
-  for (const pattern::PatternOption& option : pattern::patternOptionTable())
-  {
-    if (option.setIn)
-    {
-      option.setIn(options, (*this->Options)[option.property]);
-    }
-  }
+  pattern::setOptions(*this->Options, options);
   return options;
 }
 

@@ -62,13 +62,7 @@ pattern::FileOptions optionsOf(
 {
   const OptionValues& values = request.values;
   pattern::FileOptions file;
-  for (const pattern::PatternOption& option : pattern::patternOptionTable())
-  {
-    if (option.setIn)
-    {
-      option.setIn(file, values[option.property]);
-    }
-  }
+  pattern::setOptions(values, file);
   pattern::PatternOptions& drawn = file.pattern;
   drawn.unit = flattening::unitNamed(unit);
   if (!values.isGiven("PatternName"))
@@ -300,10 +294,11 @@ void addPieces(CLI::App& app, PatternRequest& request)
           long long quantity = 0;
           const bool counted =
             colon != std::string::npos && parseInteger(entry.substr(colon + 1), quantity);
-          if (counted && (quantity < 1 || quantity > 1000000))
+          const flattening::Option& copies = *request.values.find("PieceQuantities");
+          if (counted && !isValid(copies, static_cast<double>(quantity)))
           {
             throw CLI::ValidationError(
-              "--piece", inQuotes(entry) + " is not NAME:QUANTITY with 1 to 1000000 copies");
+              "--piece", inQuotes(entry) + " is not NAME:COPIES with copies in " + rangeOf(copies));
           }
           request.pieces.emplace_back(
             counted ? entry.substr(0, colon) : entry, static_cast<int>(quantity));
@@ -374,7 +369,9 @@ void addNesting(CLI::App& app, PatternRequest& request)
       "--roll-width",
       [&values = request.values](double width) { values.set("FabricWidth", width); },
       "Width of the cloth, with the grain along it")
-    ->transform(length([](double width) { return width > 0.0 && width <= 1e5; }, "(0, 1e5]"))
+    ->transform(length([&option = *request.values.find("FabricWidth")](
+                         double width) { return width > 0.0 && isValid(option, width); },
+      '(' + rangeOf(*request.values.find("FabricWidth")).substr(1)))
     ->type_name("MM")
     ->required();
 }

@@ -19,7 +19,7 @@ bool setNumber(OptionValues& values, const char* property, double number)
       [](const OptionWord& word) { return !word.name.empty(); });
     within = std::clamp(number, 0.0, static_cast<double>(names - 1));
   }
-  else if (option.minimum != option.maximum && !option.open)
+  else if (option.minimum != option.maximum && !option.open && !std::isnan(number))
   {
     const double least = std::min(option.minimum, std::get<double>(option.byDefault));
     within = std::min(std::max(number, least), option.maximum);

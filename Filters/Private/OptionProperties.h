@@ -11,7 +11,8 @@
 namespace flattening::bridge
 {
 /// Sets a number, of a word its place, within the range of its option; below it -1 where the option
-/// then follows from the input. \return whether it is another than before
+/// then follows from the input. NaN stays, which a run refuses. \return whether it is another than
+/// before
 bool setNumber(OptionValues& values, const char* property, double number);
 
 /// Sets a text. \return whether it is another than before

@@ -227,9 +227,6 @@ TEST(PatternBuilder, RefusesWhatIsNoPattern)
   EXPECT_EQ(codeOf(source, options), StatusCode::InvalidPattern);
 
   PatternOptions wrong = options;
-  wrong.allowance = std::nan("");
-  EXPECT_EQ(codeOf(dartedSquare(), wrong), StatusCode::InvalidOption);
-  wrong = options;
   wrong.notchSpacing = 1e-6;
   EXPECT_EQ(codeOf(dartedSquare(), wrong), StatusCode::InvalidOption);
   wrong = options;

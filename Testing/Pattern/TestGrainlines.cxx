@@ -98,8 +98,6 @@ TEST(Grainlines, PiecesAreLongerAlongThemAndAcrossAsCompensationSays)
   source.wires.push_back({ { 0, 2 }, WireType::Key, 0, 0, "bias" });
   const PatternLine bias = lineOf(drawn(source, options), LineKind::KeyCurve);
   EXPECT_NEAR(lengthOf(bias), 1.1 * std::hypot(60.0, 100.0), 1e-9);
-  options.warpCompensation = 30.0;
-  expectRefusal(source, options, { "compensation", "20 %" });
 }
 
 TEST(Grainlines, EndAtABorderThatTheyMeetInACorner)

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/PageTexts.h"
+#include "Formats/PatternFile.h"
+#include "Formats/PatternOptionTable.h"
 #include "Formats/PdfPages.h"
 #include "Outlines/PatternText.h"
 
@@ -11,6 +13,8 @@
 #include <cmath>
 #include <cstdio>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -139,16 +143,38 @@ TEST(PdfPages, ASheetBeyondTheLimitOfPdfIsDivided)
   }
 }
 
-TEST(PdfPages, AnOverlapThatLeavesNoPageIsRefused)
+TEST(PatternFile, AnOptionOutOfItsRangeIsRefusedByNameAndRange)
 {
-  PagePlan plan;
-  for (const double overlap : { 60.0, -1.0, std::nan("") })
+  const auto expectRefusal = [](const FileOptions& options, const std::vector<std::string>& words) {
+    Pattern drawing;
+    std::string content;
+    const Status status = makePatternFile({}, options, drawing, content);
+    EXPECT_EQ(status.code, StatusCode::InvalidOption);
+    for (const std::string& word : words)
+    {
+      EXPECT_NE(status.message.find(word), std::string::npos) << word << ": " << status.message;
+    }
+  };
+  for (const PatternOption& option : patternOptionTable())
   {
-    PageOptions options;
-    options.overlap = overlap;
-    EXPECT_EQ(
-      planPages(patternOf({ { 10.0, 10.0 } }), options, plan).code, StatusCode::InvalidOption);
+    for (const double value : { std::nan(""), option.minimum - 2.0, option.maximum + 1.0 })
+    {
+      if (option.setIn && option.minimum < option.maximum &&
+        (option.type == OptionType::Number || std::isfinite(value)))
+      {
+        FileOptions options;
+        option.setIn(options, value);
+        expectRefusal(options, { option.property + " = ", rangeOf(option) });
+      }
+    }
   }
+  FileOptions options;
+  options.pattern.pieceQuantities = { 0, -1 };
+  expectRefusal(options, { "PieceQuantities of piece 2 = -1", "[1, 1000000]" });
+  options.pattern.notchesOfCurve["hem"] = { 1.0, -3.0 };
+  expectRefusal(options, { "CurveNotches of hem = 1 -3" });
+  options.pattern.allowanceOfCurve["hem"] = std::nan("");
+  expectRefusal(options, { "CurveAllowances of hem = nan", "[0, 1000000]" });
 }
 
 TEST(PdfPages, APieceThatFitsAPageIsNotSplit)

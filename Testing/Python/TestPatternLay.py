@@ -76,7 +76,7 @@ class Lay(pattern.PatternTest):
             for _, other in laid[:k]:
                 self.assertGreaterEqual(distance(ring, other), 5.0 - 0.02)
         used = sum(abs(area(ring)) for _, ring in laid) / (width * box["height"])
-        told = re.search(r"cloth: ([\d.]+) mm x (\d+) mm for (\d+) pieces, of which ([\d.]+) % is used",
+        told = re.search(r"cloth: ([\d.]+) mm x (\d+) mm for (\d+) pieces?, of which ([\d.]+) % is used",
                          "\n".join(self.notes()))
         self.assertIsNotNone(told, self.notes())
         self.assertEqual(float(told[1]), width)

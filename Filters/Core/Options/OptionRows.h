@@ -102,7 +102,8 @@ private:
 /// \tparam Entry an Option
 /// \tparam Structures what the options are members of
 /// \tparam set the member of Entry that assigns a value to the structures
-template <class Entry, class Structures, auto set>
+/// \tparam get that which reads it; null: none
+template <class Entry, class Structures, auto set, auto get = nullptr>
 class OptionRows
 {
 public:
@@ -124,6 +125,12 @@ public:
     option.*set = [access](Structures& structures, const OptionValue& value) {
       assignOption(*access(structures), value);
     };
+    if constexpr (std::is_member_pointer_v<decltype(get)>)
+    {
+      option.*get = [access](Structures& structures) {
+        return optionValueOf<OptionValue>(*access(structures));
+      };
+    }
     return OptionRow(option);
   }
 

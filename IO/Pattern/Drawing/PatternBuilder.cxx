@@ -21,174 +21,96 @@ namespace flattening::pattern
 {
 namespace
 {
-Status invalidOption(const std::string& message)
+template <typename Value>
+std::set<std::string> namesIn(const std::map<std::string, Value>& ofCurve)
 {
-  return { StatusCode::InvalidOption, message };
-}
-
-bool isLength(double value)
-{
-  return std::isfinite(value) && value >= 0.0;
-}
-
-bool isLength(const std::vector<double>& values)
-{
-  return std::all_of(values.begin(), values.end(), [](double value) { return isLength(value); });
-}
-
-/// Options of curves by their names.
-struct CurveOptionCheck
-{
-  const PatternSource& source;
-
-  /// \param what names the curve
-  /// \param sides "NAME:2" is what is of the curve in the second piece
-  template <typename Names>
-  Status names(const Names& wanted, const std::string& what, bool sides = false) const
-  {
-    std::set<std::string> known{ "boundary" };
-    std::string list = "boundary";
-    for (const SourceWire& wire : this->source.wires)
-    {
-      if (known.insert(wire.name).second && list.size() < 200)
-      {
-        list.append(", ").append(wire.name);
-      }
-    }
-    const auto unknown =
-      std::find_if(wanted.begin(), wanted.end(), [&known, sides, this](const std::string& name) {
-        return known.count(name) == 0 && !(sides && this->hasSide(name));
-      });
-    return unknown == wanted.end() ? Status()
-                                   : invalidOption(what + " names the curve " + *unknown +
-                                       ", which is not there; there are " + list);
-  }
-
-  /// Pieces are known once a surface is flat.
-  bool hasSide(const std::string& name) const
-  {
-    const auto [curve, piece] = curveSide(name);
-    const auto isSide = [&curve = curve, &piece = piece](const SourceWire& wire) {
-      return wire.name == curve && (wire.piece == none || wire.piece == piece);
-    };
-    const std::vector<SourceWire>& wires = this->source.wires;
-    return piece != none &&
-      (curve == "boundary" || std::any_of(wires.begin(), wires.end(), isSide));
-  }
-
-  /// \param before, after the name in the message about values that are no lengths
-  template <typename Value>
-  Status lengths(const std::map<std::string, Value>& ofCurve, const std::string& before,
-    const std::string& after, const std::string& what, bool sides = false) const
-  {
-    std::vector<std::string> wanted;
-    for (const auto& one : ofCurve)
-    {
-      wanted.push_back(one.first);
-    }
-    const auto wrong = std::find_if(
-      ofCurve.begin(), ofCurve.end(), [](const auto& one) { return !isLength(one.second); });
-    return wrong == ofCurve.end()
-      ? this->names(wanted, what, sides)
-      : invalidOption(before + wrong->first + after + " of millimetres from 0");
-  }
-};
-}
-
-std::set<std::string> curvesWithOptions(const PatternOptions& options)
-{
-  std::set<std::string> names = options.doubleNotches;
-  names.insert(options.foldsAlong.begin(), options.foldsAlong.end());
-  for (const auto* const ofCurve :
-    { &options.allowanceOfCurve, &options.dartTipOfCurve, &options.fairToleranceOfCurve })
-  {
-    for (const auto& entry : *ofCurve)
-    {
-      names.insert(entry.first);
-    }
-  }
-  for (const auto& entry : options.notchesOfCurve)
+  std::set<std::string> names;
+  for (const auto& entry : ofCurve)
   {
     names.insert(entry.first);
   }
   return names;
 }
 
+/// Curves that an option names.
+struct NamedCurves
+{
+  std::set<std::string> names;
+  const char* what;   ///< names them
+  bool sides = false; ///< "NAME:2" is what is of the curve in the second piece
+};
+
+/// Pieces are known once a surface is flat.
+bool hasSide(const PatternSource& source, const std::string& name)
+{
+  const auto [curve, piece] = curveSide(name);
+  const auto isSide = [&curve = curve, &piece = piece](const SourceWire& wire) {
+    return wire.name == curve && (wire.piece == none || wire.piece == piece);
+  };
+  return piece != none &&
+    (curve == "boundary" || std::any_of(source.wires.begin(), source.wires.end(), isSide));
+}
+
+Status checkCurveNames(const PatternSource& source, const NamedCurves& wanted)
+{
+  std::set<std::string> known{ "boundary" };
+  std::string list = "boundary";
+  for (const SourceWire& wire : source.wires)
+  {
+    if (known.insert(wire.name).second && list.size() < 200)
+    {
+      list.append(", ").append(wire.name);
+    }
+  }
+  for (const std::string& name : wanted.names)
+  {
+    if (known.count(name) == 0 && !(wanted.sides && hasSide(source, name)))
+    {
+      return { StatusCode::InvalidOption,
+        std::string(wanted.what) + " names the curve " + name + ", which is not there; there are " +
+          list };
+    }
+  }
+  return {};
+}
+}
+
+std::set<std::string> curvesWithOptions(const PatternOptions& options)
+{
+  std::set<std::string> names = options.doubleNotches;
+  names.insert(options.foldsAlong.begin(), options.foldsAlong.end());
+  names.merge(namesIn(options.allowanceOfCurve));
+  names.merge(namesIn(options.dartTipOfCurve));
+  names.merge(namesIn(options.fairToleranceOfCurve));
+  names.merge(namesIn(options.notchesOfCurve));
+  return names;
+}
+
 Status checkPatternOptions(const PatternSource& source, const PatternOptions& options)
 {
-  if (!std::isfinite(options.allowance))
-  {
-    return invalidOption("the seam allowance must be a number of millimetres from 0");
-  }
-  if (!std::isfinite(options.mitreLimit) || options.mitreLimit < 1.0)
-  {
-    return invalidOption("the mitre limit must be a number from 1");
-  }
-  if (!std::isfinite(options.notchSpacing) || !isLength(options.notchLength))
-  {
-    return invalidOption("notch spacing and length must be numbers of millimetres from 0");
-  }
-  if (!isLength(options.fairTolerance))
-  {
-    return invalidOption("the tolerance of smooth borders must be a number of millimetres from 0");
-  }
   if (options.symmetrize && !options.isFair(source))
   {
     return { StatusCode::InvalidOption,
       "outlines are made their own mirror images as smooth borders alone, and none is to be smooth",
       {}, { { Remedy::Give, "a tolerance of smooth borders above 0 mm" } } };
   }
-  const auto isCompensation = [](double percent) { return std::abs(percent) <= 20.0; };
-  if (!isCompensation(options.warpCompensation) || !isCompensation(options.weftCompensation))
+  const NamedCurves all[] = {
+    { namesIn(options.allowanceOfCurve), "a seam allowance", true },
+    { namesIn(options.fairToleranceOfCurve), "a tolerance of smooth borders" },
+    { namesIn(options.dartTipOfCurve), "a tip to be drawn back" },
+    { options.foldsAlong, "a fold" },
+    { options.doubleNotches, "a double notch" },
+    { namesIn(options.notchesOfCurve), "a notch" },
+  };
+  for (const NamedCurves& named : all)
   {
-    return invalidOption("compensation along warp and weft must be from -20 to 20 %");
-  }
-  if (!isLength(options.thickness) || !isLength(options.glueTab))
-  {
-    return invalidOption(
-      "the thickness of the material and the width of tabs must be numbers of millimetres from 0");
-  }
-  if (options.quantity < 1)
-  {
-    return invalidOption("the quantity must be a whole number from 1");
-  }
-  for (std::size_t p = 0; p < options.pieceQuantities.size(); ++p)
-  {
-    if (options.pieceQuantities[p] < 0)
+    const Status status = checkCurveNames(source, named);
+    if (!status.ok())
     {
-      return invalidOption(
-        "the quantity of piece " + std::to_string(p + 1) + " must be a whole number from 1");
+      return status;
     }
   }
-  if (!isLength(options.dartTip))
-  {
-    return invalidOption(
-      "how far tips of darts are drawn back must be a number of millimetres from 0");
-  }
-  const CurveOptionCheck check{ source };
-  Status status = check.lengths(options.allowanceOfCurve, "the seam allowance of ",
-    " must be a number", "a seam allowance", true);
-  if (status.ok())
-  {
-    status = check.lengths(options.fairToleranceOfCurve, "the tolerance of the smooth ",
-      " must be a number", "a tolerance of smooth borders");
-  }
-  if (status.ok())
-  {
-    status = check.lengths(options.dartTipOfCurve, "how far the tip of ",
-      " is drawn back must be a number", "a tip to be drawn back");
-  }
-  if (status.ok())
-  {
-    status = check.names(options.foldsAlong, "a fold");
-  }
-  if (status.ok())
-  {
-    status = check.names(options.doubleNotches, "a double notch");
-  }
-  return status.ok()
-    ? check.lengths(options.notchesOfCurve, "the notches of ", " must be numbers", "a notch")
-    : status;
+  return {};
 }
 
 namespace

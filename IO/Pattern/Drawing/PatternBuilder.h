@@ -13,7 +13,8 @@ namespace flattening::pattern
 {
 class FairCache;
 
-/// Errors: InvalidOption where a value is out of range, or a curve is named that is not there.
+/// Errors: InvalidOption where a curve is named that is not there, or no line is smooth that is to
+/// be symmetric. Ranges are those of Formats/PatternOptionTable, which makePatternFile() checks.
 Status checkPatternOptions(const PatternSource& source, const PatternOptions& options);
 
 /// The names of all curves that have an option of their own, with sides as "NAME:2".
@@ -22,6 +23,7 @@ std::set<std::string> curvesWithOptions(const PatternOptions& options);
 /// Checks a flattening and how it is to be drawn, and finds what all drawings of it need.
 /// \param cache of smooth borders, for other files of the same flattening; null: none
 /// \param all there where the outcome is good
+/// \pre options are within their ranges
 Status prepareDrawing(const PatternSource& source, const PatternOptions& given, FairCache* cache,
   std::optional<DrawingSource>& all);
 

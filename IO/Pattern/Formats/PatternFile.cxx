@@ -7,6 +7,7 @@
 #include "Formats/GarmentCode.h"
 #include "Formats/HpglWriter.h"
 #include "Formats/PageDrawing.h"
+#include "Formats/PatternOptionTable.h"
 #include "Formats/PdfWriter.h"
 #include "Formats/SvgWriter.h"
 #include "Grading/GradeFiles.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <string>
 
 namespace flattening::pattern
 {
@@ -28,6 +30,49 @@ struct NamedFormat
 constexpr NamedFormat formats[] = { { "Automatic", "" }, { "SVG", ".svg" }, { "PDF", ".pdf" },
   { "DXF", ".dxf" }, { "Walk", ".csv" }, { "HPGL", ".plt" }, { "GarmentCode", ".json" },
   { "Nest", "" }, { "GradeList", "" }, { "RuleTable", ".rul" } };
+
+/// InvalidOption where an option is out of its range in the table.
+Status checkRanges(FileOptions options)
+{
+  Status status;
+  const OptionValues table(patternOptions());
+  const auto check = [&](const std::string& property, const std::string& whose,
+                       const OptionValue& value) {
+    const Option& option = *table.find(property);
+    if (status.ok() && value != option.byDefault && !isValid(option, value))
+    {
+      status = { StatusCode::InvalidOption,
+        property + whose + " = " + textOf(option, value) + " is out of range: " + rangeOf(option) };
+    }
+  };
+  for (const PatternOption& option : patternOptionTable())
+  {
+    if (option.valueIn)
+    {
+      check(option.property, "", option.valueIn(options));
+    }
+  }
+  const auto checkCurves = [&check](const char* property, const auto& ofCurve) {
+    for (const auto& [curve, value] : ofCurve)
+    {
+      check(property, " of " + curve, value);
+    }
+  };
+  const PatternOptions& drawn = options.pattern;
+  checkCurves("CurveAllowances", drawn.allowanceOfCurve);
+  checkCurves("CurveDartTips", drawn.dartTipOfCurve);
+  checkCurves("CurveFairTolerances", drawn.fairToleranceOfCurve);
+  checkCurves("CurveNotches", drawn.notchesOfCurve);
+  for (std::size_t p = 0; p < drawn.pieceQuantities.size(); ++p)
+  {
+    const double quantity = drawn.pieceQuantities[p];
+    if (quantity != 0.0) // that of all pieces
+    {
+      check("PieceQuantities", " of piece " + std::to_string(p + 1), quantity);
+    }
+  }
+  return status;
+}
 
 Status makeGradeFile(const FileOptions& options, const Pattern& drawing, std::string& content)
 {
@@ -101,15 +146,16 @@ std::string knownExtensions()
 Status makePatternFile(
   const PatternSource& source, const FileOptions& options, Pattern& drawing, std::string& content)
 {
-  if (options.format >= FileFormat::Nest)
+  Status status = checkRanges(options);
+  if (!status.ok() || options.format >= FileFormat::Nest)
   {
-    return makeGradeFile(options, drawing, content);
+    return status.ok() ? makeGradeFile(options, drawing, content) : status;
   }
   std::optional<PatternSource> graded;
   if (options.grading)
   {
     graded = source;
-    Status status = addGradePoints(*options.grading, *graded);
+    status = addGradePoints(*options.grading, *graded);
     if (!status.ok())
     {
       return status;
@@ -121,7 +167,7 @@ Status makePatternFile(
   PatternOptions drawn = options.pattern;
   drawn.oneLayer = onFabric;
   std::optional<DrawingSource> all;
-  Status status = prepareDrawing(graded ? *graded : source, drawn, options.fair, all);
+  status = prepareDrawing(graded ? *graded : source, drawn, options.fair, all);
   if (status.ok())
   {
     status = buildPattern(*all, drawing);

@@ -2,32 +2,12 @@
 #pragma once
 
 #include "Base/Status.h"
-#include "Formats/PdfPages.h"
-#include "Grading/SizeGrading.h"
-#include "Nesting/FabricLay.h"
+#include "Formats/FileOptions.h"
 #include "Outlines/Pattern.h"
 #include "Outlines/PatternSource.h"
 
 namespace flattening::pattern
 {
-class FairCache;
-class PageCanvas;
-
-/// What a flattening can be written as.
-enum class FileFormat
-{
-  Automatic, ///< what the extension says
-  Svg,
-  Pdf,
-  Dxf,
-  Walk,
-  Hpgl,
-  GarmentCode,
-  Nest,      ///< SVG of all sizes
-  GradeList, ///< comma-separated values
-  RuleTable, ///< after ASTM D6673
-};
-
 /// "SVG", "Walk", ...
 const char* formatName(FileFormat format);
 
@@ -37,23 +17,9 @@ FileFormat formatOf(const std::string& path);
 /// The extensions that say a format, for a message: ".svg, .pdf, ...".
 std::string knownExtensions();
 
-struct FileOptions
-{
-  FileFormat format = FileFormat::Svg;
-  PatternOptions pattern;
-  PageOptions pages;        ///< of PDF
-  FabricOptions fabric;     ///< of SVG, PDF and HPGL: lay the pieces on cloth
-  bool walkTable = false;   ///< of PDF: on pages after the pattern
-  bool laserColors = false; ///< of SVG
-  bool cutterStyle = false; ///< of DXF
-  const Grading* grading =
-    nullptr;                    ///< of a pattern of several sizes, of which the source is the base
-  PageCanvas* canvas = nullptr; ///< of PDF: takes the pages, of which no bytes are made then
-  FairCache* fair = nullptr; ///< smooth borders are kept there for other files; null: for this one
-};
-
 /// Draws a flattening and makes the file's bytes.
 /// \param drawing what was drawn; its date and time are kept, its warnings are for the user
+/// \return InvalidOption where an option is out of its range in the table
 Status makePatternFile(
   const PatternSource& source, const FileOptions& options, Pattern& drawing, std::string& content);
 }

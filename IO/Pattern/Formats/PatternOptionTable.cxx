@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/PatternOptionTable.h"
 
-#include "Formats/PatternFile.h"
+#include "Formats/FileOptions.h"
 #include "Options/OptionRows.h"
 
 #include <string>
@@ -12,7 +12,8 @@ namespace flattening::pattern
 {
 namespace
 {
-using Table = OptionRows<PatternOption, FileOptions, &PatternOption::setIn>;
+using Table =
+  OptionRows<PatternOption, FileOptions, &PatternOption::setIn, &PatternOption::valueIn>;
 using All = FileOptions;
 
 constexpr double largestLength = 1e6;
@@ -270,5 +271,16 @@ std::vector<const Option*> patternOptions()
     options.push_back(&option);
   }
   return options;
+}
+
+void setOptions(const OptionValues& values, FileOptions& options)
+{
+  for (const PatternOption& option : patternOptionTable())
+  {
+    if (option.setIn)
+    {
+      option.setIn(options, values[option.property]);
+    }
+  }
 }
 }

@@ -16,6 +16,7 @@ struct PatternOption : Option
 {
   /// Empty: of single curves or pieces, which front ends add one by one.
   std::function<void(FileOptions&, const OptionValue&)> setIn;
+  std::function<OptionValue(FileOptions&)> valueIn; ///< there where setIn is
 };
 
 /// All options, ordered by group: "Drawing", what few need ("Details"), and what is of some formats
@@ -24,4 +25,7 @@ struct PatternOption : Option
 const std::vector<PatternOption>& patternOptionTable();
 
 std::vector<const Option*> patternOptions();
+
+/// Sets all members that are options of the table. \pre the values are those of patternOptions()
+void setOptions(const OptionValues& values, FileOptions& options);
 }

@@ -522,11 +522,6 @@ PageMarks pagesOf(const Pattern& pattern, const PagePlan& plan, std::size_t piec
 
 Status planPages(const Pattern& pattern, const PageOptions& options, PagePlan& plan)
 {
-  if (!(options.overlap >= 0.0 && options.overlap <= 50.0) || options.maximumPages < 1)
-  {
-    return { StatusCode::InvalidOption,
-      "the overlap of pages must be from 0 to 50 mm, and one page allowed at least" };
-  }
   if (options.paper == PaperSize::Sheet)
   {
     planSheet(pattern, plan);

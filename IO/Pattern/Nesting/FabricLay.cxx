@@ -286,12 +286,6 @@ private:
 
 Status layOnFabric(const FabricOptions& options, Pattern& pattern)
 {
-  if (!std::isfinite(options.width) || !(options.width > 0.0) || options.width > 1e5 ||
-    !(options.gap >= 0.0 && options.gap <= 1000.0))
-  {
-    return { StatusCode::InvalidOption,
-      "the cloth must be wider than 0 and up to 100 m, and pieces 0 to 1000 mm apart" };
-  }
   LaySearch search(options, pattern);
   Status status = search.search();
   if (!status.ok())
@@ -314,7 +308,8 @@ Status layOnFabric(const FabricOptions& options, Pattern& pattern)
   fabric.efficiency = fabric.length > 0.0 ? area / (fabric.width * fabric.length) : 0.0;
   laid.front().notes.push_back({ "the cloth: " + formatNumber(fabric.width, 1) + " mm x " +
     formatNumber(fabric.length, 0) + " mm for " + std::to_string(laid.size()) +
-    " pieces, of which " + formatNumber(100.0 * fabric.efficiency, 1) + " % is used" });
+    (laid.size() == 1 ? " piece, of which " : " pieces, of which ") +
+    formatNumber(100.0 * fabric.efficiency, 1) + " % is used" });
   pattern.pieces = std::move(laid);
   pattern.fabric = std::move(fabric);
   return {};

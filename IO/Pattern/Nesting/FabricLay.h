@@ -20,6 +20,6 @@ struct FabricOptions
 /// R. C. Art, IBM Cambridge Scientific Center report 36.Y08, 1966), in orders that begin with large
 /// pieces and are improved by swapping two. Without nap pieces may be turned by half a turn.
 /// Needs Clipper.
-/// \return PatternTooLarge where a piece is wider than the cloth; InvalidOption for no width
+/// \return PatternTooLarge where a piece is wider than the cloth; InvalidOption for too many copies
 Status layOnFabric(const FabricOptions& options, Pattern& pattern);
 }

@@ -12,6 +12,7 @@
 #include "vtkStringArray.h"
 #include "vtkTestUtilities.h"
 
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -146,6 +147,12 @@ int TestPatternWriterRefusals(int argc, char* argv[])
 
   refusals.refuse("InvalidOption", grid,
     [](vtkPatternWriter& writer) { writer.SetCurveAllowance("hem", 20.0); }, { "hem", "boundary" });
+  refusals.refuse("InvalidOption", grid,
+    [](vtkPatternWriter& writer) { writer.SetAllowance(std::nan("")); },
+    { "Allowance = nan", "[0, 1000000]" });
+  refusals.refuse("InvalidOption", grid,
+    [](vtkPatternWriter& writer) { writer.SetCurveAllowance("boundary", -3.0); },
+    { "CurveAllowances of boundary = -3" });
   refusals.refuse(
     "InvalidOption", grid, [](vtkPatternWriter& writer) { writer.SetFileName(nullptr); },
     { "no file name", "FileName" }, vtkErrorCode::NoFileNameError);
