@@ -3,6 +3,7 @@
 wrong by file and line."""
 
 import os
+import pathlib
 import tempfile
 import unittest
 
@@ -77,6 +78,13 @@ class Surfaces(Files):
                 self.assertEqual(types(curves), [2, 3])
                 np.testing.assert_allclose(lengths(curves), [1.0, 1.0], rtol=1e-15)
 
+    def test_files_and_what_was_read_name_the_call_that_was_meant(self):
+        path = self.write("a.obj", OBJ)
+        for given, words in ((path, r"read by load_surface\(\)"), (pathlib.Path(path), r"read by load_surface\(\)"),
+                             (sf.load_surface(path), r"flatten\(\*surface\[:3\]\)")):
+            with self.assertRaisesRegex(TypeError, words):
+                sf.flatten(given)
+
     def test_what_was_read_is_flattened(self):
         curve = "v 0 0 0\nv 10 0 0\nv 20 0 3\nv 0 10 0\nv 10 10 0\nv 20 10 3\nf 1 2 5 4\nf 2 3 6 5\ng fold\nl 2 5\n"
         surface, curves = sf.read_surface(self.write("fold.obj", curve))
@@ -91,6 +99,8 @@ class Surfaces(Files):
                 ("a.ply", "ply\nformat ascii 1.0\nelement vertex 9\n", "a.ply"),
                 ("a.off", "OFF\n3 1 0\n0 0 0\n", "a.off"),
                 ("a.stl", "solid\n", "a.stl"),
+                ("a.vtp", "<VTKFile/>", "flatten_polydata() takes"),
+                ("a.glb", "glTF", "flatten_polydata() takes"),
                 ("a.obj", "", "empty")):
             with self.subTest(name=name, content=content):
                 with self.assertRaises(ValueError) as raised:

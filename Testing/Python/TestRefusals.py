@@ -159,6 +159,19 @@ class Arguments(unittest.TestCase):
             self.assertEqual(small.GetArray(name).GetValue(0), 1)
             self.assertEqual(large.GetArray(name).GetValue(0), 1)
 
+    def test_lists_and_dicts_of_another_type_are_named(self):
+        points, triangles = grid()
+        result = sf.flatten(points, triangles)
+        for words, call in (
+                ("sizes = .* must be a dict", lambda: sf.grade([result, result])),
+                ("size 'L' is list", lambda: sf.grade({"M": result, "L": []})),
+                ("tolerance = .* must be a dict", lambda: sf.flatten(points, triangles, tolerance=["hem"])),
+                ("ease = .* must be a dict", lambda: sf.flatten(points, triangles, ease=["hem"])),
+                ("prefer = .* must be a dict", lambda: sf.suggest(points, triangles, prefer=["hem"])),
+                ("keep = .* must be a list", lambda: sf.make_flattenable(points, triangles, keep="hem"))):
+            with self.subTest(words), self.assertRaisesRegex(sf.ArgumentTypeError, words):
+                call()
+
     def test_ranges(self):
         points, triangles = grid()
         for option, value in (("spacing", -0.1), ("imprint_tolerance", 2.0), ("max_iterations", 0),

@@ -94,7 +94,9 @@ class Shown(unittest.TestCase):
         sewn = sf.resew(sf.flatten(points, triangles))
         prices = sf.price_keys(points, triangles, [sf.Curve(arc, "key", "arc")])
         moved = sf.make_flattenable(points, triangles, bound=0.1)
-        for result, words in ((sewn, ["Resewn: 1 shape", f"{sewn.shapes[0].distance_max:.4g}"]),
+        measured = sf.measure(points, triangles, np.asarray(points)[:, :2])
+        for result, words in ((measured, ["Quality: 56 triangles", "E_area"]),
+                              (sewn, ["Resewn: 1 shape", f"{sewn.shapes[0].distance_max:.4g}"]),
                               (prices, ["KeyPrices", f"arc {prices.keys[0].price:.3g}"]),
                               (moved, ["Flattenable", f"{moved.shift_max:.4g}", "bound met"])):
             for word in words:
@@ -402,6 +404,10 @@ class Patterns(unittest.TestCase):
             (ValueError, ["no_such"], "a.svg", {"curve_dart_tips": {"no_such": 1.0}}),
             (ValueError, ["no_such"], "a.svg", {"curve_fairs": {"no_such": 1.0}}),
             (TypeError, ["piece_names"], "a.svg", {"piece_names": "front"}),
+            (TypeError, ["piece_quantities = 5", "list"], "a.svg", {"piece_quantities": 5}),
+            *((sf.ArgumentTypeError, [name, "dict"], "a.svg", {name: [("boundary", 3)]})
+              for name in ("curve_allowances", "curve_notches", "curve_dart_tips", "curve_fairs")),
+            (sf.ArgumentTypeError, ["curve_notches of 'boundary' = 5", "list"], "a.svg", {"curve_notches": {"boundary": 5}}),
             (ValueError, ["name", "UTF-8"], "a.svg", {"name": "a\ud800"}),
             (OSError, ["nowhere"], "nowhere/a.svg", {}),
         ):

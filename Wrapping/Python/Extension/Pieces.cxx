@@ -243,12 +243,30 @@ py::tuple readGarment(const std::string& path)
     dictOf(std::move(data.wires)), dictOf(std::move(data.cut)));
 }
 
+/// Refuses formats that VTK reads: its meshes go to other functions.
+void leaveToVtk(const std::string& path)
+{
+  const std::string extension = wirewarp::lowerCaseExtension(path);
+  for (const char* const one : { ".vtp", ".vtk", ".gltf", ".glb" })
+  {
+    if (extension == one)
+    {
+      wirewarp::checkedFileSize(path); // a missing file has no format
+      throw wirewarp::InputError(path,
+        wirewarp::inQuotes(extension) +
+          " is read by VTK (as vtkXMLPolyDataReader) and PyVista, whose meshes flatten_polydata() "
+          "takes");
+    }
+  }
+}
+
 /// What is wrong with a file, and its surface and curves.
 py::tuple readSurfaceFile(const std::string& path, int seams)
 {
   wirewarp::SurfaceContents contents;
   DataSet along;
   const std::string failure = wirewarp::failureOf(path, [&] {
+    leaveToVtk(path);
     contents = wirewarp::readSurface(path);
     if (seams > 0)
     {
@@ -266,13 +284,7 @@ py::tuple readCurveFile(const std::string& path, const py::dict& surface)
   const DataSet owner = dataSetOf(surface);
   wirewarp::CurveContents contents;
   const std::string failure = wirewarp::failureOf(path, [&] {
-    const std::string extension = wirewarp::lowerCaseExtension(path);
-    if (extension == ".vtp" || extension == ".vtk")
-    {
-      wirewarp::checkedFileSize(path);
-      throw wirewarp::InputError(
-        path, "polylines of VTK are read by vtkXMLPolyDataReader or vtkPolyDataReader");
-    }
+    leaveToVtk(path);
     contents = wirewarp::readCurves(path, owner);
   });
   return py::make_tuple(textOf(failure), dictOf(std::move(contents.curves)), textOf(contents.note));

@@ -3,6 +3,7 @@
 
 from __future__ import annotations  # help() prints hints as they are written here
 
+import os
 from dataclasses import dataclass
 from numbers import Integral
 from typing import TYPE_CHECKING, Any, Callable, Iterator, List, Optional, Sequence, Tuple, Union, cast, get_args
@@ -153,6 +154,11 @@ def surface_data(points: ArrayLike, triangles: Optional[ArrayLike]) -> Data:
     if hasattr(points, "GetDataObjectType"):
         raise ArgumentTypeError(f"points is {type(points).__name__}; it must be an array of positions. Meshes are taken by "
                                 "flatten_polydata(), suggest_polydata() and make_flattenable_polydata()")
+    if isinstance(points, (str, os.PathLike)):
+        raise ArgumentTypeError(f"points is {points!r}; it must be an array of positions. Files are read by load_surface(): "
+                                "flatten(*load_surface(path)[:3])")
+    if isinstance(points, tuple) and hasattr(points, "triangles"):
+        raise ArgumentTypeError("points is what load_surface() gave; give its parts: flatten(*surface[:3])")
     if triangles is None:
         raise ArgumentTypeError("triangles are missing; give the ids of their corners, shape (m, 3)")
     coordinates = as_numbers(points, "points")

@@ -39,7 +39,7 @@ class PanelEdge(ComparedByValue):
     label: str
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Panel(ComparedByValue):
     """A panel of a pattern."""
 
@@ -52,6 +52,9 @@ class Panel(ComparedByValue):
     #: Where it is in space: cm, and degrees about the fixed axes x, then y, then z.
     translation: Tuple[float, float, float]
     rotation: Tuple[float, float, float]
+
+    def __repr__(self) -> str:
+        return f"<Panel {self.name!r}: {len(self.edges)} edges>"
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,7 +88,8 @@ class GarmentPattern:
     _parts: Pieces
 
     def __repr__(self) -> str:
-        return f"<GarmentPattern: {len(self.panels)} panels, {len(self.stitches)} stitches>"
+        count = len(self.panels)
+        return f"<GarmentPattern: {count} panel{'' if count == 1 else 's'}, {len(self.stitches)} stitches>"
 
     def to_polydata(self, part: Part = "flat") -> Any:
         """A vtkPolyData of its own: "flat", the pieces; "wires", their borders; "cut", the pieces placed

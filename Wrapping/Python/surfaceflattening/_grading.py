@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._equality import ComparedByValue
-from ._errors import ArgumentError
-from ._options import text_of
+from ._errors import ArgumentError, ArgumentTypeError
+from ._options import entries_of, text_of
 from ._pattern import unit_number, write_sizes
 from ._pieces import unit_of
 from ._report import error_of
@@ -114,7 +114,11 @@ def grade(
         FlatteningError: a base or curve that is not there, or sizes that differ in more than
             where their points are; the message names the size and the curve.
     """
-    parts = {text_of("a size", size): result._parts for size, result in sizes.items()}
+    parts = {}
+    for size, result in entries_of("sizes", sizes, "flattenings by the names of their sizes"):
+        if not isinstance(result, Flattening):
+            raise ArgumentTypeError(f"size {size!r} is {type(result).__name__}; it must be what flatten() gave")
+        parts[text_of("a size", size)] = result._parts
     of_surfaces: Any = next(filter(None, (unit_of(part.flat) for part in parts.values())), "cm")
     length_unit: Unit = of_surfaces if unit is None else unit
     number = unit_number(length_unit)

@@ -154,18 +154,28 @@ def _ids(what: str, value: Any) -> Tuple[int, int]:
     return (_whole(what, ids[0], 64), _whole(what, ids[1], 64))
 
 
-def _tolerances(given: Optional[Mapping[str, float]]) -> List[Tuple[Any, ...]]:
+def entries_of(what: str, given: Any, contents: str) -> Iterable[Tuple[Any, Any]]:
+    """Keys and values of a dict, which None stands for an empty one of."""
     if given is not None and not isinstance(given, Mapping):
-        raise ArgumentTypeError(f"tolerance = {given!r} must be a dict of curves' names and fractions")
+        raise ArgumentTypeError(f"{what} = {given!r} must be a dict of {contents}")
+    return (given or {}).items()
+
+
+def list_of(what: str, given: Any, contents: str) -> List[Any]:
+    """A list, for which a text would be taken letter by letter."""
+    if isinstance(given, (str, bytes)) or not isinstance(given, Iterable):
+        raise ArgumentTypeError(f"{what} = {given!r} must be a list of {contents}")
+    return list(given)
+
+
+def _tolerances(given: Optional[Mapping[str, float]]) -> List[Tuple[Any, ...]]:
     return [(text_of("a curve of tolerance", name), number_of(f"tolerance of {name!r}", value))
-            for name, value in (given or {}).items()]
+            for name, value in entries_of("tolerance", given, "curves' names and fractions")]
 
 
 def _eases(given: Optional[Mapping[Any, float]]) -> List[Tuple[Any, ...]]:
-    if given is not None and not isinstance(given, Mapping):
-        raise ArgumentTypeError(f"ease = {given!r} must be a dict of fractions by a curve's name or by (name, piece)")
     rows: List[Tuple[Any, ...]] = []
-    for key, value in (given or {}).items():
+    for key, value in entries_of("ease", given, "fractions by a curve's name or by (name, piece)"):
         name, piece = key if isinstance(key, tuple) and len(key) == 2 else (key, -1)
         if isinstance(piece, bool) or not isinstance(piece, (int, np.integer)) or piece < -1:
             raise ArgumentError(f"ease of {key!r}: {piece!r} is not the number of a piece, from 0")
@@ -175,13 +185,11 @@ def _eases(given: Optional[Mapping[Any, float]]) -> List[Tuple[Any, ...]]:
 
 def _preferences(given: Optional[Mapping[str, float]]) -> List[Tuple[Any, ...]]:
     return [(text_of("a curve of prefer", name), number_of(f"preference of {name!r}", weight))
-            for name, weight in (given or {}).items()]
+            for name, weight in entries_of("prefer", given, "curves' names and weights")]
 
 
 def _kept(names: Sequence[str]) -> List[Tuple[Any, ...]]:
-    if isinstance(names, str):
-        raise ArgumentTypeError(f"keep is {names!r}; it must be a sequence of names")
-    return [(text_of("a curve of keep", name),) for name in names]
+    return [(text_of("a curve of keep", name),) for name in list_of("keep", names, "names")]
 
 
 def _grain(grain: Union[None, float, str, Sequence[str]]) -> List[Tuple[Any, ...]]:

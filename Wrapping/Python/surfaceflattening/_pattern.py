@@ -10,7 +10,7 @@ from typing import Any, Dict, Mapping, get_args
 from . import _core
 from ._errors import ArgumentError, ArgumentTypeError, FlatteningWarning
 from ._option_table import TABLE
-from ._options import checked, index_of, text_of
+from ._options import checked, entries_of, index_of, list_of, text_of
 from ._pieces import Pieces, unit_of
 from ._report import raise_failure
 from ._types import Unit
@@ -44,21 +44,22 @@ def _checked(options: Mapping[str, Any]) -> Dict[str, Any]:
               if option.type != "list" and not (options[name] is None and option.default is None)}
     if options["unit"] is not None:
         values["unit"] = unit_number(options["unit"])
-    for name in ("piece_names", "double_notches", "folds"):
-        if isinstance(options[name], str):
-            raise ArgumentTypeError(f"{name} = {options[name]!r} must be a list of names")
     values["piece_quantities"] = [
         _in_range("piece_quantities", f"piece_quantities[{piece}]", quantity, True)
-        for piece, quantity in enumerate(options["piece_quantities"])]
-    values["piece_names"] = [text_of(f"piece_names[{piece}]", text) for piece, text in enumerate(options["piece_names"])]
+        for piece, quantity in enumerate(list_of("piece_quantities", options["piece_quantities"], "whole numbers"))]
+    values["piece_names"] = [text_of(f"piece_names[{piece}]", text)
+                             for piece, text in enumerate(list_of("piece_names", options["piece_names"], "names"))]
     for name in ("double_notches", "folds"):
-        values[name] = {text_of(name, curve) for curve in options[name]}
+        values[name] = {text_of(name, curve) for curve in list_of(name, options[name], "names")}
     for name, what in _OF_CURVES.items():
+        several = name == "curve_notches"
+        contents = "curves' names and lists of millimeters" if several else "curves' names and millimeters"
         values[name] = {
             text_of(f"a curve of {name}", curve): [
-                _in_range(name, f"{what} of {curve!r}", one) for one in value
-            ] if name == "curve_notches" else _in_range(name, f"{what} of {curve!r}", value)
-            for curve, value in (options[name] or {}).items()}
+                _in_range(name, f"{what} of {curve!r}", one)
+                for one in list_of(f"{name} of {curve!r}", value, "millimeters")
+            ] if several else _in_range(name, f"{what} of {curve!r}", value)
+            for curve, value in entries_of(name, options[name], contents)}
     return values
 
 

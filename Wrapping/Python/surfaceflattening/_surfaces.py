@@ -53,7 +53,7 @@ def draw_curve(
     return [Curve(place, type, f"{name} {k + 1}" if name and len(places) > 1 else name) for k, place in enumerate(places)]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Quality(ComparedByValue):
     """Measures of a flattening of any origin."""
 
@@ -63,6 +63,11 @@ class Quality(ComparedByValue):
     cell_arrays: Dict[str, NDArray[np.float64]]
     #: Boundary edges that cross in the plane: points a, b and c, d; int64, shape (k, 4).
     overlap_edges: NDArray[np.int64]
+
+    def __repr__(self) -> str:
+        words = [f"{self.measures['triangles']} triangles", f"E_len_max {self.measures['E_len_max']:.1e}",
+                 f"E_area {self.measures['E_area']:.3g}", f"{len(self.overlap_edges)} overlaps"]
+        return f"<Quality: {', '.join(words)}>"
 
 
 def measure(points: ArrayLike, triangles: ArrayLike, positions: ArrayLike) -> Quality:
