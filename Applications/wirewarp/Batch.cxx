@@ -238,7 +238,7 @@ int runBatch(const Options& options)
   for (const Json& row : rows)
   {
     const int code = row["exit_code"];
-    // A refusal, without a result, is worse than a broken promise.
+    // A refusal, without a result, is worse than a warning.
     exitCode =
       exitCode == InputRefused || code == InputRefused ? InputRefused : std::max(exitCode, code);
   }

@@ -26,6 +26,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -218,6 +219,31 @@ void saySurface(const TriangleList& list, const Shape& shape, const std::string&
     std::cout << "more openings than parts: holes stay open, a tube needs a seam\n";
   }
 }
+
+/// The options that change the surface, for the command that reads it next.
+std::string mendingOf(const Options& options)
+{
+  std::ostringstream words;
+  words.precision(12);
+  if (!options.weld.empty())
+  {
+    words << " --weld" << (options.weld == "0" ? "" : " " + options.weld);
+  }
+  if (options.fillHoles > 0.0)
+  {
+    words << " --fill-holes " << options.fillHoles;
+  }
+  words << (options.outerSide ? " --outer-side" : "");
+  if (options.height > 0.0)
+  {
+    words << " --height " << options.height;
+  }
+  else if (options.scale != 1.0)
+  {
+    words << " --scale " << options.scale;
+  }
+  return words.str();
+}
 }
 
 int runCheck(const Options& options)
@@ -291,9 +317,12 @@ int runCheck(const Options& options)
   }
   if (shape.crowded.empty() && !options.quiet)
   {
+    const bool written = !options.surfaceFile.empty();
+    const bool hasUnit = !stated.empty() && (written || options.unit.empty());
     std::cout << "next: wirewarp make "
-              << plainText(options.surfaceFile.empty() ? options.surface : options.surfaceFile)
-              << (stated.empty() ? " --unit " + unit : "") << " --for " << likely.second << '\n';
+              << plainText(written ? options.surfaceFile : options.surface)
+              << (written ? "" : mendingOf(options)) << (hasUnit ? "" : " --unit " + unit)
+              << " --for " << likely.second << '\n';
   }
   return flattens ? Done : Flawed;
 }

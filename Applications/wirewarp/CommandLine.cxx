@@ -589,10 +589,9 @@ std::string commandMeantBy(const std::string& word)
     names.emplace_back(command.name);
   }
   std::error_code ignored;
-  return lowerCaseExtension(word).empty() &&
-      !std::filesystem::exists(std::filesystem::u8path(word), ignored)
-    ? nearestWord(word, names)
-    : "";
+  const bool isFile = !lowerCaseExtension(word).empty() ||
+    std::filesystem::exists(std::filesystem::u8path(word), ignored);
+  return isFile ? "" : word == "help" ? "--help" : nearestWord(word, names);
 }
 
 /// The commands that have an option, "wirewarp pattern, wirewarp nest"; empty: none. That which

@@ -154,7 +154,7 @@ void addSizes(
     .add_option("SIZE=SURFACE", words,
       "Surfaces of one connectivity by the names of their sizes, in order, and files of curves, "
       "which are of the base")
-    ->type_name("...");
+    ->type_name("");
   app.add_option("--base", base, "The size whose curves are given (default: the first)")
     ->type_name("SIZE");
   app

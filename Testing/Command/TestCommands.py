@@ -168,7 +168,14 @@ class Commands(command.CommandTest):
             self.write("tube.obj", command.obj(*command.grid(24, 12, place, closed=True)))
             run = self.run_well("check", "tube.obj", "--unit", "cm")
             self.assertIn("symmetry: " + symmetry, run.stdout)
-            self.assertIn("likely: a garment, by its size\nnext: wirewarp make tube.obj --for garment\n", run.stdout)
+            self.assertIn("likely: a garment, by its size\nnext: wirewarp make tube.obj --unit cm --for garment\n", run.stdout)
+
+    def test_what_check_names_next_reads_the_surface_alike(self):
+        for words, following in ((("--unit", "cm"), "a.obj --unit cm"), (("--height", "12in"), "a.obj --height 304.8"),
+                                 (("--scale", "1.5", "--unit", "mm", "--weld", "0.5"), "a.obj --weld 0.5 --scale 1.5 --unit mm"),
+                                 (("--unit", "cm", "-o", "b.vtp"), "b.vtp")):
+            run = self.run_command("check", "a.obj", *words)
+            self.assertRegex(run.stdout, f"next: wirewarp make {re.escape(following)} --for [a-z]+\n")
 
     def test_check_scales_a_surface(self):
         for words, sides, unit in (

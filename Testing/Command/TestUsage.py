@@ -76,7 +76,7 @@ class Usage(command.CommandTest):
         self.assertIn("it is an option of wirewarp nest", self.assert_usage_error("pattern", "a", "--roll-width", "5"))
 
     def test_a_command_that_is_nearly_written_is_proposed_and_a_file_of_its_name_is_read(self):
-        for written, meant in (("flaten", "flatten"), ("Pattren", None), ("piture", "picture")):
+        for written, meant in (("flaten", "flatten"), ("Pattren", None), ("piture", "picture"), ("help", "--help")):
             with self.subTest(written):
                 run = self.run_command(written, "a.obj")
                 self.assertEqual("did you mean wirewarp %s?" % meant in run.stderr, meant is not None, run.stderr)
@@ -118,6 +118,7 @@ class Usage(command.CommandTest):
                 run = self.run_command(command_, "--help")
                 self.assertEqual((run.returncode, run.stderr), (0, ""))
                 self.assertLessEqual(len(run.stdout.splitlines()), 45)
+                self.assertNotIn("... ...", run.stdout)
                 names = listed(run.stdout)
                 self.assertLessEqual(len(names), 20)
                 whole = listed(self.run_command(command_, "--help-all").stdout)
