@@ -55,7 +55,7 @@ NUMBERS = ("none", "one", "two", "three", "four", "five", "six", "seven", "eight
 
 def run(*arguments):
     ended = subprocess.run([COMMAND, *arguments, "--quiet"], capture_output=True, text=True, check=False)
-    if ended.returncode not in (0, 4):  # 4: a broken promise, which the table shows
+    if ended.returncode not in (0, 4):  # 4: a warning, which the table shows
         raise RuntimeError(ended.stderr)
 
 
