@@ -585,16 +585,6 @@ void dropNormals(DataSet& data)
     columns.end());
 }
 
-double diagonalOf(const DataSet& data)
-{
-  Eigen::AlignedBox3d box;
-  for (const Point3& point : *data.points)
-  {
-    box.extend(point);
-  }
-  return box.isEmpty() ? 0.0 : box.diagonal().norm();
-}
-
 std::string unitTaken(const std::string& surface, const LikelyUnit& taken)
 {
   return surface + ' ' + describe(taken) + "; state it with --unit mm, cm, m or inch";

@@ -117,8 +117,6 @@ double scaleOf(const Options& options, const DataSet& surface, const std::string
 void scaleBy(double factor, DataSet& data);
 /// Of points that have moved.
 void dropNormals(DataSet& data);
-/// Of all points.
-double diagonalOf(const DataSet& data);
 
 /// What is said of a unit that is taken since none is stated.
 std::string unitTaken(const std::string& surface, const LikelyUnit& taken);

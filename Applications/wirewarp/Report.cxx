@@ -367,10 +367,9 @@ std::string within(const Options& options, const char* name)
 }
 
 /// Fills the tables of pieces and curves, and the times, without lists of iterations and releases.
-/// Throws an exception of nlohmann::json where the text is another one.
-void takeReport(const std::string& text, Flattening& result)
+/// Throws an exception of nlohmann::json where it is another one.
+void takeReport(const Json& report, Flattening& result)
 {
-  const Json report = Json::parse(text);
   const Json& pieces = report.at("pieces");
   Table& table = result.tables.pieces;
   for (const ReportKey& column : reportKeys("PieceReport"))
@@ -473,7 +472,7 @@ Flattening readResult(const Options& options)
     result.unit = report.at("unit").get<std::string>();
     result.unitStated = report.at("unit_stated").get<bool>();
     result.savedReport = report.dump();
-    takeReport(result.savedReport, result);
+    takeReport(report, result);
   }
   catch (const Json::exception&)
   {

@@ -4,6 +4,7 @@
 #include "FlagWords.h"
 #include "PlainText.h"
 #include "Surface/FeatureCurve.h"
+#include "TriangleList.h"
 #include "Units.h"
 
 #include <algorithm>
@@ -240,7 +241,8 @@ std::string curveTable(const Flattening& result)
 std::string curveDistance(const Flattening& result)
 {
   // Coordinates as files have them, with seven figures, are on the surface.
-  if (!result.cut || result.curveDistance <= 1e-6 * diagonalOf(*result.cut))
+  const double size = result.cut ? boxOf(*result.cut->points).diagonal().norm() : 0.0;
+  if (!result.cut || result.curveDistance <= 1e-6 * size)
   {
     return "";
   }
