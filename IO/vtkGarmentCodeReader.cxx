@@ -77,7 +77,7 @@ int vtkGarmentCodeReader::RequestData(vtkInformation* vtkNotUsed(request),
   {
     vtkErrorMacro(<< this->ErrorMessage);
     this->SetErrorCode(vtkErrorCode::FileFormatError);
-    return 1; // what failed has been said
+    return 0; // the pipeline empties the outputs
   }
   this->SetErrorCode(vtkErrorCode::NoError);
   const pattern::GarmentData data = pattern::garmentData(pieces.source);

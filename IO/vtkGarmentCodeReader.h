@@ -13,7 +13,10 @@
  * seam, or a dart where both sides meet in a point; other edges with a label are accessory curves
  * of that name. The field data of output 1 (`PanelNames` and others, Documentation/outputs.md)
  * holds what else the file says: vtkPatternWriter writes it again, but for the parameters of the
- * design. What is wrong names panel and edge.
+ * design.
+ *
+ * **Errors**: one vtkErrorMacro names panel, edge, and remedy; GetErrorMessage() and GetErrorCode()
+ * repeat it, RequestData() returns 0 and the outputs are empty.
  *
  * @code
  * vtkNew<vtkGarmentCodeReader> reader;

@@ -336,6 +336,9 @@ class Reading(pattern.PatternTest):
         self.assertEqual(reader.GetStatusName(), "InvalidPattern")
         for port in range(3):
             self.assertEqual(reader.GetOutput(port).GetNumberOfPoints(), 0)
+        reader.Modified()
+        self.assertEqual(reader.GetExecutive().Update(), 0)  # filters behind it do not run
+        self.assertNotEqual(reader.GetErrorCode(), 0)
 
 
 if __name__ == "__main__":
