@@ -97,6 +97,16 @@ public:
   void SetBoundaryModeToFree() { this->SetBoundaryMode(FREE_BOUNDARY); }
   ///@}
 
+  ///@{
+  /**
+   * With FREE_BOUNDARY: keep the boundary from crossing itself where the piece would overlap; parts
+   * that press on each other end up beside each other, which costs distortion (Z. Jiang, S.
+   * Schaefer, D. Panozzo, "Simplicial Complex Augmentation Framework for Bijective Maps", 2017).
+   * Where the lengths of curves leave no such map, the piece says NOT_CONVERGED. Default: off.
+   */
+  vtkFlatteningFlagMacro(PreventOverlap);
+  ///@}
+
   /**
    * The paper's method: Scheme GLOBAL and Interior LAPLACIAN. The Solver stays: NEWTON finds the
    * minimum that the paper asks for, SEQUENTIAL by the paper's steps, where they converge.

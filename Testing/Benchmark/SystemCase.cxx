@@ -116,8 +116,9 @@ SystemCase isometricSystem(const PreparedPiece& p, const Execution& execution)
     regularization, execution);
   SystemCase system{ "isometric, KKT", model.kkt(), {}, 0.0, false,
     Eigen::MatrixXd::Random(model.kkt().rows(), 1) };
-  findOrder(system,
-    [&] { return model.eliminationOrder(dissectVertices(p.piece.mesh, p.network, p.rigid)); });
+  findOrder(system, [&] {
+    return model.eliminationOrder(dissectVertices(p.piece.mesh.triangles(), p.network, p.rigid));
+  });
   return system;
 }
 }

@@ -287,6 +287,110 @@ TEST(FreeBoundary, TakesTheRigidEnergyOnRequestWhereItDoesNotFold)
   EXPECT_TRUE(deep.pieces[0].quality.flipped.empty());
 }
 
+namespace
+{
+/// A ramp of so many turns around an axis, with the angle of a cone of more than one turn.
+Surface ramp(double turns, double pitch)
+{
+  return patch(static_cast<Index>(40 * turns), 5, [&](double i, double j) -> Point3 {
+    const double turn = i / 20.0 * pi;
+    const double radius = 1.0 + 0.2 * j;
+    return { radius * std::cos(turn), radius * std::sin(turn), pitch * turn };
+  });
+}
+
+/// A saddle of so many waves, whose rim is far too long for its radius.
+Surface ruff(double height, int waves)
+{
+  Surface surface = sphereCap(60.0 * pi / 180.0, 10, 0);
+  Points3 points = surface.mesh.points();
+  for (Point3& p : points)
+  {
+    const double radius = std::hypot(p.x(), p.y());
+    p.z() = height * radius * radius * std::sin(waves * std::atan2(p.y(), p.x()));
+  }
+  surface.mesh = TriangleMesh(std::move(points), surface.mesh.triangles());
+  return surface;
+}
+
+/// Of a plane ring around the middle of the ramp's width whose angle is divided by the turns.
+double energyOfOneTurn(double turns)
+{
+  double sum = 0.0;
+  double weight = 0.0;
+  for (int k = 0; k < 1000; ++k)
+  {
+    const double radius = 1.0 + (k + 0.5) / 1000.0;
+    const double stretch = (1.5 * turns + radius - 1.5) / (turns * radius);
+    sum += radius * (stretch * stretch + 1.0 / (stretch * stretch) - 2.0);
+    weight += radius;
+  }
+  return sum / weight;
+}
+
+FlatteningOptions withoutOverlap()
+{
+  FlatteningOptions options = freeBoundary();
+  options.preventOverlap = true;
+  return options;
+}
+}
+
+TEST(OverlapFreeBoundary, DoesNotCrossItselfWhereAFreeOneDoes)
+{
+  for (const double turns : { 1.1, 1.5, 2.3 })
+  {
+    SCOPED_TRACE(std::to_string(turns) + " turns");
+    const Surface surface = ramp(turns, 0.03);
+    const FlatteningResult crossing = flatten(surface, freeBoundary());
+    ASSERT_EQ(crossing.pieces[0].status.code, StatusCode::Overlap);
+    EXPECT_EQ(crossing.pieces[0].status.remedies.front().remedy, Remedy::PreventOverlap);
+    const FlatteningResult result = flatten(surface, withoutOverlap());
+    ASSERT_TRUE(result.status.ok()) << result.status.message;
+    EXPECT_TRUE(result.pieces[0].quality.flipped.empty());
+    EXPECT_EQ(result.pieces[0].overlaps.count, 0u);
+    // Wound up evenly to one turn it does not overlap either.
+    EXPECT_LT(energyOf(result), energyOfOneTurn(turns));
+    EXPECT_GT(energyOf(result), energyOf(crossing));
+  }
+}
+
+TEST(OverlapFreeBoundary, IsThereForSaddlesWithAndWithoutAHole)
+{
+  Surface whole = ruff(3.0, 3);
+  Surface holed;
+  holed.mesh =
+    partWhere(whole.mesh, [](const Point3& p) { return std::hypot(p.x(), p.y()) > 0.2; }).mesh;
+  for (const Surface& surface : { whole, holed, ruff(5.0, 3) })
+  {
+    SCOPED_TRACE(std::to_string(surface.mesh.triangleCount()) + " triangles");
+    ASSERT_EQ(flatten(surface, freeBoundary()).pieces[0].status.code, StatusCode::Overlap);
+    const FlatteningResult result = flatten(surface, withoutOverlap());
+    EXPECT_EQ(result.pieces[0].overlaps.count, 0u);
+    EXPECT_TRUE(result.pieces[0].quality.flipped.empty());
+    EXPECT_TRUE(result.status.ok()) << result.status.message;
+  }
+}
+
+TEST(OverlapFreeBoundary, IsTheFreeOneWhereThatDoesNotCrossItself)
+{
+  for (const Surface& surface : { foldedSheet(), cushion(9, 8, 0.4), ramp(0.8, 0.03) })
+  {
+    EXPECT_EQ(
+      flatten(surface, withoutOverlap()).positions, flatten(surface, freeBoundary()).positions);
+  }
+}
+
+TEST(OverlapFreeBoundary, KeepsTheLengthsOfCurvesAsWell)
+{
+  Surface surface = ramp(1.3, 0.03);
+  surface.curves = { rowCurve(52, 2) };
+  const FlatteningResult result = flatten(surface, withoutOverlap());
+  ASSERT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_LT(errorOf(result, 0), 1e-12);
+  EXPECT_EQ(result.pieces[0].overlaps.count, 0u);
+}
+
 TEST(FreeBoundary, RefusesWhatHasNoEffect)
 {
   Surface surface = cushion(9, 8, 0.4);
@@ -304,6 +408,9 @@ TEST(FreeBoundary, RefusesWhatHasNoEffect)
   EXPECT_EQ(refusal(), StatusCode::InvalidOption);
   options = freeBoundary();
   options.eases = { { surface.curves[0].name, none, 0.01 } };
+  EXPECT_EQ(refusal(), StatusCode::InvalidOption);
+  options = withoutOverlap();
+  options.boundary = BoundaryMode::Exact;
   EXPECT_EQ(refusal(), StatusCode::InvalidOption);
   options = freeBoundary();
   surface.curves[0].tolerance = 0.01;

@@ -119,6 +119,8 @@ constexpr std::array<RemedyRow, remedyCount> remedies{ {
   { Remedy::ChangeKeyShapes, "ChangeKeyShapes", "change the shape of %" },
   { Remedy::AllowLengthError, "AllowLengthError", "raise {MaximumLengthError}" },
   { Remedy::AddDarts, "AddDarts", "add a dart there" },
+  { Remedy::PreventOverlap, "PreventOverlap",
+    "keep the boundary from crossing itself ({PreventOverlap=on})" },
   { Remedy::CloseCuts, "CloseCuts", "close the cuts where they cross ({CloseCuts=on})" },
   { Remedy::DivideBySeam, "DivideBySeam", "divide the piece there by a seam" },
   { Remedy::NameGrain, "NameGrain", "name a curve of the piece with {Grain}: %" },

@@ -149,6 +149,7 @@ enum class Remedy
   ChangeKeyShapes, ///< subject: key curves
   AllowLengthError,
   AddDarts,
+  PreventOverlap,
   CloseCuts,
   DivideBySeam,
   NameGrain, ///< subject: curves of the piece

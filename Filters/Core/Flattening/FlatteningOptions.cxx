@@ -40,6 +40,13 @@ Status checkOptions(const FlatteningOptions& options)
             (range.maximum < large ? " to " + shortNumber(range.maximum) : std::string()) } } };
     }
   }
+  if (options.preventOverlap && (options.boundary != BoundaryMode::Free || options.cloth))
+  {
+    return { StatusCode::InvalidOption,
+      options.cloth ? "threads are relaid whether the boundary crosses itself or not"
+                    : "the boundary keeps its length, whether it crosses itself or not",
+      {}, { { Remedy::Give, "a free boundary without a material, or let pieces overlap" } } };
+  }
   if (options.boundary == BoundaryMode::Free)
   {
     if (options.scheme != Scheme::Isometric)

@@ -66,6 +66,8 @@ struct FlatteningOptions
 {
   Scheme scheme = Scheme::Isometric;
   BoundaryMode boundary = BoundaryMode::Exact;
+  /// Free: keep the boundary from crossing itself (see warpWithoutOverlap()).
+  bool preventOverlap = false;
   /// How far each stretch of the boundary between ends of other wires may go from its length on the
   /// surface, as a fraction in [0, 1); 0 is rigid.
   double boundaryTolerance = 0.0;

@@ -343,8 +343,8 @@ Indices crossingCuts(const CutSurface& cut, const PieceReport& report)
   return curves;
 }
 
-Status overlap(const CutSurface& cut, const std::vector<FeatureCurve>& curves, bool closeCuts,
-  const PieceReport& report)
+Status overlap(const CutSurface& cut, const std::vector<FeatureCurve>& curves,
+  const FlatteningOptions& options, const PieceReport& report)
 {
   Indices triangles;
   for (const auto& pair : report.overlaps.listed)
@@ -358,8 +358,16 @@ Status overlap(const CutSurface& cut, const std::vector<FeatureCurve>& curves, b
   {
     message += ", where the sides of " + quotedNames(curves, cuts) + " cross";
   }
+  if (options.preventOverlap)
+  {
+    message += ", since it has no convex map without folds to start from";
+  }
   Status status{ StatusCode::Overlap, message, { ElementKind::Cells, triangles }, {} };
-  if (!cuts.empty() && !closeCuts)
+  if (options.boundary == BoundaryMode::Free && !options.preventOverlap && !options.cloth)
+  {
+    status.remedies.emplace_back(Remedy::PreventOverlap);
+  }
+  if (!cuts.empty() && !options.closeCuts)
   {
     status.remedies.emplace_back(Remedy::CloseCuts);
   }
@@ -530,7 +538,7 @@ void judgePiece(const CutSurface& cut, const std::vector<FeatureCurve>& curves,
   }
   else if (report.status.ok() && report.overlaps.count > 0)
   {
-    report.status = overlap(cut, curves, options.closeCuts, report);
+    report.status = overlap(cut, curves, options, report);
   }
   const auto note = [&report](const Status& defect) {
     report.status = report.status.ok() ? defect : together(report.status, defect);

@@ -4,6 +4,7 @@
 #include "Embedding/ConvexEmbedding.h"
 #include "Embedding/LeastSquaresConformalMap.h"
 #include "Embedding/Untangling.h"
+#include "Isometric/OverlapFreeWarping.h"
 #include "Quality/BoundaryOverlap.h"
 #include "Quality/FlatteningQuality.h"
 
@@ -70,15 +71,17 @@ Points2 bent(const TriangleMesh& mesh, const Points2& start)
 
 /// A map without a fold, in the size in which it has least of the energy with a barrier: the
 /// conformal one where it is good, else the better of that and the convex one. Empty: both fold.
-Points2 unfoldedMap(const PieceContext& context)
+/// \param convex the convex one alone, which does not overlap
+Points2 unfoldedMap(const PieceContext& context, bool convex)
 {
   const TriangleMesh& mesh = context.piece.mesh;
   Points2 best;
   double least = std::numeric_limits<double>::infinity();
   for (const bool conformal : { true, false })
   {
-    Points2 map = conformal ? leastSquaresConformalMap(mesh, {}, context.execution).positions
-                            : embedConvexly(mesh, context.execution);
+    Points2 map = convex && conformal ? Points2()
+      : conformal ? leastSquaresConformalMap(mesh, {}, context.execution).positions
+                  : embedConvexly(mesh, context.execution);
     if (map.empty() || countFlipped(mesh, map) > 0)
     {
       continue;
@@ -232,18 +235,49 @@ IsometricSolution warpFromConvexMap(const PieceContext& context, const PieceSolu
   return solution;
 }
 
-/// First without any wire, then with those that are held.
-IsometricSolution warpFreely(const PieceContext& context, const PieceSolution& wires,
-  const Points2& start, const IsometricOptions& options, const Execution& execution)
+AngleProblem withoutWires(const PieceContext& context, const PieceSolution& wires)
 {
   AngleProblem bare = wires.problem;
   bare.locks = freeNodes(context.network);
   bare.held.assign(bare.held.size(), 0);
+  return bare;
+}
+
+bool holdsAny(const AngleProblem& problem)
+{
+  return std::find(problem.held.begin(), problem.held.end(), 1) != problem.held.end();
+}
+
+/// Without overlap, from a convex map on, and without wires at first. No value: that map folds.
+std::optional<IsometricSolution> warpApart(const PieceContext& context, const PieceSolution& wires,
+  const IsometricOptions& options, const Execution& execution)
+{
+  const Points2 start = unfoldedMap(context, true);
+  if (start.empty() || !findBoundaryOverlaps(context.piece.mesh, start, fewListed).empty())
+  {
+    return std::nullopt;
+  }
+  IsometricSolution solution =
+    warpWithoutOverlap(context.piece, withoutWires(context, wires), start, options, execution);
+  if (!solution.status.refused() && holdsAny(wires.problem))
+  {
+    const int before = solution.factorizations;
+    solution =
+      warpWithoutOverlap(context.piece, wires.problem, solution.positions, options, execution);
+    solution.factorizations += before;
+  }
+  return solution;
+}
+
+/// First without any wire, then with those that are held.
+IsometricSolution warpFreely(const PieceContext& context, const PieceSolution& wires,
+  const Points2& start, const IsometricOptions& options, const Execution& execution)
+{
+  const AngleProblem bare = withoutWires(context, wires);
   const std::vector<double> rigid(wires.problem.groups.size(), 0.0);
   IsometricSolution solution =
     warpIsometrically(context.piece, bare, start, rigid, options, execution);
-  const std::vector<char>& held = wires.problem.held;
-  if (solution.status.refused() || std::find(held.begin(), held.end(), 1) == held.end())
+  if (solution.status.refused() || !holdsAny(wires.problem))
   {
     return solution;
   }
@@ -386,7 +420,7 @@ std::optional<PieceSolution> warpFromConvexStart(
 {
   const bool free = wires.rules.freeBoundary;
   const Points2 start =
-    free ? unfoldedMap(context) : embedConvexly(context.piece.mesh, context.execution);
+    free ? unfoldedMap(context, false) : embedConvexly(context.piece.mesh, context.execution);
   if (start.empty() || countFlipped(context.piece.mesh, start) > 0)
   {
     return std::nullopt;
@@ -418,6 +452,19 @@ std::optional<PieceSolution> warpFromConvexStart(
     if (!folds && !pressed && (keepsWires(other) || !keepsWires(placed)))
     {
       placed = std::move(other);
+    }
+  }
+  if (context.options.preventOverlap && free && overlaps(context, placed) > 0)
+  {
+    std::optional<IsometricSolution> apart = warpApart(context, wires, options, execution);
+    if (apart && apart->status.code == StatusCode::Cancelled)
+    {
+      return std::nullopt;
+    }
+    if (apart)
+    {
+      apart->factorizations += placed.factorizations;
+      placed = placedBy(std::move(*apart), barrier, wires);
     }
   }
   return placed;

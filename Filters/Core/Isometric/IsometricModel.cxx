@@ -67,10 +67,11 @@ constexpr double minTurning = 1e-7;
 }
 
 IsometricModel::IsometricModel(const Piece& piece, const AngleProblem& problem,
-  const SheetEnergy& energy, double bendingWeight, const GrainHold& hold)
+  const SheetEnergy& energy, double bendingWeight, const GrainHold& hold,
+  const BoundaryFilling& filling)
   : Problem(problem)
   , Unit(std::sqrt(piece.mesh.area() / piece.mesh.triangleCount()))
-  , Sheet(piece.mesh, Unit, energy)
+  , Sheet(piece.mesh, Unit, energy, filling)
   , Hold(energy.turnsFreely() ? GrainHold() : hold)
   , Stiffness(bendingWeight, piece.mesh.triangleCount(), Sheet.modulus())
   , CoordinateCount(2 * piece.mesh.vertexCount())
@@ -392,14 +393,12 @@ std::vector<char> IsometricModel::hubsOfWires() const
   return hub;
 }
 
-Dissection dissectVertices(
-  const TriangleMesh& mesh, const WireNetwork& network, const Points2& positions)
+Dissection dissectVertices(Triangles cells, const WireNetwork& network, const Points2& positions)
 {
   // The ends of a wire-node's two edges are coupled as if a triangle joined them.
-  Triangles cliques = mesh.triangles();
   for (Index i = 0; i < network.nodeCount(); ++i)
   {
-    cliques.push_back(
+    cells.push_back(
       { network.vertex[network.previous[i]], network.vertex[i], network.endVertex(i) });
   }
   Points3 places;
@@ -408,7 +407,7 @@ Dissection dissectVertices(
   {
     places.emplace_back(p.x(), p.y(), 0.0);
   }
-  return dissect(cliques, places);
+  return dissect(cells, places);
 }
 
 Dissection IsometricModel::eliminationOrder(const Dissection& dissection) const

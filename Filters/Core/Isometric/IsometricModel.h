@@ -57,8 +57,8 @@ inline Eigen::Vector2d planePoint(const Eigen::VectorXd& x, Index v)
 
 /// A nested dissection of a piece's vertices where they lie, for
 /// IsometricModel::eliminationOrder().
-Dissection dissectVertices(
-  const TriangleMesh& mesh, const WireNetwork& network, const Points2& positions);
+/// \param cells those of the piece and of its filling
+Dissection dissectVertices(Triangles cells, const WireNetwork& network, const Points2& positions);
 
 /// The isometric scheme's problem for one piece, in units of the root of the mean triangle area.
 ///
@@ -75,7 +75,7 @@ class IsometricModel : public NewtonKktModel
 public:
   /// \param hold of a sheet that does not turn freely; without one it turns as its energy asks.
   IsometricModel(const Piece& piece, const AngleProblem& problem, const SheetEnergy& energy,
-    double bendingWeight, const GrainHold& hold = {});
+    double bendingWeight, const GrainHold& hold = {}, const BoundaryFilling& filling = {});
 
   Index unknownCount() const override { return this->CoordinateCount + this->groupCount(); }
   Index coordinateCount() const { return this->CoordinateCount; }

@@ -5,7 +5,8 @@
 
 namespace flattening
 {
-IsometricSheet::IsometricSheet(const TriangleMesh& mesh, double unit, const SheetEnergy& energy)
+IsometricSheet::IsometricSheet(
+  const TriangleMesh& mesh, double unit, const SheetEnergy& energy, const BoundaryFilling& filling)
   : Cells(mesh.triangles())
   , Energy(energy)
 {
@@ -14,6 +15,15 @@ IsometricSheet::IsometricSheet(const TriangleMesh& mesh, double unit, const Shee
   {
     this->Frames.emplace_back(
       mesh.point(c[0]) / unit, mesh.point(c[1]) / unit, mesh.point(c[2]) / unit);
+  }
+  for (const Triangle& c : filling.triangles)
+  {
+    const auto rest = [&](std::size_t k) {
+      const Point2 p = filling.rest[c[k]] / unit;
+      return Point3(p.x(), p.y(), 0.0);
+    };
+    this->Frames.emplace_back(rest(0), rest(1), rest(2)).area = BoundaryFilling::share;
+    this->Cells.push_back(c);
   }
 }
 

@@ -74,14 +74,28 @@ struct GrainHold
   bool holds() const { return !this->weights.empty(); }
 };
 
+/// Triangles of the plane between parts of a piece's boundary, which are deformed with the piece.
+/// While none of them turns over, the boundary does not cross what they fill.
+struct BoundaryFilling
+{
+  Triangles triangles; ///< of the piece's vertices
+  Points2 rest;        ///< where the vertices lie when the triangles have no strain
+
+  /// What one costs is that of this share of a triangle of mean area: it holds nothing back that
+  /// matters, but the barrier of the energy is the same.
+  static constexpr double share = 1e-3;
+};
+
 /// The sheet's part of IsometricModel: the energy of every triangle of a piece, by the coordinates
 /// x and y of vertex v as unknowns 2 v and 2 v + 1, in a unit in which the mean triangle area is 1.
 class IsometricSheet
 {
 public:
   /// \param unit of length.
-  IsometricSheet(const TriangleMesh& mesh, double unit, const SheetEnergy& energy);
+  IsometricSheet(const TriangleMesh& mesh, double unit, const SheetEnergy& energy,
+    const BoundaryFilling& filling);
 
+  /// Those of the filling last.
   const Triangles& triangles() const { return this->Cells; }
   /// Modulus over that of |J - R|^2, for small strains.
   double modulus() const { return this->Energy.modulus(); }

@@ -95,17 +95,20 @@ struct IsometricSetup
 
   /// \param start where its vertices lie
   IsometricSetup(const Piece& piece, const AngleProblem& problem, const SheetEnergy& energy,
-    const IsometricOptions& options, const Points2& start, const Execution& execution)
+    const IsometricOptions& options, const Points2& start, const Execution& execution,
+    const BoundaryFilling& filling = {})
   {
     const auto pose = [&](Index part) {
       if (part == 0)
       {
         this->model.emplace(piece, problem, energy, options.angleWeight,
-          options.cloth ? options.cloth->hold : GrainHold());
+          options.cloth ? options.cloth->hold : GrainHold(), filling);
       }
       else
       {
-        this->order = dissectVertices(piece.mesh, *problem.network, start);
+        Triangles cells = piece.mesh.triangles();
+        cells.insert(cells.end(), filling.triangles.begin(), filling.triangles.end());
+        this->order = dissectVertices(std::move(cells), *problem.network, start);
       }
     };
     const bool few = 2 * piece.mesh.vertexCount() < threadsFrom;
@@ -199,12 +202,12 @@ std::vector<OptionRange> rangesOf(const IsometricOptions& options)
 
 IsometricSolution warpIsometrically(const Piece& piece, const AngleProblem& problem,
   const Points2& start, const std::vector<double>& startStretch, const IsometricOptions& options,
-  const Execution& execution)
+  const Execution& execution, const BoundaryFilling& filling)
 {
   const SheetEnergy energy = options.cloth
     ? SheetEnergy(ClothEnergy(options.cloth->material, options.cloth->limitStiffness))
     : SheetEnergy(options.energy);
-  IsometricSetup posed(piece, problem, energy, options, start, execution);
+  IsometricSetup posed(piece, problem, energy, options, start, execution, filling);
   IsometricSolution solution =
     minimized(posed, { posed.model->unknowns(start, startStretch), {} }, options, false, execution);
   correctLengths(problem, solution);

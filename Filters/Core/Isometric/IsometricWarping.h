@@ -83,9 +83,10 @@ struct IsometricSolution
 /// second-order correction, and last a minimum-norm Newton iteration on the lengths alone. Wires
 /// are equally stiff at first; once little is left to gain, the forces in them say how stiff each
 /// stays, and the iteration goes on with that.
+/// \param filling of the plane beside the piece, which must not turn over
 IsometricSolution warpIsometrically(const Piece& piece, const AngleProblem& problem,
   const Points2& start, const std::vector<double>& startStretch, const IsometricOptions& options,
-  const Execution& execution);
+  const Execution& execution, const BoundaryFilling& filling = {});
 
 /// The same from positions that may miss the wires' lengths by far, but have no fold if the energy
 /// knows a barrier, and get none: lengths and locked angles are sought by penalties that grow

@@ -90,6 +90,13 @@ void addMethod(Table& table)
     .help("Which lengths are kept: exact (those of the boundary, of the sides of cuts and of all "
           "curves), or free (those of accessory and key curves alone, including such curves along "
           "the boundary, so that the surface distorts least).");
+  table.add("PreventOverlap", [](All& all) { return &all.flattening.preventOverlap; })
+    .spelled("no-overlap", "prevent_overlap")
+    .where(isometric())
+    .where({ "BoundaryMode", { "free" } })
+    .where({ "Material", { "", "isotropic" } })
+    .help("Keep a free boundary from crossing itself, where the piece would overlap, which costs "
+          "distortion; off: it overlaps, with a warning.");
   table.add("Interior", [](All& all) { return &all.flattening.interior.method; })
     .words({ { "laplacian", "Laplacian" }, { "relaxation", "Relaxation" },
       { "arap", "AsRigidAsPossible" } })
