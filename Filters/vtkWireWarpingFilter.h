@@ -99,10 +99,10 @@ public:
 
   ///@{
   /**
-   * With FREE_BOUNDARY: keep the boundary from crossing itself where the piece would overlap; parts
-   * that press on each other end up beside each other, which costs distortion (Z. Jiang, S.
-   * Schaefer, D. Panozzo, "Simplicial Complex Augmentation Framework for Bijective Maps", 2017).
-   * Where the lengths of curves leave no such map, the piece says NOT_CONVERGED. Default: off.
+   * With FREE_BOUNDARY: keep the boundary from crossing itself where the piece would overlap. Parts
+   * that press on each other end up beside each other, which costs distortion (Jiang, Schaefer and
+   * Panozzo, "Simplicial Complex Augmentation Framework for Bijective Maps", 2017). Where the
+   * lengths of curves leave no such map, the piece says NOT_CONVERGED. Default: off.
    */
   vtkFlatteningFlagMacro(PreventOverlap);
   ///@}
