@@ -66,9 +66,10 @@ Status checkCurveNames(const PatternSource& source, const NamedCurves& wanted)
   {
     if (known.count(name) == 0 && !(wanted.sides && hasSide(source, name)))
     {
-      return { StatusCode::InvalidOption,
-        std::string(wanted.what) + " names the curve " + name + ", which is not there; there are " +
-          list };
+      std::string message = wanted.what;
+      message.append(" names the curve ").append(name);
+      message.append(", which is not there; there are ").append(list);
+      return { StatusCode::InvalidOption, message };
     }
   }
   return {};
@@ -104,7 +105,7 @@ Status checkPatternOptions(const PatternSource& source, const PatternOptions& op
   };
   for (const NamedCurves& named : all)
   {
-    const Status status = checkCurveNames(source, named);
+    Status status = checkCurveNames(source, named);
     if (!status.ok())
     {
       return status;
