@@ -33,7 +33,7 @@ void writeTextureCoordinates(const Points2& positions, vtkPointData* points)
   points->SetActiveTCoords(coordinates->GetName());
 }
 
-/// What viewers color by as long as nobody chooses; what the input chose stays.
+/// What viewers color by until the user chooses; what the input chose stays.
 void setActiveScalars(vtkPolyData* data, const char* name)
 {
   if (!data->GetPointData()->GetScalars() && !data->GetCellData()->GetScalars())

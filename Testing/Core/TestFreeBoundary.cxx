@@ -289,7 +289,7 @@ TEST(FreeBoundary, TakesTheRigidEnergyOnRequestWhereItDoesNotFold)
 
 namespace
 {
-/// A ramp of so many turns around an axis, with the angle of a cone of more than one turn.
+/// A ramp around an axis: flat, it is a ring of about the same number of turns.
 Surface ramp(double turns, double pitch)
 {
   return patch(static_cast<Index>(40 * turns), 5, [&](double i, double j) -> Point3 {
@@ -299,7 +299,7 @@ Surface ramp(double turns, double pitch)
   });
 }
 
-/// A saddle of so many waves, whose rim is far too long for its radius.
+/// A saddle with the given number of waves, whose rim is far too long for its radius.
 Surface ruff(double height, int waves)
 {
   Surface surface = sphereCap(60.0 * pi / 180.0, 10, 0);
@@ -389,6 +389,17 @@ TEST(OverlapFreeBoundary, KeepsTheLengthsOfCurvesAsWell)
   ASSERT_TRUE(result.status.ok()) << result.status.message;
   EXPECT_LT(errorOf(result, 0), 1e-12);
   EXPECT_EQ(result.pieces[0].overlaps.count, 0u);
+
+  // The innermost row would have to be longer.
+  surface.curves = { rowCurve(52, 0) };
+  const double rigid = energyOf(flatten(surface, withoutOverlap()));
+  surface.curves[0].tolerance = 0.02;
+  const FlatteningResult elastic = flatten(surface, withoutOverlap());
+  ASSERT_TRUE(elastic.status.ok()) << elastic.status.message;
+  EXPECT_EQ(elastic.pieces[0].overlaps.count, 0u);
+  EXPECT_LE(errorOf(elastic, 0), 0.02 + 1e-12);
+  EXPECT_GT(errorOf(elastic, 0), 1e-4);
+  EXPECT_LT(energyOf(elastic), rigid);
 }
 
 TEST(FreeBoundary, RefusesWhatHasNoEffect)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace flattening
 {
@@ -97,5 +98,39 @@ bool segmentsMeet(const Point2& a, const Point2& b, const Point2& c, const Point
   }
   return (ac == 0 && between(a, b, c)) || (ad == 0 && between(a, b, d)) ||
     (ca == 0 && between(c, d, a)) || (cb == 0 && between(c, d, b));
+}
+
+Indices convexHull(const Points2& points)
+{
+  Indices order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&points](Index a, Index b) {
+    const Point2& p = points[a];
+    const Point2& q = points[b];
+    return p.x() != q.x() ? p.x() < q.x() : p.y() != q.y() ? p.y() < q.y() : a < b;
+  });
+  Indices hull;
+  const auto extend = [&](std::size_t keep, Index i) {
+    while (hull.size() > keep &&
+      orientation(points[hull[hull.size() - 2]], points[hull.back()], points[i]) <= 0)
+    {
+      hull.pop_back();
+    }
+    hull.push_back(i);
+  };
+  for (Index i : order)
+  {
+    extend(1, i);
+  }
+  const std::size_t lower = hull.size();
+  for (auto i = order.rbegin() + (order.empty() ? 0 : 1); i != order.rend(); ++i)
+  {
+    extend(lower, *i);
+  }
+  if (hull.size() > 1)
+  {
+    hull.pop_back();
+  }
+  return hull;
 }
 }

@@ -13,4 +13,9 @@ int orientation(const Point2& a, const Point2& b, const Point2& c);
 
 /// Whether two closed segments have a point in common, by exact orientations.
 bool segmentsMeet(const Point2& a, const Point2& b, const Point2& c, const Point2& d);
+
+/// The corners of the convex hull, anti-clockwise from the first by x, as indices, by exact
+/// orientations (A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions",
+/// Information Processing Letters 9, 1979).
+Indices convexHull(const Points2& points);
 }

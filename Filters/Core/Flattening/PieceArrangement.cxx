@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace flattening
@@ -28,41 +27,6 @@ Box boundingBox(const Points2& points)
     box.extend(p);
   }
   return box;
-}
-
-/// Convex hull, anti-clockwise, as indices (Andrew's monotone chain).
-Indices convexHull(const Points2& points)
-{
-  Indices order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&points](Index a, Index b) {
-    const Point2& p = points[a];
-    const Point2& q = points[b];
-    return p.x() != q.x() ? p.x() < q.x() : p.y() != q.y() ? p.y() < q.y() : a < b;
-  });
-  Indices hull;
-  const auto extend = [&](std::size_t keep, Index i) {
-    while (hull.size() > keep &&
-      orientation(points[hull[hull.size() - 2]], points[hull.back()], points[i]) <= 0)
-    {
-      hull.pop_back();
-    }
-    hull.push_back(i);
-  };
-  for (Index i : order)
-  {
-    extend(1, i);
-  }
-  const std::size_t lower = hull.size();
-  for (auto i = order.rbegin() + (order.empty() ? 0 : 1); i != order.rend(); ++i)
-  {
-    extend(lower, *i);
-  }
-  if (hull.size() > 1)
-  {
-    hull.pop_back();
-  }
-  return hull;
 }
 
 /// How far a convex hull reaches in a direction that turns anti-clockwise from one call to the

@@ -79,9 +79,12 @@ Points2 unfoldedMap(const PieceContext& context, bool convex)
   double least = std::numeric_limits<double>::infinity();
   for (const bool conformal : { true, false })
   {
-    Points2 map = convex && conformal ? Points2()
-      : conformal ? leastSquaresConformalMap(mesh, {}, context.execution).positions
-                  : embedConvexly(mesh, context.execution);
+    if (conformal && convex)
+    {
+      continue;
+    }
+    Points2 map = conformal ? leastSquaresConformalMap(mesh, {}, context.execution).positions
+                            : embedConvexly(mesh, context.execution);
     if (map.empty() || countFlipped(mesh, map) > 0)
     {
       continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isometric/OverlapFreeWarping.h"
 
+#include "Base/Orientation.h"
 #include "Quality/BoundaryOverlap.h"
 #include "Quality/FlatteningQuality.h"
 #include "Quality/IntrinsicDelaunay.h"
@@ -8,8 +9,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace flattening
 {
@@ -17,67 +18,40 @@ namespace
 {
 /// Of Newton's method until the filling is made anew: then it resists.
 constexpr int stepsOfRound = 4;
-constexpr int mostRounds = 150;
-constexpr double leastGain = 1e-3; ///< of the energy, in a round
-constexpr int idleRounds = 3;      ///< with less
-constexpr int halvings = 8;        ///< of a step that overlaps
+constexpr int maxRounds = 150;
+constexpr double minGain = 1e-3; ///< of the energy, in a round
+constexpr int idleRounds = 3;    ///< with less
+constexpr int halvings = 8;      ///< of a step that overlaps
 /// In mean edges of the boundary: wider openings stay open, since with triangles there it could not
 /// bulge out. Where a step overlaps there nevertheless they are filled, up to the widest.
-constexpr double leastOpening = 4.0;
-constexpr double mostOpening = 1e6;
+constexpr double minOpening = 4.0;
+constexpr double maxOpening = 1e6;
 constexpr double widening = 4.0;
 /// Height of a triangle or a pocket of the plane over its longest edge, below which it is left out.
 constexpr double slim = 1e-7;
 /// What lengths may miss in the model's units where the last round ended.
 constexpr double lengthsKeptWithin = 1e-6;
 
-/// The places in a loop of the corners of its convex hull, in the loop's order, by sorted points
-/// (A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979).
-/// \pre the loop is simple, so that it passes the corners in the hull's order
-Indices hullCorners(const Indices& loop, const Points2& positions)
-{
-  Indices sorted(loop.size());
-  std::iota(sorted.begin(), sorted.end(), 0);
-  const auto at = [&](Index k) -> const Point2& { return positions[loop[k]]; };
-  std::sort(sorted.begin(), sorted.end(), [&](Index a, Index b) {
-    return std::make_pair(at(a).x(), at(a).y()) < std::make_pair(at(b).x(), at(b).y());
-  });
-  Indices hull;
-  for (const bool lower : { true, false })
-  {
-    const std::size_t begin = hull.size();
-    for (const Index k : sorted)
-    {
-      while (hull.size() > begin + 1 &&
-        cross(at(hull.back()) - at(hull[hull.size() - 2]), at(k) - at(hull.back())) <= 0.0)
-      {
-        hull.pop_back();
-      }
-      hull.push_back(k);
-    }
-    hull.pop_back(); // the other half begins with it
-    if (lower)
-    {
-      std::reverse(sorted.begin(), sorted.end());
-    }
-  }
-  std::sort(hull.begin(), hull.end());
-  return hull;
-}
-
 /// The polygons between an outer boundary and its convex hull.
+/// \pre it does not cross itself, so that it passes the corners of the hull in the hull's order
 std::vector<Indices> pocketsOf(const Indices& loop, const Points2& positions)
 {
   std::vector<Indices> pockets;
-  const Indices hull = hullCorners(loop, positions);
+  Points2 places;
+  for (const Index v : loop)
+  {
+    places.push_back(positions[v]);
+  }
+  Indices hull = convexHull(places);
+  std::sort(hull.begin(), hull.end());
   const auto count = static_cast<Index>(loop.size());
   for (std::size_t k = 0; k < hull.size() && hull.size() > 2; ++k)
   {
     const Index from = hull[k];
     const Index to = hull[(k + 1) % hull.size()];
     const Index edges = (to - from + count) % count;
-    const Point2& start = positions[loop[from]];
-    const Point2 chord = positions[loop[to]] - start;
+    const Point2& start = places[from];
+    const Point2 chord = places[to] - start;
     Indices pocket{ loop[from] };
     double deepest = 0.0;
     for (Index n = edges; n > 0; --n)
@@ -172,20 +146,31 @@ bool isBijective(const TriangleMesh& mesh, const Points2& positions)
   return countFlipped(mesh, positions) == 0 && findBoundaryOverlaps(mesh, positions, 1).empty();
 }
 
+/// A map, and the stretch of elastic curves in it.
+struct FlatMap
+{
+  Points2 positions;
+  std::vector<double> stretch;
+};
+
 /// As far from one map to another as it stays a bijection. \return what share of the way that is
-double goTowards(const TriangleMesh& mesh, const Points2& goal, Points2& positions)
+double goTowards(const TriangleMesh& mesh, const IsometricSolution& goal, FlatMap& map)
 {
   double share = 1.0;
   for (int k = 0; k <= halvings; ++k, share /= 2.0)
   {
-    Points2 next = positions;
+    Points2 next = map.positions;
     for (std::size_t v = 0; v < next.size(); ++v)
     {
-      next[v] += share * (goal[v] - next[v]);
+      next[v] += share * (goal.positions[v] - next[v]);
     }
     if (isBijective(mesh, next))
     {
-      positions = std::move(next);
+      map.positions = std::move(next);
+      for (std::size_t g = 0; g < map.stretch.size(); ++g)
+      {
+        map.stretch[g] += share * (goal.stretch[g] - map.stretch[g]);
+      }
       return share;
     }
   }
@@ -197,37 +182,37 @@ IsometricSolution warpWithoutOverlap(const Piece& piece, const AngleProblem& pro
   const Points2& start, const IsometricOptions& options, const Execution& execution)
 {
   const TriangleMesh& mesh = piece.mesh;
-  const std::vector<double> rigid(problem.groups.size(), 0.0);
   IsometricOptions round = options;
   round.maximumIterations = stepsOfRound;
-  Points2 positions = start;
+  FlatMap map{ start, std::vector<double>(problem.groups.size(), 0.0) };
   double energy = std::numeric_limits<double>::infinity();
-  double opening = leastOpening;
+  double opening = minOpening;
   int factorizations = 0;
   int idle = 0;
-  for (int k = 0; k < mostRounds && idle < idleRounds; ++k)
+  for (int k = 0; k < maxRounds && idle < idleRounds; ++k)
   {
-    IsometricSolution next = warpIsometrically(
-      piece, problem, positions, rigid, round, execution, fillingOf(mesh, positions, opening));
+    IsometricSolution next = warpIsometrically(piece, problem, map.positions, map.stretch, round,
+      execution, fillingOf(mesh, map.positions, opening));
     factorizations += next.factorizations;
     if (next.status.refused())
     {
       return next;
     }
-    const double share = goTowards(mesh, next.positions, positions);
-    if (share == 0.0 && opening == mostOpening)
+    const double share = goTowards(mesh, next, map);
+    if (share == 0.0 && opening == maxOpening)
     {
       break;
     }
-    opening = share < 1.0 ? std::min(widening * opening, mostOpening)
-                          : std::max(opening / widening, leastOpening);
-    const bool gains = next.distortionEnergy < (1.0 - leastGain) * energy;
+    opening = share < 1.0 ? std::min(widening * opening, maxOpening)
+                          : std::max(opening / widening, minOpening);
+    const bool gains = next.distortionEnergy < (1.0 - minGain) * energy;
     idle = share < 1.0 || gains ? 0 : idle + 1;
     energy = share < 1.0 ? std::numeric_limits<double>::infinity() : next.distortionEnergy;
   }
   // What it is without the filling, where it lies.
   round.maximumIterations = 0;
-  IsometricSolution result = warpIsometrically(piece, problem, positions, rigid, round, execution);
+  IsometricSolution result =
+    warpIsometrically(piece, problem, map.positions, map.stretch, round, execution);
   if (result.status.refused())
   {
     return result;

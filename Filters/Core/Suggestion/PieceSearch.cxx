@@ -21,7 +21,8 @@ constexpr double maxSteps = 75.0;
 constexpr double preferenceForLegs = 0.5;
 /// In sqrt(area / pi): plans that differ by less are tried once.
 constexpr double plansApart = 0.15;
-/// In the same unit, how far a cut's ends are moved at last; at first as far as bases are apart.
+/// In the same unit, the step by which a cut's ends move in the end; the first one is the distance
+/// of bases.
 constexpr double lastStep = 0.025;
 /// A seam that cuts off less than this share of the area only trims the piece.
 constexpr double minPiece = 0.03;
