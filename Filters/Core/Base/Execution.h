@@ -64,14 +64,28 @@ struct Execution
     inner.parallel = nullptr;
     return inner;
   }
-  /// What a body throws comes out on the calling thread.
+  /// Of bodies that each take longer than to start a thread. What one throws comes out on the
+  /// calling thread.
   void parallelFor(Index count, const std::function<void(Index, Index)>& body) const;
   /// The same with body(k) for each number below `count`.
   template <typename Body>
-  void forEach(Index count, const Body& body) const
+  void forEachTask(Index count, const Body& body) const
   {
     this->parallelFor(count, [&body](Index begin, Index end) {
       for (Index k = begin; k < end; ++k)
+      {
+        body(k);
+      }
+    });
+  }
+  /// The same of bodies as short as the measures of a triangle, of which few take less long than to
+  /// start a thread.
+  template <typename Body>
+  void forEach(Index count, const Body& body) const
+  {
+    constexpr Index together = 64;
+    this->forEachTask((count + together - 1) / together, [&](Index group) {
+      for (Index k = group * together; k < std::min(count, (group + 1) * together); ++k)
       {
         body(k);
       }

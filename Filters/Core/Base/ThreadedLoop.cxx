@@ -48,9 +48,7 @@ ThreadedLoop::ThreadedLoop(unsigned int threads)
 
 void ThreadedLoop::operator()(Index count, const std::function<void(Index, Index)>& body) const
 {
-  // Below, starting a thread takes longer than most bodies.
-  constexpr Index leastRange = 64;
-  const Index ranges = std::min<Index>(static_cast<Index>(4 * this->Threads), count / leastRange);
+  const Index ranges = std::min<Index>(static_cast<Index>(4 * this->Threads), count);
   if (ranges < 2 || this->Threads < 2)
   {
     body(0, count);

@@ -210,7 +210,7 @@ InteriorResult embedInterior(const Piece& piece, const WireNetwork& network,
       work(0);
       return !execution.cancelled();
     }
-    execution.forEach(static_cast<Index>(patches.size()), [&](Index i) { work(i); });
+    execution.forEachTask(static_cast<Index>(patches.size()), [&](Index i) { work(i); });
     return !execution.cancelled();
   };
 

@@ -344,7 +344,7 @@ UntanglingResult untangleInterior(const Piece& piece, const WireNetwork& network
   else
   {
     const Execution inner = execution.nestedExecution();
-    execution.forEach(static_cast<Index>(patches.size()), [&](Index k) { untangle(k, inner); });
+    execution.forEachTask(static_cast<Index>(patches.size()), [&](Index k) { untangle(k, inner); });
   }
   for (std::size_t k = 0; k < patches.size(); ++k)
   {

@@ -218,7 +218,7 @@ bool ScaleFactor::solveBetweenSites(
   this->Green.resize(sites, sites);
   const Index blocks = (sites + blockColumns - 1) / blockColumns;
   std::vector<char> solved(blocks, 0);
-  execution.forEach(blocks, [&](Index b) {
+  execution.forEachTask(blocks, [&](Index b) {
     const Index first = b * blockColumns;
     const Index width = std::min(blockColumns, sites - first);
     const Eigen::MatrixXd columns = solver.solve(Eigen::MatrixXd(means.middleCols(first, width)));

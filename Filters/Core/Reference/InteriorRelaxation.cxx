@@ -125,7 +125,7 @@ InteriorResult relaxInterior(const Piece& piece, const WireNetwork& network,
   std::vector<Relaxed> relaxed(patches.size());
   const double smallest = options.movement * meanWireEdge(network);
   Points2 moved = positions;
-  execution.forEach(static_cast<Index>(patches.size()),
+  execution.forEachTask(static_cast<Index>(patches.size()),
     [&](Index k) { relaxed[k] = relaxPatch(patches[k], piece.mesh, options, smallest, moved); });
   if (execution.cancelled())
   {

@@ -344,7 +344,7 @@ void forEachTile(Index tiles, const Execution& execution, const Subtract& subtra
     return;
   }
   // The first tiles are the longest: pair each with one from the end.
-  execution.forEach((tiles + 1) / 2, [&](Index pair) {
+  execution.forEachTask((tiles + 1) / 2, [&](Index pair) {
     subtract(pair);
     if (tiles - 1 - pair != pair)
     {
