@@ -623,6 +623,10 @@ std::string meantBy(const CLI::App& app, const std::vector<std::string>& unknown
   for (const std::string& argument : unknown)
   {
     const std::string option = argument.substr(0, argument.find('='));
+    if (const std::string successor = successorOf(option); !successor.empty())
+    {
+      return std::string("; ").append(option).append(" is now ").append(successor);
+    }
     if (option.rfind("--", 0) == 0)
     {
       const std::string others = commandsWith(option);

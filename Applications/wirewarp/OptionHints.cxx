@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <numeric>
 
 namespace wirewarp
@@ -79,5 +80,53 @@ std::string nearestOption(const CLI::App& app, const std::vector<std::string>& u
     }
   }
   return {};
+}
+std::string successorOf(const std::string& option)
+{
+  static const std::map<std::string, std::string> successors{
+    { "--suggest", "wirewarp cut SURFACE --kind darts|seams|all|lines" },
+    { "--bound", "wirewarp cut SURFACE --max-strain STRAIN" },
+    { "--max-cut-length", "wirewarp cut SURFACE --max-length LENGTH" },
+    { "--release-keys", "--no-keys" },
+    { "--imprint-tolerance", "--curve-distance" },
+    { "--no-split", "--no-split-triangles" },
+    { "--price-keys", "wirewarp prices SURFACE CURVES" },
+    { "--flattenable", "wirewarp reshape SURFACE --max-strain STRAIN" },
+    { "--outside-bias", "wirewarp reshape SURFACE --outward SHARE" },
+    { "--resew", "wirewarp sew DIR --mode panel|product" },
+    { "--resew-thickness", "wirewarp sew DIR --thickness T" },
+    { "--resew-iterations", "wirewarp sew DIR --sewing-iterations N" },
+    { "--resew-pressure", "wirewarp sew DIR --pressure P" },
+    { "--resew-gravity", "wirewarp sew DIR --gravity X Y Z" },
+    { "--resew-once", "wirewarp sew DIR --once" },
+    { "--svg", "wirewarp pattern DIR -o FILE.svg" },
+    { "--pdf", "wirewarp pattern DIR -o FILE.pdf" },
+    { "--dxf", "wirewarp pattern DIR -o FILE.dxf" },
+    { "--plt", "wirewarp pattern DIR -o FILE.plt" },
+    { "--garmentcode", "wirewarp pattern DIR -o FILE.json" },
+    { "--walk", "wirewarp pattern DIR -o FILE.csv" },
+    { "--piece-name", "wirewarp pattern DIR --piece NAME" },
+    { "--piece-quantity", "wirewarp pattern DIR --piece NAME:COPIES" },
+    { "--curve-allowance", "wirewarp pattern DIR --allowance NAME=WIDTH" },
+    { "--curve-notch", "wirewarp pattern DIR --notch NAME=DISTANCE" },
+    { "--double-notches", "wirewarp pattern DIR --double-notch NAME" },
+    { "--cut-on-fold", "wirewarp pattern DIR --fold symmetric" },
+    { "--curve-dart-tip", "wirewarp pattern DIR --dart-tip NAME=LENGTH" },
+    { "--cut-pairs", "wirewarp pattern DIR --pairs" },
+    { "--fair", "wirewarp pattern DIR --smooth LENGTH" },
+    { "--curve-fair", "wirewarp pattern DIR --smooth NAME=LENGTH" },
+    { "--laser-colors", "wirewarp pattern DIR --style laser" },
+    { "--fabric-width", "wirewarp nest DIR --roll-width WIDTH" },
+    { "--fabric-gap", "wirewarp nest DIR --gap WIDTH" },
+    { "--grade", "wirewarp grade SIZE=SURFACE SIZE=SURFACE CURVES" },
+    { "--grade-at", "wirewarp grade SIZE=SURFACE SIZE=SURFACE CURVES --at NAME" },
+    { "--picture", "wirewarp picture DIR -o FILE.png" },
+    { "--color-by", "wirewarp picture DIR --color MEASURE" },
+    { "--batch", "wirewarp batch LIST" },
+    { "--list-curves", "--table" },
+    { "--list-materials", "wirewarp materials" },
+  };
+  const auto found = successors.find(option);
+  return found == successors.end() ? std::string() : found->second;
 }
 }

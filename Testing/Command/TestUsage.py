@@ -75,6 +75,24 @@ class Usage(command.CommandTest):
         self.assertIn("it is an option of wirewarp pattern", self.assert_usage_error("a.obj", "--allowance", "5"))
         self.assertIn("it is an option of wirewarp nest", self.assert_usage_error("pattern", "a", "--roll-width", "5"))
 
+    def test_options_of_version_0_1_name_what_there_is_now(self):
+        former = """--suggest --bound --max-cut-length --release-keys --imprint-tolerance --no-split --price-keys --flattenable
+            --outside-bias --resew --resew-thickness --resew-iterations --resew-pressure --resew-gravity --resew-once --svg
+            --pdf --dxf --plt --garmentcode --walk --piece-name --piece-quantity --curve-allowance --curve-notch
+            --double-notches --cut-on-fold --curve-dart-tip --cut-pairs --fair --curve-fair --laser-colors --fabric-width
+            --fabric-gap --grade --grade-at --picture --color-by --batch --list-curves --list-materials""".split()
+        helps = {name: self.run_command(name, "--help-all").stdout for name in COMMANDS}
+        for option in former:
+            with self.subTest(option):
+                _, is_now, successor = self.assert_usage_error("a.obj", option).partition(f"; {option} is now ")
+                self.assertTrue(is_now)
+                words = successor.split()
+                self.assertNotIn(option, words)
+                options = helps[words[1] if words[0] == "wirewarp" else "flatten"] + self.run_command("--help").stdout
+                for word in words:
+                    if word.startswith("-") and word != "-o":
+                        self.assertRegex(options, rf"(?m)^ .*{word}\b")
+
     def test_a_command_that_is_nearly_written_is_proposed_and_a_file_of_its_name_is_read(self):
         for written, meant in (("flaten", "flatten"), ("Pattren", None), ("piture", "picture"), ("help", "--help")):
             with self.subTest(written):
