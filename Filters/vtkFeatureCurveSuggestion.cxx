@@ -5,18 +5,18 @@
 #include "FilterExecution.h"
 #include "ListChanges.h"
 #include "Options/OptionStructures.h"
-#include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 #include "PolyDataSets.h"
 #include "Report/FlatteningData.h"
 #include "Report/FlatteningRun.h"
 #include "Report/SuggestionReport.h"
 
-#include "vtkDataObject.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
+
+#include <optional>
 
 vtkStandardNewMacro(vtkFeatureCurveSuggestion);
 
@@ -29,29 +29,9 @@ vtkFeatureCurveSuggestion::vtkFeatureCurveSuggestion()
 }
 
 //------------------------------------------------------------------------------
-void vtkFeatureCurveSuggestion::AddOtherOptions(flattening::OptionValues& values)
-{
-  this->Superclass::AddOtherOptions(values);
-  values.set("WeightArray", std::string(this->GetWeightArray()));
-}
-
-//------------------------------------------------------------------------------
 vtkTable* vtkFeatureCurveSuggestion::GetLeftOutLines() const
 {
   return this->LeftOutLines;
-}
-
-//------------------------------------------------------------------------------
-void vtkFeatureCurveSuggestion::SetWeightArray(const char* name)
-{
-  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name ? name : "");
-}
-
-//------------------------------------------------------------------------------
-const char* vtkFeatureCurveSuggestion::GetWeightArray()
-{
-  vtkInformation* const array = this->GetInputArrayInformation(0);
-  return array->Has(vtkDataObject::FIELD_NAME()) ? array->Get(vtkDataObject::FIELD_NAME()) : "";
 }
 
 //------------------------------------------------------------------------------
@@ -78,9 +58,7 @@ int vtkFeatureCurveSuggestion::RequestData(vtkInformation* vtkNotUsed(request),
   this->Begin(outputVector);
   flattening::SuggestionOptions options;
   const auto source = this->LoadInput(inputVector);
-  if (source &&
-    this->Conclude(flattening::readWeights(
-      bridge::columnsOf(source->cellArrays), this->GetWeightArray(), *source, options.weights)))
+  if (source)
   {
     const flattening::OptionStructures all = this->OptionsForCore();
     options.search = all.search;
@@ -93,10 +71,14 @@ int vtkFeatureCurveSuggestion::RequestData(vtkInformation* vtkNotUsed(request),
     const std::vector<flattening::Polyline> given = source->curves.polylines;
     flattening::FlatteningRun run(*source);
     flattening::CurveSuggestions found;
-    // An abort is heard; the surface is flattened with the cuts found so far.
-    const auto result = run.suggest(
-      options, bridge::executionOf(this), [this] { this->SetAbortExecute(0); }, found,
-      this->KeptPieces());
+    std::optional<flattening::FlatteningResult> result;
+    if (this->Weigh(run, *source))
+    {
+      // An abort is heard; the surface is flattened with the cuts found so far.
+      result = run.suggest(
+        options, bridge::executionOf(this), [this] { this->SetAbortExecute(0); }, found,
+        this->KeptPieces());
+    }
     if (this->TakeResult(
           run, *source, result ? &*result : nullptr, options.flattening, inputVector, outputVector))
     {

@@ -148,18 +148,6 @@ public:
   void RemoveAllPreferences();
   ///@}
 
-  ///@{
-  /**
-   * Name of a cell array of the surface, one number a cell, that says how much distortion matters
-   * there: 0 where it does not at all. Only ratios count. Where the weights are not mirrored
-   * neither are the cuts. Of no effect with LINES. It is input array 0: SetInputArrayToProcess(0,
-   * 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, NAME) is the same. Default: empty, everywhere
-   * alike.
-   */
-  void SetWeightArray(const char* name);
-  const char* GetWeightArray();
-  ///@}
-
   /**
    * Lines that the last run tried and does not propose, with the columns `Name`, `Type`, `Sound`
    * (1: the line only costs too much, 0: it brings a warning, such as that triangles are turned
@@ -170,8 +158,6 @@ public:
 protected:
   vtkFeatureCurveSuggestion();
   ~vtkFeatureCurveSuggestion() override = default;
-
-  void AddOtherOptions(flattening::OptionValues& values) override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

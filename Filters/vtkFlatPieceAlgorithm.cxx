@@ -11,7 +11,6 @@
 #include "Input/CurvedSurface.h"
 #include "ListChanges.h"
 #include "Options/OptionStructures.h"
-#include "Options/OptionTable.h"
 #include "Report/FlatteningRun.h"
 #include "Report/FlatteningTables.h"
 #include "Report/PieceSizes.h"
@@ -31,6 +30,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace flattening::bridge
@@ -296,6 +296,20 @@ flattening::FlatteningOptions vtkFlatPieceAlgorithm::Settings()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkFlatPieceAlgorithm::WeightName()
+{
+  vtkInformation* const array = this->GetInputArrayInformation(0);
+  return array->Has(vtkDataObject::FIELD_NAME()) ? array->Get(vtkDataObject::FIELD_NAME()) : "";
+}
+
+//------------------------------------------------------------------------------
+bool vtkFlatPieceAlgorithm::Weigh(
+  flattening::FlatteningRun& run, const flattening::bridge::CurvedPolyData& source)
+{
+  return run.weigh(flattening::bridge::columnsOf(source.cellArrays), this->WeightName());
+}
+
+//------------------------------------------------------------------------------
 void vtkFlatPieceAlgorithm::ListMaterials(vtkTable* materials)
 {
   if (materials)
@@ -313,8 +327,12 @@ int vtkFlatPieceAlgorithm::RequestData(vtkInformation* vtkNotUsed(request),
   {
     const flattening::FlatteningOptions options = this->Settings();
     flattening::FlatteningRun run(*source);
-    const auto result = run.flatten(options, { this->Pins[0], this->Pins[1] },
-      flattening::bridge::executionOf(this), this->KeptPieces());
+    std::optional<flattening::FlatteningResult> result;
+    if (this->Weigh(run, *source))
+    {
+      result = run.flatten(options, { this->Pins[0], this->Pins[1] },
+        flattening::bridge::executionOf(this), this->KeptPieces());
+    }
     this->TakeResult(run, *source, result ? &*result : nullptr, options, inputVector, outputVector);
   }
   this->WriteRunStatus(vtkPolyData::GetData(outputVector, 0));

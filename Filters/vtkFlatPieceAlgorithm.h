@@ -240,6 +240,12 @@ protected:
   virtual flattening::FlatteningOptions Settings();
 
   /**
+   * Name of input array 0, and whether it holds weights that the run can use.
+   */
+  const char* WeightName();
+  bool Weigh(flattening::FlatteningRun& run, const flattening::bridge::CurvedPolyData& source);
+
+  /**
    * Flattens surface and curves into the five outputs.
    */
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

@@ -10,6 +10,7 @@
 #include "OptionProperties.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCommand.h"

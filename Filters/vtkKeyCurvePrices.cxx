@@ -37,7 +37,11 @@ int vtkKeyCurvePrices::RequestData(vtkInformation* vtkNotUsed(request),
     const flattening::FlatteningOptions options = this->Settings();
     flattening::FlatteningRun run(*source);
     const flattening::Execution execution = flattening::bridge::executionOf(this);
-    const auto prices = run.price(options, execution);
+    std::optional<flattening::KeyPrices> prices;
+    if (this->Weigh(run, *source))
+    {
+      prices = run.price(options, execution);
+    }
     const auto result =
       prices ? run.flatten(options, { -1, -1 }, execution, this->KeptPieces()) : std::nullopt;
     if (this->TakeResult(

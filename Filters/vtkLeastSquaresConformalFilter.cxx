@@ -3,7 +3,7 @@
 
 #include "Flattening/SurfaceFlattening.h"
 #include "Options/OptionStructures.h"
-#include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 
 #include "vtkObjectFactory.h"
 

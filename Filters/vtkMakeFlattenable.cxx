@@ -8,7 +8,6 @@
 #include "ImprintOutput.h"
 #include "ListChanges.h"
 #include "Options/OptionStructures.h"
-#include "Options/OptionTable.h"
 #include "Report/FlatteningRun.h"
 #include "Report/FlatteningTables.h"
 #include "SurfaceInput.h"
@@ -89,7 +88,11 @@ int vtkMakeFlattenable::RequestData(vtkInformation* vtkNotUsed(request),
   if (const auto source = this->LoadInput(inputVector))
   {
     flattening::FlatteningRun run(*source);
-    const auto result = run.reshape(this->KeptCurves, body, options, bridge::executionOf(this));
+    std::optional<flattening::FlattenableSurface> result;
+    if (this->Weigh(run, *source))
+    {
+      result = run.reshape(this->KeptCurves, body, options, bridge::executionOf(this));
+    }
     bridge::CurvedPolyData moved = *source;
     moved.imprinted.mesh = result ? result->mesh : flattening::TriangleMesh();
     if (this->TakeResult(run, moved, result ? &result->after : nullptr, options.flattening,

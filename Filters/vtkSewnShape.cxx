@@ -7,7 +7,7 @@
 #include "Input/StatusWords.h"
 #include "ListChanges.h"
 #include "Options/OptionStructures.h"
-#include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 #include "PolyDataSets.h"
 #include "Report/SewingReport.h"
 #include "SurfaceInput.h"

@@ -4,11 +4,13 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "ListChanges.h"
 #include "Options/OptionStructures.h"
-#include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 
+#include "vtkDataObject.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <string>
 
 vtkStandardNewMacro(vtkWireWarpingFilter);
 
@@ -36,6 +38,19 @@ void vtkWireWarpingFilter::AddCurveEase(const std::string& curve, int piece, dou
 void vtkWireWarpingFilter::RemoveAllCurveEases()
 {
   flattening::bridge::changeToNone(this, this->Eases);
+}
+
+//------------------------------------------------------------------------------
+void vtkWireWarpingFilter::SetWeightArray(const char* name)
+{
+  this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name ? name : "");
+}
+
+//------------------------------------------------------------------------------
+void vtkWireWarpingFilter::AddOtherOptions(flattening::OptionValues& values)
+{
+  this->Superclass::AddOtherOptions(values);
+  values.set("WeightArray", std::string(this->GetWeightArray()));
 }
 
 //------------------------------------------------------------------------------

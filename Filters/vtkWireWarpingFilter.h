@@ -302,6 +302,19 @@ public:
 
   ///@{
   /**
+   * ISOMETRIC: name of a cell array of the surface, one number a cell, that says how much
+   * distortion matters there: each triangle counts as if its area were multiplied by it. Only
+   * ratios within a piece count; below a thousandth of the mean they count as that. Lengths are
+   * kept as without. Proposed cuts weigh strains by it as well; where the weights are not mirrored
+   * neither are the cuts. It is input array 0: SetInputArrayToProcess(0, 0, 0,
+   * vtkDataObject::FIELD_ASSOCIATION_CELLS, NAME) is the same. Default: empty, everywhere alike.
+   */
+  void SetWeightArray(const char* name);
+  const char* GetWeightArray() { return this->WeightName(); }
+  ///@}
+
+  ///@{
+  /**
    * A wire edge whose relative length error is larger is a warning (LENGTH_ERROR). Default:
    * 1e-9. Range: from 0.
    */
@@ -313,6 +326,7 @@ protected:
   ~vtkWireWarpingFilter() override = default;
 
   flattening::FlatteningOptions Settings() override;
+  void AddOtherOptions(flattening::OptionValues& values) override;
 
 private:
   vtkWireWarpingFilter(const vtkWireWarpingFilter&) = delete;

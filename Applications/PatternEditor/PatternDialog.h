@@ -2,7 +2,7 @@
 #pragma once
 
 #include "CurveOptionsTable.h"
-#include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 
 #include <QDialog>
 #include <QFormLayout>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlagWords.h"
 
-#include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 
 #include <map>
 

@@ -19,7 +19,6 @@
 #include "Report/SurfaceRun.h"
 #include "Resewing.h"
 #include "Sizes.h"
-#include "Suggestion/RegionWeights.h"
 #include "Suggestion/SymmetryPlane.h"
 #include "Surface/SurfacePreparation.h"
 #include "SurfaceMending.h"
@@ -376,7 +375,8 @@ private:
       this->Run.status.message =
         "connection " + std::to_string(blamed - 1) + " of the curves: " + this->Run.status.message;
     }
-    return loaded;
+    return loaded &&
+      this->Run.weigh(this->Source.arrays.cells, this->Given.values.text("WeightArray"));
   }
 
   bool price(const flattening::Execution& execution)
@@ -395,11 +395,6 @@ private:
     options.search = this->Settings.search;
     options.imprint = this->Settings.imprint;
     options.flattening = this->Settings.flattening;
-    if (!this->Run.conclude(readWeights(this->Source.arrays.cells,
-          this->Given.values.text("WeightArray"), this->Run.source, options.weights)))
-    {
-      return;
-    }
     const Interruption interruption;
     flattening::Execution execution = watched;
     execution.cancel = &Interruption::pressed;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "FaceSeams.h"
-#include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 #include "Patterns.h"
 #include "Picture.h"
 #include "Sizes.h"

@@ -7,7 +7,7 @@
 #include "Input/CurvedSurface.h"
 #include "Input/DataSet.h"
 #include "Options/OptionStructures.h"
-#include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 
 #include <memory>
 #include <string>

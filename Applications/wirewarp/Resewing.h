@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Input/InputSurface.h"
-#include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 
 #include <string>
 

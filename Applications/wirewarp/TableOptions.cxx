@@ -2,6 +2,7 @@
 #include "TableOptions.h"
 
 #include "Options.h"
+#include "Options/OptionTable.h"
 #include "PlainText.h"
 #include "TextFile.h"
 #include "Units.h"

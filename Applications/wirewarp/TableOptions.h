@@ -3,7 +3,7 @@
 
 #include "Options.h"
 #include "Options/OptionStructures.h"
-#include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 
 #include <CLI/CLI.hpp>
 

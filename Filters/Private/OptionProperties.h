@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 
 #include <vtkIndent.h>
 

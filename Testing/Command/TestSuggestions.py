@@ -214,7 +214,7 @@ class Suggestions(command.CommandTest):
         self.assertIn("curves.vtp", os.listdir(self.path("out")))
 
     def test_options_of_cuts_are_not_for_lines(self):
-        for option in (("--max-strain", "0.1"), ("--max-cuts", "3"), ("--max-work", "1"), ("--weights", "w")):
+        for option in (("--max-strain", "0.1"), ("--max-cuts", "3"), ("--max-work", "1")):
             run = self.run_command("cut", "dome.obj", "--kind", "lines", *option)
             self.assertEqual(run.returncode, 2, run.stdout)
             self.assertIn(f"{option[0]} is for --kind darts, seams, all or gores, not for --kind lines", run.stderr)

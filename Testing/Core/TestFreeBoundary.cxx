@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 using namespace flattening;
@@ -33,10 +34,13 @@ FlatteningOptions freeBoundary()
 class IndependentMinimum
 {
 public:
-  IndependentMinimum(const Surface& surface, double penalty)
+  /// \param weights of triangles, with a mean of 1 over the area
+  IndependentMinimum(const Surface& surface, double penalty, RegionWeights weights = {})
     : Mesh(surface.mesh)
     , Penalty(penalty)
+    , Weights(std::move(weights))
   {
+    this->Weights.resize(this->Mesh.triangleCount(), 1.0);
     for (const FeatureCurve& curve : surface.curves)
     {
       for (std::size_t k = 0; k + 1 < curve.vertices.size(); ++k)
@@ -89,7 +93,7 @@ private:
       {
         return std::numeric_limits<double>::infinity();
       }
-      const double weight = 0.5 * root / this->Area;
+      const double weight = this->Weights[t] * 0.5 * root / this->Area;
       const Eigen::Matrix2d byNorm = flat * this->Inverses[t];
       const double norm = (byNorm.transpose() * flat).trace();
       Eigen::Matrix2d cofactor;
@@ -118,6 +122,7 @@ private:
 
   const TriangleMesh& Mesh;
   double Penalty;
+  RegionWeights Weights;
   std::vector<std::array<Index, 2>> Edges;
   std::vector<double> Roots; ///< per triangle, of det G
   std::vector<Eigen::Matrix2d> Inverses;
@@ -165,6 +170,12 @@ double energyOf(const FlatteningResult& result)
   return result.pieces[0].distortionEnergy / result.pieces[0].triangles;
 }
 
+double strainOf(const TriangleQuality& triangle)
+{
+  return std::max(
+    std::abs(std::log(triangle.smallStretch)), std::abs(std::log(triangle.largeStretch)));
+}
+
 /// Largest relative error of the edges of a curve in the plane.
 double errorOf(const FlatteningResult& result, Index curve)
 {
@@ -199,6 +210,64 @@ TEST(FreeBoundary, HasTheLeastEnergyWithTheLengthsOfItsCurves)
     const double least = IndependentMinimum(surface, 1e3).energy();
     EXPECT_NEAR(energyOf(result), least, 0.01 * least + 1e-10);
   }
+}
+
+TEST(FreeBoundary, HasTheLeastEnergyOfWeightedTriangles)
+{
+  for (const Surface& surface : { cushion(9, 8, 0.4), sphereCap(130.0 * pi / 180.0, 6, 0) })
+  {
+    RegionWeights weights;
+    for (Index t = 0; t < surface.mesh.triangleCount(); ++t)
+    {
+      weights.push_back(surface.mesh.centroid(t).x() > 0.3 ? 50.0 : 1.0);
+    }
+    FlatteningOptions options = freeBoundary();
+    options.isometric.weights = weights;
+    const FlatteningResult result = flatten(surface, options);
+    ASSERT_TRUE(result.status.ok()) << result.status.message;
+    EXPECT_TRUE(result.pieces[0].quality.flipped.empty());
+    const double least =
+      IndependentMinimum(surface, 0.0, relativeWeights(surface.mesh, weights)).energy();
+    EXPECT_NEAR(energyOf(result), least, 1e-4 * least);
+
+    // Only ratios count.
+    std::transform(weights.begin(), weights.end(), options.isometric.weights.begin(),
+      [](double weight) { return 1e-3 * weight; });
+    const FlatteningResult scaled = flatten(surface, options);
+    EXPECT_NEAR(energyOf(scaled), energyOf(result), 1e-9 * least);
+  }
+}
+
+TEST(FreeBoundary, WeightsTakeDistortionElsewhereWhereTheBoundaryIsExactAsWell)
+{
+  const Surface surface = cushion(9, 8, 0.4);
+  const auto cares = [&](Index t) { return surface.mesh.centroid(t).x() > 0.4; };
+  FlatteningOptions options;
+  const FlatteningResult plain = flatten(surface);
+  for (Index t = 0; t < surface.mesh.triangleCount(); ++t)
+  {
+    options.isometric.weights.push_back(cares(t) ? 1.0 : 0.0);
+  }
+  const FlatteningResult result = flatten(surface, options);
+  ASSERT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_LT(result.pieces[0].quality.maximumEdgeLengthError, 1e-12);
+  double before = 0.0;
+  double after = 0.0;
+  for (Index t = 0; t < surface.mesh.triangleCount(); ++t)
+  {
+    before += cares(t) ? strainOf(plain.triangles[t]) : 0.0;
+    after += cares(t) ? strainOf(result.triangles[t]) : 0.0;
+  }
+  EXPECT_LT(after, 0.8 * before);
+
+  options.isometric.weights.assign(surface.mesh.triangleCount(), 7.0);
+  EXPECT_EQ(flatten(surface, options).positions, plain.positions);
+  options.isometric.weights[3] = -1.0;
+  const FlatteningResult negative = flatten(surface, options);
+  EXPECT_EQ(negative.status.code, StatusCode::InvalidOption);
+  EXPECT_EQ(negative.status.ids.values, std::vector<std::int64_t>{ 3 });
+  options.isometric.weights.resize(5);
+  EXPECT_EQ(flatten(surface, options).status.code, StatusCode::InvalidOption);
 }
 
 TEST(FreeBoundary, MeasuresAllEdgesBesideThoseThatKeepTheirLength)

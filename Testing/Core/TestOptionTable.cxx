@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Input/InputSurface.h"
 #include "Surface/SurfaceHealing.h"
 #include "TestMeshes.h"
 
@@ -78,7 +79,7 @@ std::vector<SurfaceDefect> defectsOf(const HealedSurface& surface)
   return defects;
 }
 
-using Defects = std::vector<SurfaceDefect>;
+using DefectMix = std::vector<SurfaceDefect>;
 }
 
 TEST(SurfaceHealing, LeavesASoundSurfaceAsItIs)
@@ -109,7 +110,7 @@ TEST(SurfaceHealing, JoinsCollapsedPointsWithTheirNeighbors)
       }
       const HealedSurface surface = healed(sheet, SurfaceDefect::CollapsedPoints, { moved });
       EXPECT_EQ(defectsOf(surface),
-        (Defects{ SurfaceDefect::CollapsedPoints, SurfaceDefect::FlatTriangles }));
+        (DefectMix{ SurfaceDefect::CollapsedPoints, SurfaceDefect::FlatTriangles }));
       EXPECT_EQ(surface.mendings[1].ids, (ElementIds{ ElementKind::Cells, between }));
       EXPECT_EQ(surface.joinedPoints, Indices{ moved });
       EXPECT_EQ(surface.vertexOfPoint[moved], surface.vertexOfPoint[neighbor]);
@@ -217,7 +218,7 @@ TEST(SurfaceHealing, SeparatesWhatStandsOnASurface)
   }
   const HealedSurface surface = healSurface(sheet.points, sheet.triangles);
   ASSERT_TRUE(surface.status.ok()) << surface.status.message;
-  EXPECT_EQ(defectsOf(surface), Defects{ SurfaceDefect::CrowdedEdges });
+  EXPECT_EQ(defectsOf(surface), DefectMix{ SurfaceDefect::CrowdedEdges });
   EXPECT_EQ(surface.mendings[0].ids.kind, ElementKind::Edges);
   EXPECT_EQ(surface.mendings[0].ids.values.size(), 2U * rows);
   Indices part;

@@ -15,6 +15,8 @@
 #include "Input/ClothInput.h"
 #include "Input/CurvedSurface.h"
 #include "InputError.h"
+#include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 #include "ReadCurves.h"
 #include "ReadSurface.h"
 #include "Report/QualityReport.h"
@@ -39,8 +41,14 @@ namespace flattening::web
 {
 namespace
 {
+struct GivenOptions
+{
+  OptionStructures structures;
+  std::string weights; ///< cell array of the surface
+};
+
 /// What the options of an object say. Throws std::invalid_argument.
-OptionStructures structuresOf(OptionOwner owner, const val& given)
+GivenOptions optionsFrom(OptionOwner owner, const val& given)
 {
   OptionStructures structures;
   OptionValues values(owner);
@@ -90,7 +98,7 @@ OptionStructures structuresOf(OptionOwner owner, const val& given)
   {
     structures.flattening.cloth = readCloth(material, grain);
   }
-  return structures;
+  return { structures, values.text("WeightArray") };
 }
 
 /// Calls progress(fraction), which ends the run where it returns false.
@@ -251,11 +259,12 @@ public:
   std::shared_ptr<Flattening> flatten(
     const val& curves, const val& options, const val& progress) const
   {
-    const OptionStructures structures = structuresOf(OptionOwner::Warping, options);
+    const auto [structures, weights] = optionsFrom(OptionOwner::Warping, options);
     SurfaceRun source(this->Data, { curvesOf(curves) });
     const Execution execution = executionOf(progress);
     std::optional<FlatteningReport> report;
-    if (source.run.load(source.triangles(), std::move(source.curves), structures, {}, execution))
+    if (source.run.load(source.triangles(), std::move(source.curves), structures, {}, execution) &&
+      source.run.weigh(source.arrays.cells, weights))
     {
       if (const auto done = source.run.flatten(structures.flattening, { -1, -1 }, execution))
       {
@@ -268,7 +277,7 @@ public:
   /// \return { flattening, cuts, places, types, names, boundMet }
   val suggest(const val& curves, const val& options, const val& progress) const
   {
-    const OptionStructures structures = structuresOf(OptionOwner::Suggestion, options);
+    const auto [structures, weights] = optionsFrom(OptionOwner::Suggestion, options);
     SuggestionOptions search;
     search.search = structures.search;
     search.imprint = structures.imprint;
@@ -277,7 +286,8 @@ public:
     const Execution execution = executionOf(progress);
     CurveSuggestions found;
     std::optional<FlatteningReport> report;
-    if (source.run.load(source.triangles(), std::move(source.curves), structures, {}, execution))
+    if (source.run.load(source.triangles(), std::move(source.curves), structures, {}, execution) &&
+      source.run.weigh(source.arrays.cells, weights))
     {
       if (const auto done = source.run.suggest(
             search, execution, [] {}, found))

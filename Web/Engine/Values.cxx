@@ -4,6 +4,7 @@
 #include "CurveList.h"
 #include "Input/InputSurface.h"
 #include "Input/StatusWords.h"
+#include "Options/OptionTable.h"
 
 #include <algorithm>
 #include <cctype>

@@ -6,7 +6,7 @@
 #include "Base/Types.h"
 #include "Input/Columns.h"
 #include "Input/DataSet.h"
-#include "Options/OptionTable.h"
+#include "Options/Option.h"
 #include "Report/ReportRows.h"
 
 #include <emscripten/bind.h>

@@ -5,6 +5,7 @@
 #include "Cloth/ClothMaterial.h"
 #include "Formats/PatternOptionTable.h"
 #include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 #include "Report/ReportKeys.h"
 
 #include <algorithm>

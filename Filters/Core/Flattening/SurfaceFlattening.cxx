@@ -464,6 +464,7 @@ Status flattenStages(const TriangleMesh& mesh, const std::vector<FeatureCurve>& 
   Stopwatch watch;
   Status status = checkOptions(requested);
   status = status.ok() ? checkFreeCurves(curves, requested) : status;
+  status = status.ok() ? checkWeights(requested.isometric.weights, mesh.triangleCount()) : status;
   if (!status.ok())
   {
     return status;

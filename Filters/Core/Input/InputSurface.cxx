@@ -4,6 +4,7 @@
 #include "Base/Types.h"
 #include "Input/StatusWords.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -31,6 +32,18 @@ bool isInsideOut(const TriangleMesh& mesh)
   return volume < 0.0;
 }
 
+/// "(first: 5, 88, 103)", or all of a few.
+std::string firstOf(const std::vector<std::string>& ids)
+{
+  constexpr std::size_t most = 3;
+  std::string text = ids.size() > most ? " (first: " : " (";
+  for (std::size_t k = 0; k < std::min(most, ids.size()); ++k)
+  {
+    text += (k == 0 ? "" : ", ") + ids[k];
+  }
+  return text + ")";
+}
+
 /// Gives the triangles of the input that healing left the places that they have in the mesh.
 void keepHealed(LoadedSurface& surface)
 {
@@ -47,6 +60,60 @@ void keepHealed(LoadedSurface& surface)
     t = { healed.originalPoint[t[0]], healed.originalPoint[t[1]], healed.originalPoint[t[2]] };
   }
 }
+}
+
+std::string describe(const Mending& mending)
+{
+  std::vector<std::string> ids;
+  const std::vector<std::int64_t>& values = mending.ids.values;
+  const bool pairs = mending.ids.kind == ElementKind::Edges;
+  for (std::size_t k = 0; k < values.size(); k += pairs ? 2 : 1)
+  {
+    ids.push_back(
+      std::to_string(values[k]) + (pairs ? "-" + std::to_string(values[k + 1]) : std::string()));
+  }
+  const bool one = ids.size() == 1;
+  const auto counted = [&](const std::string& thing, const std::string& singular,
+                         const std::string& plural) {
+    return std::to_string(ids.size()) + ' ' + thing + (one ? ' ' + singular : "s " + plural);
+  };
+  std::string text;
+  switch (mending.defect)
+  {
+    case SurfaceDefect::CollapsedPoints:
+      text = counted("point", "was", "were") +
+        " joined with a neighbor within a millionth of the edges there";
+      break;
+    case SurfaceDefect::FlatTriangles:
+      text = counted("triangle", "without area was", "without area were") + " taken out";
+      break;
+    case SurfaceDefect::DoubledTriangles:
+      text =
+        counted("triangle", "with the corners of another was", "with the corners of another were") +
+        " taken out";
+      break;
+    case SurfaceDefect::Fins:
+      text = counted("triangle", "standing on an edge of others was",
+               "standing on an edge of others were") +
+        " taken out";
+      break;
+    case SurfaceDefect::CrowdedEdges:
+      text = "the surface was separated at " +
+        counted("edge", "of more than two triangles", "of more than two triangles");
+      break;
+    case SurfaceDefect::PinchedPoints:
+      text = counted("point", "in which parts touch was", "in which parts touch were") + " doubled";
+      break;
+    case SurfaceDefect::Specks:
+      text = std::to_string(mending.parts) + (mending.parts == 1 ? " part" : " parts") +
+        " below 0.1 % of the largest part's area " + (mending.parts == 1 ? "was" : "were") +
+        " left out: " + std::to_string(ids.size()) + (one ? " triangle" : " triangles");
+      break;
+    case SurfaceDefect::ReversedTriangles:
+      text = counted("triangle", "was", "were") + " turned over to agree with the others";
+      break;
+  }
+  return text + firstOf(ids);
 }
 
 Status checkSize(std::int64_t points, std::int64_t corners)

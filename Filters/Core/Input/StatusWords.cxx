@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/StatusWords.h"
 
-#include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 
 #include <algorithm>
 #include <unordered_set>

@@ -68,10 +68,10 @@ constexpr double minTurning = 1e-7;
 
 IsometricModel::IsometricModel(const Piece& piece, const AngleProblem& problem,
   const SheetEnergy& energy, double bendingWeight, const GrainHold& hold,
-  const BoundaryFilling& filling)
+  const BoundaryFilling& filling, const RegionWeights& weights)
   : Problem(problem)
   , Unit(std::sqrt(piece.mesh.area() / piece.mesh.triangleCount()))
-  , Sheet(piece.mesh, Unit, energy, filling)
+  , Sheet(piece.mesh, Unit, energy, filling, weights)
   , Hold(energy.turnsFreely() ? GrainHold() : hold)
   , Stiffness(bendingWeight, piece.mesh.triangleCount(), Sheet.modulus())
   , CoordinateCount(2 * piece.mesh.vertexCount())

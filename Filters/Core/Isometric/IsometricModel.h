@@ -63,19 +63,21 @@ Dissection dissectVertices(Triangles cells, const WireNetwork& network, const Po
 /// The isometric scheme's problem for one piece, in units of the root of the mean triangle area.
 ///
 /// Unknowns: x and y of every vertex, then the stretch h of each elastic curve. Minimized is
-///   sum a_t f(J_t) + sum k_i (theta_i - alpha_i)^2 + sum weight_g h_g^2 / 2
-/// with a_t the area of triangle t over the mean area, f the sheet's energy density, theta_i the
-/// planar angle of wire-node i and k_i its stiffness, the same for all forces until
-/// switchToFinalObjective() gets them; constraints are the length of each wire edge, |x_a - x_b|
-/// = l (1 + h), the angle of each locked node, and the hold. Edges of connectors and of a free
+///   sum w_t a_t f(J_t) + sum k_i (theta_i - alpha_i)^2 + sum weight_g h_g^2 / 2
+/// with w_t and a_t the weight of triangle t and its area over the mean area, f the sheet's energy
+/// density, theta_i the planar angle of wire-node i and k_i its stiffness, the same for all forces
+/// until switchToFinalObjective() gets them; constraints are the length of each wire edge, |x_a -
+/// x_b| = l (1 + h), the angle of each locked node, and the hold. Edges of connectors and of a free
 /// boundary are no constraint: the triangles beside them hold them, and nodes on them have no angle
 /// term.
 class IsometricModel : public NewtonKktModel
 {
 public:
   /// \param hold of a sheet that does not turn freely; without one it turns as its energy asks.
+  /// \param weights by triangle, for the sheet's energy; empty: 1
   IsometricModel(const Piece& piece, const AngleProblem& problem, const SheetEnergy& energy,
-    double bendingWeight, const GrainHold& hold = {}, const BoundaryFilling& filling = {});
+    double bendingWeight, const GrainHold& hold = {}, const BoundaryFilling& filling = {},
+    const RegionWeights& weights = {});
 
   Index unknownCount() const override { return this->CoordinateCount + this->groupCount(); }
   Index coordinateCount() const { return this->CoordinateCount; }

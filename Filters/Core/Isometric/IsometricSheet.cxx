@@ -5,8 +5,8 @@
 
 namespace flattening
 {
-IsometricSheet::IsometricSheet(
-  const TriangleMesh& mesh, double unit, const SheetEnergy& energy, const BoundaryFilling& filling)
+IsometricSheet::IsometricSheet(const TriangleMesh& mesh, double unit, const SheetEnergy& energy,
+  const BoundaryFilling& filling, const RegionWeights& weights)
   : Cells(mesh.triangles())
   , Energy(energy)
 {
@@ -15,6 +15,10 @@ IsometricSheet::IsometricSheet(
   {
     this->Frames.emplace_back(
       mesh.point(c[0]) / unit, mesh.point(c[1]) / unit, mesh.point(c[2]) / unit);
+  }
+  for (std::size_t t = 0; t < weights.size(); ++t)
+  {
+    this->Frames[t].area *= weights[t];
   }
   for (const Triangle& c : filling.triangles)
   {

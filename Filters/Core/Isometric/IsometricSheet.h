@@ -5,6 +5,7 @@
 #include "Cloth/ClothEnergy.h"
 #include "Sparse/NewtonKktStep.h"
 #include "Sparse/SymmetricAssembler.h"
+#include "Surface/RegionWeights.h"
 #include "Surface/TriangleMesh.h"
 
 #include <variant>
@@ -91,9 +92,9 @@ struct BoundaryFilling
 class IsometricSheet
 {
 public:
-  /// \param unit of length.
+  /// \param unit of length. \param weights of the mesh's triangles; empty: 1
   IsometricSheet(const TriangleMesh& mesh, double unit, const SheetEnergy& energy,
-    const BoundaryFilling& filling);
+    const BoundaryFilling& filling, const RegionWeights& weights);
 
   /// Those of the filling last.
   const Triangles& triangles() const { return this->Cells; }
@@ -101,7 +102,7 @@ public:
   double modulus() const { return this->Energy.modulus(); }
   bool turnsFreely() const { return this->Energy.turnsFreely(); }
 
-  /// Sum of the triangles' areas times their energy densities.
+  /// Sum of the triangles' weights times their areas and energy densities.
   double energy(const Eigen::VectorXd& x, const Execution& execution) const;
 
   /// How many entries declare() declares.
@@ -128,7 +129,7 @@ private:
 
   Triangles Cells;
   SheetEnergy Energy;
-  std::vector<TriangleFrame> Frames; ///< in units
+  std::vector<TriangleFrame> Frames; ///< in units, areas with their weights
   Index FirstEntry = none;           ///< of the first triangle; those of the others follow
 };
 }

@@ -48,6 +48,9 @@ constexpr int fewestFactorizations = 40;
 constexpr int maximumFactorizations = 180;
 /// From this number of coordinates on the memory of a factor is what limits solving with it.
 constexpr Index singleFrom = 10000;
+/// Of a triangle's weight over the piece's mean. Its barrier still keeps it from turning over, and
+/// the Hessian its definiteness in single precision.
+constexpr double leastWeight = 1e-3;
 /// Below this number of coordinates of a plain sheet threads take longer to start than they save.
 constexpr Index threadsFrom = 4000;
 /// The way from afar is long; what is left after it is short.
@@ -87,6 +90,22 @@ NewtonKktOptions newtonOptions(const IsometricOptions& options)
   return newton;
 }
 
+/// Those of its triangles; empty where all are alike.
+RegionWeights weightsOf(const Piece& piece, const RegionWeights& ofSurface)
+{
+  RegionWeights weights;
+  for (const Index t : ofSurface.empty() ? Indices() : piece.triangles)
+  {
+    weights.push_back(ofSurface[t]);
+  }
+  weights = relativeWeights(piece.mesh, weights);
+  for (double& weight : weights)
+  {
+    weight = std::max(weight, leastWeight);
+  }
+  return weights;
+}
+
 /// A piece's problem, and an order of elimination for it.
 struct IsometricSetup
 {
@@ -102,7 +121,8 @@ struct IsometricSetup
       if (part == 0)
       {
         this->model.emplace(piece, problem, energy, options.angleWeight,
-          options.cloth ? options.cloth->hold : GrainHold(), filling);
+          options.cloth ? options.cloth->hold : GrainHold(), filling,
+          weightsOf(piece, options.weights));
       }
       else
       {
@@ -113,7 +133,7 @@ struct IsometricSetup
     };
     const bool few = 2 * piece.mesh.vertexCount() < threadsFrom;
     const Execution run = few ? execution.onOneThread() : execution;
-    run.forEach(2, [&pose](Index part) { pose(part); });
+    run.forEachTask(2, [&pose](Index part) { pose(part); });
     this->order = this->model->eliminationOrder(this->order);
     if (options.rough)
     {

@@ -5,6 +5,7 @@
 #include "Base/Execution.h"
 #include "Cut/SurfaceCut.h"
 #include "Isometric/IsometricSheet.h"
+#include "Surface/RegionWeights.h"
 
 #include <optional>
 #include <vector>
@@ -24,6 +25,9 @@ struct IsometricOptions
 {
   DistortionEnergy energy;
   std::optional<ClothSheet> cloth; ///< then the energy above does not count
+  /// By triangle of the cut surface: the energy of each counts as if its area were multiplied by
+  /// its weight over the piece's mean, at least by a thousandth, which keeps it from turning over.
+  RegionWeights weights;
   /// The solution is only where another run starts, or compared with others: it ends once little is
   /// left to gain, before the forces in the wires say how stiff each is.
   bool rough = false;

@@ -9,6 +9,7 @@
 #include "Suggestion/CurveSuggestion.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace flattening
@@ -35,6 +36,39 @@ CurveInput withProposed(CurveInput curves, const std::vector<SuggestedCurve>& pr
     curves.sourceOfPolyline.push_back(source);
   }
   return curves;
+}
+
+/// Reads the numbers of a cell array for the triangles of the surface.
+Status readWeights(const Columns& cellArrays, const std::string& name, const CurvedSurface& source,
+  RegionWeights& weights)
+{
+  if (name.empty())
+  {
+    return {};
+  }
+  const Column* const values = findColumn(cellArrays, name);
+  if (!values || values->isText() || values->components != 1)
+  {
+    std::string names;
+    for (const Column& column : cellArrays)
+    {
+      names +=
+        column.isText() || column.components != 1 ? "" : (names.empty() ? "" : ", ") + column.name;
+    }
+    return { StatusCode::InvalidOption,
+      values && !values->isText()
+        ? "the cell array \"" + name + "\" has " + std::to_string(values->components) +
+          " numbers a cell"
+        : "the surface has no cell array of numbers named \"" + name + "\"",
+      {},
+      { { Remedy::Give,
+        names.empty() ? "a cell array with a number for each cell" : "one of " + names } } };
+  }
+  for (const std::int64_t cell : source.surface.input.cellOfTriangle)
+  {
+    weights.push_back(values->number(static_cast<std::size_t>(cell)));
+  }
+  return {};
 }
 
 /// Finds the curves of these names; refuses a name that no curve has.
@@ -112,6 +146,21 @@ bool FlatteningRun::load(SurfaceTriangles surface, CurveInput curves,
   return loaded;
 }
 
+bool FlatteningRun::weigh(const Columns& cellArrays, const std::string& name)
+{
+  this->weights.clear();
+  return this->conclude(readWeights(cellArrays, name, this->source, this->weights));
+}
+
+FlatteningOptions FlatteningRun::weighted(FlatteningOptions options) const
+{
+  for (const Index t : this->weights.empty() ? Indices() : this->source.imprinted.originalTriangle)
+  {
+    options.isometric.weights.push_back(this->weights[t]);
+  }
+  return options;
+}
+
 std::optional<FlatteningResult> FlatteningRun::flatten(FlatteningOptions options,
   const std::array<std::int64_t, 2>& pins, const Execution& execution, FlatteningCache* kept)
 {
@@ -120,8 +169,8 @@ std::optional<FlatteningResult> FlatteningRun::flatten(FlatteningOptions options
     return {};
   }
   this->warn(describeShortEnds(this->source));
-  FlatteningResult result = flattenSurface(
-    this->source.imprinted.mesh, this->source.imprinted.curves, options, execution, kept);
+  FlatteningResult result = flattenSurface(this->source.imprinted.mesh,
+    this->source.imprinted.curves, this->weighted(std::move(options)), execution, kept);
   if (!this->conclude(this->source.outcomeOfStage(
         result.status, result.status.refused() ? nullptr : result.cut.get())))
   {
@@ -138,18 +187,19 @@ std::optional<FlatteningResult> FlatteningRun::flatten(FlatteningOptions options
 std::optional<KeyPrices> FlatteningRun::price(
   const FlatteningOptions& options, const Execution& execution)
 {
-  KeyPrices prices =
-    priceKeys(this->source.imprinted.mesh, this->source.imprinted.curves, options, execution);
+  KeyPrices prices = priceKeys(
+    this->source.imprinted.mesh, this->source.imprinted.curves, this->weighted(options), execution);
   return this->conclude(this->source.outcomeOfStage(prices.status))
     ? std::make_optional(std::move(prices))
     : std::nullopt;
 }
 
-std::optional<FlatteningResult> FlatteningRun::suggest(const SuggestionOptions& options,
+std::optional<FlatteningResult> FlatteningRun::suggest(SuggestionOptions options,
   const Execution& execution, const std::function<void()>& goOn, CurveSuggestions& found,
   FlatteningCache* kept)
 {
   const bool lines = options.search.cuts == SuggestedCuts::Lines;
+  options.weights = this->weights;
   found = (lines ? suggestLines : suggestCurves)(this->source.surface.prepared.mesh,
     this->source.curves.polylines, options, execution.part(0.0, 0.9));
   if (!this->conclude(this->source.outcomeOfStage(found.status)))
@@ -183,6 +233,7 @@ std::optional<FlattenableSurface> FlatteningRun::reshape(const std::set<std::str
   const LoadedBody& body, FlattenableOptions options, const Execution& execution)
 {
   options.body = body.get();
+  options.flattening = this->weighted(std::move(options.flattening));
   if (!this->conclude(body.outcome) ||
     !this->conclude(findCurves(keptCurves, this->source, options.kept)))
   {

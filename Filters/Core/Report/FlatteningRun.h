@@ -9,6 +9,7 @@
 #include "Input/DataSet.h"
 #include "Options/OptionStructures.h"
 #include "Suggestion/CurveSuggestions.h"
+#include "Surface/RegionWeights.h"
 
 #include <array>
 #include <functional>
@@ -33,6 +34,7 @@ struct FlatteningRun
   CurvedSurface& source;
   Status status;
   std::vector<std::string> warnings; ///< each once
+  RegionWeights weights;             ///< of the surface's triangles, for all that follows
 
   /// \return whether there is a result up to here
   bool conclude(const Status& outcome);
@@ -42,6 +44,11 @@ struct FlatteningRun
   /// \return whether that could be done
   bool load(SurfaceTriangles surface, CurveInput curves, const OptionStructures& options,
     const std::map<std::string, double>& tolerances, const Execution& execution);
+
+  /// Reads the weights of triangles from a cell array of the input; none without its name.
+  /// InvalidOption where there is no cell array of that name with one number for each cell.
+  /// \pre the surface is loaded
+  bool weigh(const Columns& cellArrays, const std::string& name);
 
   /// \param pins points of the input, or -1 \param kept of the run before; may be null
   /// \return none where the surface is refused
@@ -56,13 +63,15 @@ struct FlatteningRun
   /// Proposes curves, which the source has then behind its own. \param goOn called where the search
   /// was interrupted, before the surface is flattened with what it found
   /// \return none where the surface is refused
-  std::optional<FlatteningResult> suggest(const SuggestionOptions& options,
-    const Execution& execution, const std::function<void()>& goOn, CurveSuggestions& found,
-    FlatteningCache* kept = nullptr);
+  std::optional<FlatteningResult> suggest(SuggestionOptions options, const Execution& execution,
+    const std::function<void()>& goOn, CurveSuggestions& found, FlatteningCache* kept = nullptr);
 
   /// Moves the surface.
   /// \return none where the surface is refused
   std::optional<FlattenableSurface> reshape(const std::set<std::string>& keptCurves,
     const LoadedBody& body, FlattenableOptions options, const Execution& execution);
+
+private:
+  FlatteningOptions weighted(FlatteningOptions options) const;
 };
 }

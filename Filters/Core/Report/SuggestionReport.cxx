@@ -25,38 +25,6 @@ std::vector<SuggestedCurve> suggestionRows(
   return rows;
 }
 
-Status readWeights(const Columns& cellArrays, const std::string& name, const CurvedSurface& source,
-  RegionWeights& weights)
-{
-  if (name.empty())
-  {
-    return {};
-  }
-  const Column* const values = findColumn(cellArrays, name);
-  if (!values || values->isText() || values->components != 1)
-  {
-    std::string names;
-    for (const Column& column : cellArrays)
-    {
-      names +=
-        column.isText() || column.components != 1 ? "" : (names.empty() ? "" : ", ") + column.name;
-    }
-    return { StatusCode::InvalidOption,
-      values && !values->isText()
-        ? "the cell array \"" + name + "\" has " + std::to_string(values->components) +
-          " numbers a cell"
-        : "the surface has no cell array of numbers named \"" + name + "\"",
-      {},
-      { { Remedy::Give,
-        names.empty() ? "a cell array with a number for each cell" : "one of " + names } } };
-  }
-  for (const std::int64_t cell : source.surface.input.cellOfTriangle)
-  {
-    weights.push_back(values->number(static_cast<std::size_t>(cell)));
-  }
-  return {};
-}
-
 Columns suggestionArrays(const std::vector<SuggestedCurve>& rows, std::size_t first)
 {
   Columns cells;

@@ -4,8 +4,8 @@
 #include "Input/Columns.h"
 #include "Input/CurvedSurface.h"
 #include "Suggestion/CurveSuggestions.h"
-#include "Suggestion/RegionWeights.h"
 #include "Surface/FeatureCurve.h"
+#include "Surface/RegionWeights.h"
 
 #include <cstddef>
 #include <string>
@@ -16,11 +16,6 @@ namespace flattening
 /// Curves of the input and then those proposed, a row each.
 std::vector<SuggestedCurve> suggestionRows(
   const std::vector<Polyline>& curves, const CurveSuggestions& suggestions);
-
-/// The weights of the triangles by a cell array of the input; none without its name. InvalidOption
-/// where there is no cell array of that name with one number for each cell.
-Status readWeights(const Columns& cellArrays, const std::string& name, const CurvedSurface& source,
-  RegionWeights& weights);
 
 /// The arrays of vtkFeatureCurveSuggestion's curves. \param first row that is proposed
 Columns suggestionArrays(const std::vector<SuggestedCurve>& rows, std::size_t first);

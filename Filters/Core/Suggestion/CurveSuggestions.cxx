@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/CurveSuggestions.h"
 
+#include "Surface/SurfaceLocator.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -10,10 +12,34 @@ namespace flattening
 {
 namespace
 {
+/// Mean change of relative weights by a mirror up to which they count as mirrored: triangles that
+/// are not each other's images differ where regions end.
+constexpr double littleChange = 0.1;
 /// Mirrors that map surfaces onto themselves worse than this, in sqrt(area / pi), are rejected.
 constexpr double forcedError = 0.25;
 /// Planes that mirror a surface better than this are taken before mirrors by lengths on it.
 constexpr double nearlyExact = 3e-3;
+
+/// Whether the plane mirrors the weights onto themselves as well, but for the triangles along their
+/// borders. \param weights relative ones
+bool mirrorsWeights(
+  const TriangleMesh& mesh, const RegionWeights& weights, const SurfaceMirror& mirror)
+{
+  if (weights.empty())
+  {
+    return true;
+  }
+  const SurfaceLocator locator(mesh);
+  double change = 0.0;
+  double area = 0.0;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const Index image = locator.closest(mirror.mirrored(mesh.centroid(t))).triangle;
+    change += mesh.area(t) * std::abs(weights[t] - weights[image]);
+    area += mesh.area(t);
+  }
+  return change <= littleChange * area;
+}
 
 /// More in a message are not read.
 constexpr std::size_t maxNames = 8;

@@ -3,9 +3,9 @@
 
 #include "Flattening/FlatteningOptions.h"
 #include "Imprint/ImprintedSurface.h"
-#include "Suggestion/RegionWeights.h"
 #include "Suggestion/SurfaceMirror.h"
 #include "Surface/FeatureCurve.h"
+#include "Surface/RegionWeights.h"
 
 #include <limits>
 #include <optional>

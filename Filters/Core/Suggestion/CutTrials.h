@@ -4,8 +4,8 @@
 #include "Flattening/FlatteningOptions.h"
 #include "Flattening/FlatteningResult.h"
 #include "Imprint/ImprintedSurface.h"
-#include "Suggestion/RegionWeights.h"
 #include "Surface/FeatureCurve.h"
+#include "Surface/RegionWeights.h"
 
 #include <algorithm>
 #include <functional>

@@ -3,8 +3,8 @@
 
 #include "Cut/SurfaceCut.h"
 #include "Imprint/ImprintedSurface.h"
-#include "Suggestion/RegionWeights.h"
 #include "Suggestion/SurfaceMirror.h"
+#include "Surface/RegionWeights.h"
 
 #include <optional>
 

@@ -5,7 +5,6 @@
 #include "Base/Types.h"
 #include "Surface/SurfacePreparation.h"
 
-#include <string>
 #include <vector>
 
 namespace flattening
@@ -39,9 +38,6 @@ struct Mending
   ElementIds ids;
   Index parts = 0; ///< specks: how many parts the triangles form
 };
-
-/// A line for the user: "12 triangles without area were taken out (first: 5, 88, 103)".
-std::string describe(const Mending& mending);
 
 /// A surface as prepareSurface() gives it, of what is left of the input's triangles. A point in
 /// which parts touched has several vertices; vertexOfPoint is that of the largest fan.

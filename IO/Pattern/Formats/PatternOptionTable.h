@@ -3,7 +3,7 @@
 // Options/OptionTable.h.
 #pragma once
 
-#include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 
 #include <functional>
 #include <vector>

@@ -8,6 +8,7 @@
 #include "Input/CurvedSurface.h"
 #include "Input/InputSurface.h"
 #include "Input/StatusWords.h"
+#include "Options/OptionTable.h"
 
 #include <pybind11/stl.h>
 
@@ -324,6 +325,7 @@ Settings::Settings(const std::string& owner, const py::dict& values)
     const auto ids = values["Pins"].cast<py::sequence>();
     this->pins = { ids[0].cast<std::int64_t>(), ids[1].cast<std::int64_t>() };
   }
+  this->weights = has("WeightArray") ? values["WeightArray"].cast<std::string>() : std::string();
   const auto rows = [&](const char* property) {
     return has(property) ? values[property].cast<py::list>() : py::list();
   };

@@ -7,7 +7,7 @@
 #include "Input/Columns.h"
 #include "Input/DataSet.h"
 #include "Options/OptionStructures.h"
-#include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 #include "Report/ReportRows.h"
 
 #include <pybind11/numpy.h>
@@ -84,6 +84,7 @@ struct Settings
 
   OptionStructures structures;
   std::map<std::string, double> tolerances;
+  std::string weights; ///< cell array of the surface
   std::array<std::int64_t, 2> pins{ -1, -1 };
   std::set<std::string> keptCurves;
 };

@@ -12,6 +12,7 @@
 #include "Input/DataSet.h"
 #include "Input/InputSurface.h"
 #include "Input/StatusWords.h"
+#include "Options/OptionTable.h"
 #include "Report/FlatteningData.h"
 #include "Report/FlatteningRun.h"
 #include "Report/FlatteningTables.h"
@@ -71,7 +72,8 @@ py::dict runWatched(SurfaceRun& source, const Settings& settings, py::object pro
     const py::gil_scoped_release free;
     const Execution execution = watched.execution();
     if (run.load(source.triangles(), std::move(source.curves), settings.structures,
-          settings.tolerances, execution))
+          settings.tolerances, execution) &&
+      run.weigh(source.arrays.cells, settings.weights))
     {
       work(execution, watched);
     }
@@ -141,9 +143,8 @@ py::dict priceKeys(const py::dict& surface, const py::list& curves, const std::s
   return result;
 }
 
-/// \param weights a number for each cell of the surface, or None
-py::dict suggest(const py::dict& surface, const py::list& curves, const py::object& weights,
-  const std::string& owner, const py::dict& options, py::object progress)
+py::dict suggest(const py::dict& surface, const py::list& curves, const std::string& owner,
+  const py::dict& options, py::object progress)
 {
   const Settings settings(owner, options);
   const OptionStructures& all = settings.structures;
@@ -151,7 +152,6 @@ py::dict suggest(const py::dict& surface, const py::list& curves, const py::obje
   search.search = all.search;
   search.imprint = all.imprint;
   search.flattening = all.flattening;
-  const auto weightOfCell = weights.is_none() ? Numbers(0) : weights.cast<Numbers>();
   const bool lines = all.search.cuts == SuggestedCuts::Lines;
   SurfaceRun source = runOf(surface, curves);
   CurveSuggestions found;
@@ -159,13 +159,6 @@ py::dict suggest(const py::dict& surface, const py::list& curves, const py::obje
   py::dict result = runWatched(
     source, settings, std::move(progress),
     [&](const Execution& execution, WatchedRun& watched) {
-      for (const std::int64_t cell : source.run.source.surface.input.cellOfTriangle)
-      {
-        if (weightOfCell.size() > 0)
-        {
-          search.weights.push_back(weightOfCell.data()[cell]);
-        }
-      }
       // Interrupted, the surface is flattened with the cuts found so far.
       if (const auto done = source.run.suggest(
             search, execution, [&watched] { watched.goOn(); }, found))

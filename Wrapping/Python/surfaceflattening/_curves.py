@@ -221,14 +221,17 @@ def _tolerance_of(curve: Curve, what: str) -> float:
         ) from None
 
 
-def weights_of(weights: ArrayLike, triangles: int) -> NDArray[np.float64]:
-    """A number for each triangle or polygon."""
+def weighted(data: Data, options: Mapping[str, Any]) -> Mapping[str, Any]:
+    """The options with weights by the name of a cell array, which the surface gets where they are numbers."""
+    weights = options.get("weights")
+    if weights is None or isinstance(weights, str):
+        return options
     numbers = as_numbers(weights, "weights")
-    if numbers.shape != (triangles,):
-        raise ArgumentError(
-            f"weights must have the shape ({triangles},), a number for each triangle, "
-            f"not {numbers.shape}")
-    return numbers
+    cells = len(data["offsets"]) - 1 if "offsets" in data else data["corners"].size // 3
+    if numbers.shape != (cells,):
+        raise ArgumentError(f"weights must have the shape ({cells},), a number for each triangle, not {numbers.shape}")
+    data["cell_arrays"] = {**data.get("cell_arrays", {}), "Weight": numbers}
+    return {**options, "weights": "Weight"}
 
 
 def _demand_list(curves: Any) -> None:

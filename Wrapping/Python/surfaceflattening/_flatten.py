@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Optional, Sequence, Union
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._curves import Curve, curve_data, surface_data
+from ._curves import Curve, curve_data, surface_data, weighted
 from ._options import WARPING, read_options, with_options
 from ._result import Flattening, finished
 
@@ -61,8 +61,8 @@ def flatten(
             error, a flipped triangle, an overlap; report["status"] says which), or a part of the
             input was left out (report["warnings"]).
     """
-    owner, values = read_options(options, "flatten")
     data = surface_data(points, triangles)
+    owner, values = read_options(weighted(data, options), "flatten")
     return finished(_core.flatten(data, [curve_data(curves, points)], owner, values, options.get("progress")), data)
 
 
@@ -87,7 +87,7 @@ def flatten_polydata(
     """
     from ._vtk import input_of
 
-    owner, values = read_options(options, "flatten_polydata")
     data, on_surface = input_of(surface, curves, ", such as a pyvista.PolyData; flatten() takes arrays")
+    owner, values = read_options(weighted(data, options), "flatten_polydata")
     return finished(
         _core.flatten(data, on_surface, owner, values, options.get("progress")), data, type(surface))

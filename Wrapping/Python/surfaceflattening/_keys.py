@@ -9,7 +9,7 @@ from typing import Any, List, Sequence, Union
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._curves import Curve, curve_data, surface_data
+from ._curves import Curve, curve_data, surface_data, weighted
 from ._equality import ComparedByValue
 from ._options import WARPING, read_options, with_options
 from ._report import raise_refusal
@@ -93,9 +93,9 @@ def price_keys(
     Raises FlatteningError where there is no key curve, or the surface is rejected with all keys; nothing
     warns.
     """
-    owner, values = read_options(options, "price_keys", keeps_lengths=True)
-    run = _core.price_keys(
-        surface_data(points, triangles), [curve_data(curves, points)], owner, values, options.get("progress"))
+    data = surface_data(points, triangles)
+    owner, values = read_options(weighted(data, options), "price_keys", keeps_lengths=True)
+    run = _core.price_keys(data, [curve_data(curves, points)], owner, values, options.get("progress"))
     raise_refusal(run)
     return KeyPrices(KeyTrial(*run["all"]), KeyTrial(*run["none"]), [
         KeyPrice(curve, price, KeyTrial(*without), KeyTrial(*alone))

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "Base/Status.h"
-#include "Suggestion/SurfaceMirror.h"
 #include "Surface/TriangleMesh.h"
 
 #include <vector>
@@ -19,11 +18,6 @@ Status checkWeights(const RegionWeights& weights, Index triangles);
 
 /// Weights whose mean over the area is 1; empty where all are the same.
 RegionWeights relativeWeights(const TriangleMesh& mesh, const RegionWeights& weights);
-
-/// Whether the plane mirrors the weights onto themselves as well, but for the triangles along their
-/// borders. \param weights relative ones
-bool mirrorsWeights(
-  const TriangleMesh& mesh, const RegionWeights& weights, const SurfaceMirror& mirror);
 
 /// By vertex, the mean over the triangles around it by area; empty where the weights are.
 std::vector<double> vertexWeights(const TriangleMesh& mesh, const RegionWeights& weights);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Suggestion/RegionWeights.h"
+#include "Surface/RegionWeights.h"
 
 #include "Surface/SurfaceLocator.h"
 
@@ -9,13 +9,6 @@
 
 namespace flattening
 {
-namespace
-{
-/// Mean change of relative weights by a mirror up to which they count as mirrored: triangles that
-/// are not each other's images differ where regions end.
-constexpr double littleChange = 0.1;
-}
-
 Status checkWeights(const RegionWeights& weights, Index triangles)
 {
   const auto refusal = [](const std::string& message, const Indices& ids = {}) {
@@ -77,25 +70,6 @@ RegionWeights relativeWeights(const TriangleMesh& mesh, const RegionWeights& wei
     weight *= area / sum;
   }
   return relative;
-}
-
-bool mirrorsWeights(
-  const TriangleMesh& mesh, const RegionWeights& weights, const SurfaceMirror& mirror)
-{
-  if (weights.empty())
-  {
-    return true;
-  }
-  const SurfaceLocator locator(mesh);
-  double change = 0.0;
-  double area = 0.0;
-  for (Index t = 0; t < mesh.triangleCount(); ++t)
-  {
-    const Index image = locator.closest(mirror.mirrored(mesh.centroid(t))).triangle;
-    change += mesh.area(t) * std::abs(weights[t] - weights[image]);
-    area += mesh.area(t);
-  }
-  return change <= littleChange * area;
 }
 
 std::vector<double> vertexWeights(const TriangleMesh& mesh, const RegionWeights& weights)
