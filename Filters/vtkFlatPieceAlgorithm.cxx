@@ -11,6 +11,7 @@
 #include "Input/CurvedSurface.h"
 #include "ListChanges.h"
 #include "Options/OptionStructures.h"
+#include "PolyDataSets.h"
 #include "Report/FlatteningRun.h"
 #include "Report/FlatteningTables.h"
 #include "Report/PieceSizes.h"

@@ -6,7 +6,9 @@ from __future__ import annotations  # help() prints hints as they are written he
 import os
 from dataclasses import dataclass
 from numbers import Integral
-from typing import TYPE_CHECKING, Any, Callable, Iterator, List, Optional, Sequence, Tuple, Union, cast, get_args
+from typing import (
+    TYPE_CHECKING, Any, Callable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, cast, get_args
+)
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
