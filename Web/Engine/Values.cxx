@@ -5,6 +5,7 @@
 #include "Input/InputSurface.h"
 #include "Input/StatusWords.h"
 #include "Options/OptionTable.h"
+#include "Options/OptionValues.h"
 
 #include <algorithm>
 #include <cctype>
