@@ -5,7 +5,6 @@
 #include "Input/CurvedSurface.h"
 #include "Suggestion/CurveSuggestions.h"
 #include "Surface/FeatureCurve.h"
-#include "Surface/RegionWeights.h"
 
 #include <cstddef>
 #include <string>
