@@ -22,6 +22,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
 #include <algorithm>
@@ -122,17 +123,23 @@ std::string vtkFlatteningAlgorithm::LengthUnitOf(vtkInformationVector** inputVec
 //------------------------------------------------------------------------------
 vtkFlatteningAlgorithm::vtkFlatteningAlgorithm()
 {
-  this->Keep({});
-  this->StatusWarnings = vtkSmartPointer<vtkStringArray>::New();
-  this->StatusCode = NOT_RUN;
-  this->StatusDefect = "the filter has not run";
-  this->StatusMessage = this->StatusDefect + "; update it, and see that its input can be read";
+  this->Forget();
   this->Options =
     std::make_unique<flattening::OptionValues>(std::vector<const flattening::Option*>());
   this->AllOwners =
     std::make_unique<std::map<const vtkDataObject*, flattening::bridge::SurfaceOwners>>();
   this->Owners = std::make_unique<flattening::bridge::SurfaceOwners>();
   this->AddObserver(vtkCommand::EndEvent, this, &vtkFlatteningAlgorithm::LeaveRun);
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::Forget()
+{
+  this->Keep({});
+  this->StatusWarnings = vtkSmartPointer<vtkStringArray>::New();
+  this->StatusCode = NOT_RUN;
+  this->StatusDefect = "the filter has not run";
+  this->StatusMessage = this->StatusDefect + "; update it, and see that its input can be read";
 }
 
 //------------------------------------------------------------------------------
@@ -245,6 +252,12 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
   };
   try
   {
+    // A run comes next, unless its input cannot be read.
+    if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()) &&
+      !this->AmongBlocks)
+    {
+      this->Forget();
+    }
     if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()))
     {
       this->EnterRun(inputVector);

@@ -353,6 +353,7 @@ private:
   bool HasSurface(vtkInformationVector* outputVector);
   bool HasFailed() const;
   void Keep(const flattening::Status& outcome);
+  void Forget();
 
   vtkFlatteningAlgorithm(const vtkFlatteningAlgorithm&) = delete;
   void operator=(const vtkFlatteningAlgorithm&) = delete;

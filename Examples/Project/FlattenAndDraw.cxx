@@ -2,7 +2,6 @@
 // Flattens a surface with its feature curves and draws the pieces beside it, colored by how their
 // area changed, in a window or into a PNG file.
 #include <vtkActor.h>
-#include <vtkErrorCode.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkLookupTable.h>
 #include <vtkNew.h>
@@ -98,18 +97,10 @@ int main(int argc, char* argv[])
   }
   flattening->BesideSurfaceOn();
   flattening->Update();
-  for (vtkXMLPolyDataReader* const reader : { surface.Get(), curves.Get() })
-  {
-    if (reader->GetFileName() && reader->GetErrorCode() != vtkErrorCode::NoError)
-    {
-      std::cerr << reader->GetFileName() << ": "
-                << vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()) << "\n";
-      return EXIT_FAILURE;
-    }
-  }
   if (flattening->IsRefused())
   {
-    std::cerr << flattening->GetStatusName() << ": " << flattening->GetStatusMessage() << "\n";
+    std::cerr << argv[1] << ": " << flattening->GetStatusName() << ": "
+              << flattening->GetStatusMessage() << "\n";
     return EXIT_FAILURE;
   }
   vtkTable* const pieces = flattening->GetPieces();

@@ -137,7 +137,7 @@ class Suggestions(command.CommandTest):
         self.write("dome.vtk", legacy(self.points, self.triangles, [-1.0] + middles[1:]))
         run = self.run_command("cut", "dome.vtk", *options, "--weights", "matters", "--output", "none")
         self.assertEqual(run.returncode, 3)
-        self.assertIn("are negative or no numbers", run.stderr)
+        self.assertIn("are negative or not finite", run.stderr)
 
     def test_what_ended_a_search_is_named(self):
         run = self.run_command(

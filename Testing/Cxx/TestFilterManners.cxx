@@ -34,6 +34,10 @@ void statusBeforeARunIsNotRun(Checks& check)
   for (vtkFlatteningAlgorithm* algorithm : { static_cast<vtkFlatteningAlgorithm*>(developability),
          static_cast<vtkFlatteningAlgorithm*>(filter) })
   {
+    // The status of a run before is not that of an input that cannot be read.
+    algorithm->SetInputData(makeQuarterSphere());
+    algorithm->Update();
+    check.that(!algorithm->IsRefused(), "the run before");
     algorithm->SetInputConnection(reader->GetOutputPort());
     algorithm->Update();
     check.equal(algorithm->GetStatusCode(), static_cast<int>(vtkFlatteningAlgorithm::NOT_RUN),

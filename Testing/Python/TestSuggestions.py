@@ -179,7 +179,7 @@ class Suggestions(unittest.TestCase):
             sf.suggest(points, triangles, cuts="pleats")
         with self.assertRaisesRegex(ValueError, r"weights must have the shape \(392,\), .* not \(3,\)"):
             sf.suggest(points, triangles, weights=[1, 2, 3])
-        with self.assertRaisesRegex(sf.FlatteningError, "negative or no numbers") as raised:
+        with self.assertRaisesRegex(sf.FlatteningError, "negative or not finite") as raised:
             sf.suggest(points, triangles, weights=np.arange(392) - 1)
         self.assertEqual(list(raised.exception.ids), [0])
         with self.assertRaisesRegex(sf.FlatteningError, 'no cell array of numbers named "where"'):

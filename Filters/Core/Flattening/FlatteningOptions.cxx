@@ -40,6 +40,11 @@ Status checkOptions(const FlatteningOptions& options)
             (range.maximum < large ? " to " + shortNumber(range.maximum) : std::string()) } } };
     }
   }
+  if (const double bias = options.isometric.energy.bias; !(std::abs(bias) < 1.0))
+  {
+    return { StatusCode::InvalidOption, "the area bias is " + shortNumber(bias), {},
+      { { Remedy::Give, "a number between -1 and 1" } } };
+  }
   if (options.preventOverlap && (options.boundary != BoundaryMode::Free || options.cloth))
   {
     return { StatusCode::InvalidOption,

@@ -60,8 +60,9 @@ struct ClothOptions
 /// Where the corners of a triangle lie in the plane.
 using FlatCorners = std::array<Point2, 3>;
 
-/// All defaults of the project are these and those of the options inside: filters, command, Python
-/// package and plugin take them over or are tested for it.
+/// All defaults of the project are these and those of the options inside, but for dartLegs, which
+/// Options/OptionTable sets to Mirrored: filters, command, Python package and plugin take them over
+/// or are tested for it.
 struct FlatteningOptions
 {
   Scheme scheme = Scheme::Isometric;

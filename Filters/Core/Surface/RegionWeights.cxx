@@ -35,7 +35,7 @@ Status checkWeights(const RegionWeights& weights, Index triangles)
   if (!wrong.empty())
   {
     return refusal(
-      "the weights of triangles " + listIds(wrong) + " are negative or no numbers", wrong);
+      "the weights of triangles " + listIds(wrong) + " are negative or not finite", wrong);
   }
   if (std::none_of(weights.begin(), weights.end(), [](double w) { return w > 0.0; }))
   {

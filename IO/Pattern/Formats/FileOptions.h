@@ -14,7 +14,7 @@ class PageCanvas;
 /// What a flattening can be written as.
 enum class FileFormat
 {
-  Automatic, ///< what the extension says
+  Automatic, ///< what the extension says; SVG where there is no path
   Svg,
   Pdf,
   Dxf,
@@ -29,7 +29,7 @@ enum class FileFormat
 /// How a file is written; the options of Formats/PatternOptionTable.h are its members.
 struct FileOptions
 {
-  FileFormat format = FileFormat::Svg;
+  FileFormat format = FileFormat::Automatic;
   PatternOptions pattern;
   PageOptions pages;        ///< of PDF
   FabricOptions fabric;     ///< of SVG, PDF and HPGL: lay the pieces on cloth

@@ -310,15 +310,22 @@ Status readPattern(
 Status writePattern(const std::string& path, const PatternSource& source,
   const FileOptions& options, Pattern& drawing)
 {
+  FileOptions file = options;
+  file.format = file.format == FileFormat::Automatic ? formatOf(path) : file.format;
+  if (file.format == FileFormat::Automatic)
+  {
+    return { StatusCode::InvalidOption, path + " ends with none of " + knownExtensions(), {},
+      { Remedy::NameAnotherFile } };
+  }
   setTime(drawing);
   std::string content;
-  Status status = makePatternFile(source, options, drawing, content);
+  Status status = makePatternFile(source, file, drawing, content);
   if (!status.ok())
   {
     return status;
   }
-  FileAside file(path);
-  status = file.write(content);
-  return status.ok() ? file.publish() : status;
+  FileAside aside(path);
+  status = aside.write(content);
+  return status.ok() ? aside.publish() : status;
 }
 }

@@ -162,8 +162,8 @@ Status makePatternFile(
     }
   }
   const bool onFabric = options.fabric.width != 0.0 &&
-    (options.format == FileFormat::Svg || options.format == FileFormat::Pdf ||
-      options.format == FileFormat::Hpgl);
+    (options.format == FileFormat::Automatic || options.format == FileFormat::Svg ||
+      options.format == FileFormat::Pdf || options.format == FileFormat::Hpgl);
   PatternOptions drawn = options.pattern;
   drawn.oneLayer = onFabric;
   std::optional<DrawingSource> all;

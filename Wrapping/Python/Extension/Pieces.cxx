@@ -116,7 +116,6 @@ pattern::FileOptions fileOptionsOf(const py::dict& given)
       kept = given[name].cast<Kept>();
     }
   };
-  file.format = pattern::FileFormat::Automatic;
   take("format", file.format);
   take("unit", drawn.unit);
   take("piece_quantities", drawn.pieceQuantities);
@@ -151,17 +150,9 @@ py::tuple writePattern(const py::dict& flat, const py::object& wires, const py::
   const std::optional<DataSet> lines = partOf(wires);
   const std::optional<DataSet> surface = partOf(cut);
   pattern::FileOptions file = fileOptionsOf(options);
-  file.format =
-    file.format == pattern::FileFormat::Automatic ? pattern::formatOf(path) : file.format;
   file.grading = sizes;
   Status status;
   pattern::Pattern drawing;
-  if (file.format == pattern::FileFormat::Automatic)
-  {
-    status = { StatusCode::InvalidOption, path + " ends with none of " + pattern::knownExtensions(),
-      {}, { Remedy::NameAnotherFile } };
-  }
-  else
   {
     const py::gil_scoped_release free;
     status = statusOf([&] {
