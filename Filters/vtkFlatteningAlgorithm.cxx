@@ -253,8 +253,9 @@ vtkTypeBool vtkFlatteningAlgorithm::ProcessRequest(
   try
   {
     // A run comes next, unless its input cannot be read.
-    if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()) &&
-      !this->AmongBlocks)
+    const bool asked = request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()) ||
+      request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT());
+    if (asked && !this->AmongBlocks)
     {
       this->Forget();
     }
