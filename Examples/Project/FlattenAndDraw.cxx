@@ -99,8 +99,7 @@ int main(int argc, char* argv[])
   flattening->Update();
   if (flattening->IsRefused())
   {
-    std::cerr << argv[1] << ": " << flattening->GetStatusName() << ": "
-              << flattening->GetStatusMessage() << "\n";
+    std::cerr << flattening->GetStatusName() << ": " << flattening->GetStatusMessage() << "\n";
     return EXIT_FAILURE;
   }
   vtkTable* const pieces = flattening->GetPieces();

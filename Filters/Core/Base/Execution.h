@@ -78,8 +78,7 @@ struct Execution
       }
     });
   }
-  /// The same of bodies as short as the measures of a triangle, of which few take less long than to
-  /// start a thread.
+  /// The same of bodies as short as the measures of a triangle: 64 of them are one task.
   template <typename Body>
   void forEach(Index count, const Body& body) const
   {

@@ -48,9 +48,6 @@ constexpr int fewestFactorizations = 40;
 constexpr int maximumFactorizations = 180;
 /// From this number of coordinates on the memory of a factor is what limits solving with it.
 constexpr Index singleFrom = 10000;
-/// Of a triangle's weight over the piece's mean. Its barrier still keeps it from turning over, and
-/// the Hessian its definiteness in single precision.
-constexpr double leastWeight = 1e-3;
 /// Below this number of coordinates of a plain sheet threads take longer to start than they save.
 constexpr Index threadsFrom = 4000;
 /// The way from afar is long; what is left after it is short.
@@ -90,7 +87,7 @@ NewtonKktOptions newtonOptions(const IsometricOptions& options)
   return newton;
 }
 
-/// Those of its triangles; empty where all are alike.
+/// Those of its triangles, none so small that it has no barrier; empty where all are alike.
 RegionWeights weightsOf(const Piece& piece, const RegionWeights& ofSurface)
 {
   RegionWeights weights;
@@ -101,7 +98,7 @@ RegionWeights weightsOf(const Piece& piece, const RegionWeights& ofSurface)
   weights = relativeWeights(piece.mesh, weights);
   for (double& weight : weights)
   {
-    weight = std::max(weight, leastWeight);
+    weight = std::max(weight, BoundaryFilling::share);
   }
   return weights;
 }

@@ -26,7 +26,7 @@ struct IsometricOptions
   DistortionEnergy energy;
   std::optional<ClothSheet> cloth; ///< then the energy above does not count
   /// By triangle of the cut surface: the energy of each counts as if its area were multiplied by
-  /// its weight over the piece's mean, at least by a thousandth, which keeps it from turning over.
+  /// its weight over the piece's mean, at least by BoundaryFilling::share.
   RegionWeights weights;
   /// The solution is only where another run starts, or compared with others: it ends once little is
   /// left to gain, before the forces in the wires say how stiff each is.
