@@ -2,6 +2,7 @@
 // Several pieces and wire-patches on several threads. Built with -fsanitize=thread it also shows
 // that the threads do not race (see Testing/Fuzz/README.md).
 #include "TestThreads.h"
+#include "Base/ThreadedLoop.h"
 #include "Design/KeyPrices.h"
 #include "Design/LineSuggestion.h"
 #include "Flattened.h"
@@ -13,8 +14,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <cstdint>
 #include <map>
+#include <mutex>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -144,4 +148,21 @@ TEST(Threads, InsideALoopHearThatTheCallerEndedTheRun)
   EXPECT_TRUE(heardElsewhere());
   EXPECT_TRUE(inner.cancelled());
   EXPECT_EQ(asked, 2);
+}
+
+TEST(Threads, ShareTasksHoweverFewTheyAre)
+{
+  Execution execution;
+  execution.parallel = ThreadedLoop(2);
+  std::mutex guard;
+  std::condition_variable arrived;
+  int here = 0;
+  int met = 0;
+  execution.forEachTask(2, [&](Index) {
+    std::unique_lock<std::mutex> lock(guard);
+    ++here;
+    arrived.notify_all();
+    met += arrived.wait_for(lock, std::chrono::seconds(10), [&] { return here == 2; }) ? 1 : 0;
+  });
+  EXPECT_EQ(met, 2);
 }
