@@ -10,14 +10,14 @@ using namespace testmeshes;
 
 namespace
 {
-constexpr Index size = 12;
+constexpr Index cushionSize = 12;
 
 FeatureCurve dart(const std::string& name, Index column, Index from, Index to)
 {
   Indices vertices;
   for (Index j = from; j != to; j += from < to ? 1 : -1)
   {
-    vertices.push_back(j * (size + 1) + column);
+    vertices.push_back(j * (cushionSize + 1) + column);
   }
   return curveOf(CurveType::Dart, name, vertices);
 }
@@ -25,7 +25,7 @@ FeatureCurve dart(const std::string& name, Index column, Index from, Index to)
 /// A cushion with a dart from the border and one inside, both where the cushion is not symmetric.
 Surface dartedCushion()
 {
-  Surface surface = cushion(size, size, 0.5);
+  Surface surface = cushion(cushionSize, cushionSize, 0.5);
   surface.curves = { dart("mouth", 4, 0, 6), dart("fish-eye", 8, 5, 10) };
   return surface;
 }
@@ -130,10 +130,10 @@ TEST(DartFolding, MirroredLegsAreTheMeanOfFreeOnes)
 
 TEST(DartFolding, ADartThatBranchesKeepsFreeLegsAndIsNamed)
 {
-  Surface surface = cushion(size, size, 0.5);
+  Surface surface = cushion(cushionSize, cushionSize, 0.5);
   surface.curves = { dart("stem", 4, 0, 6),
-    curveOf(
-      CurveType::Dart, "branch", { 3 * (size + 1) + 4, 3 * (size + 1) + 5, 3 * (size + 1) + 6 }),
+    curveOf(CurveType::Dart, "branch",
+      { 3 * (cushionSize + 1) + 4, 3 * (cushionSize + 1) + 5, 3 * (cushionSize + 1) + 6 }),
     dart("other", 9, 0, 4) };
   const FlatteningResult result = flatten(surface, DartLegs::Straight);
   ASSERT_FALSE(result.status.refused()) << result.status.message;
@@ -148,7 +148,7 @@ TEST(DartFolding, KeysAreNotGivenUpForLegs)
 {
   // The key crosses the dart's mouth row and forbids what straight legs would need.
   Surface surface = dartedCushion();
-  surface.curves.push_back(rowCurve(size, 0, CurveType::Key));
+  surface.curves.push_back(rowCurve(cushionSize, 0, CurveType::Key));
   const FlatteningResult result = flatten(surface, DartLegs::Straight);
   EXPECT_TRUE(result.status.ok()) << result.status.message;
   EXPECT_FALSE(result.curves[2].released);

@@ -12,7 +12,7 @@ using namespace testmeshes;
 
 namespace
 {
-const std::vector<InteriorMethod> methods{ InteriorMethod::Laplacian,
+const std::vector<InteriorMethod> interiorMethods{ InteriorMethod::Laplacian,
   InteriorMethod::AsRigidAsPossible };
 
 Surface curvedCushion(double height = 0.4)
@@ -59,7 +59,7 @@ Surface withPoint(const Surface& surface, Index vertex, const Point3& place)
 
 TEST(FlatteningCache, ChangesNoBitOfAnyResult)
 {
-  for (const InteriorMethod method : methods)
+  for (const InteriorMethod method : interiorMethods)
   {
     FlatteningCache cache;
     Surface surface = curvedCushion();

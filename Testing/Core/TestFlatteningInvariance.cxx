@@ -14,7 +14,7 @@ using namespace testmeshes;
 
 namespace
 {
-FlatteningOptions freeBoundary()
+FlatteningOptions freeUnarranged()
 {
   FlatteningOptions options = optionsOf(Scheme::Isometric, FlatteningOptions().interior.method);
   options.boundary = BoundaryMode::Free;
@@ -23,9 +23,9 @@ FlatteningOptions freeBoundary()
 }
 
 /// What a user gets who chooses nothing, with a free boundary as well, and the paper's two schemes.
-const std::vector<FlatteningOptions> methods{ optionsOf(Scheme::Isometric,
+const std::vector<FlatteningOptions> schemes{ optionsOf(Scheme::Isometric,
                                                 FlatteningOptions().interior.method),
-  freeBoundary(), optionsOf(Scheme::Global), optionsOf(Scheme::Progressive) };
+  freeUnarranged(), optionsOf(Scheme::Global), optionsOf(Scheme::Progressive) };
 
 /// Two pieces with a dart, a key, an accessory curve and a floating one.
 Surface garment()
@@ -106,7 +106,7 @@ TEST(FlatteningInvariance, RigidMotionsChangeNothing)
 {
   const Surface surface = garment();
   const Surface moved = movedRigidly(surface);
-  for (const FlatteningOptions& options : methods)
+  for (const FlatteningOptions& options : schemes)
   {
     expectSame(flatten(surface, options), flatten(moved, options),
       identity(surface.mesh.triangleCount()), 1.0, 1e-9);
@@ -120,7 +120,7 @@ TEST(FlatteningInvariance, TheUnitOfLengthChangesNothing)
   {
     Surface scaled = surface;
     scaled.mesh = moved(surface.mesh, [&](const Point3& p) -> Point3 { return scale * p; });
-    for (const FlatteningOptions& options : methods)
+    for (const FlatteningOptions& options : schemes)
     {
       expectSame(flatten(surface, options), flatten(scaled, options),
         identity(surface.mesh.triangleCount()), scale, 1e-9);
@@ -154,7 +154,7 @@ TEST(FlatteningInvariance, TheNumbersOfVerticesChangeNothing)
     }
   }
   renumbered.mesh = TriangleMesh(points, triangles);
-  for (const FlatteningOptions& options : methods)
+  for (const FlatteningOptions& options : schemes)
   {
     expectSame(flatten(surface, options), flatten(renumbered, options),
       identity(surface.mesh.triangleCount()), 1.0, 1e-9);
@@ -173,7 +173,7 @@ TEST(FlatteningInvariance, TheNumbersOfTrianglesChangeNothing)
   }
   Surface renumbered = surface;
   renumbered.mesh = TriangleMesh(surface.mesh.points(), triangles);
-  for (const FlatteningOptions& options : { methods[0], methods[1], methods[2] })
+  for (const FlatteningOptions& options : { schemes[0], schemes[1], schemes[2] })
   {
     expectSame(flatten(surface, options), flatten(renumbered, options), number, 1.0, 1e-9);
   }
@@ -188,7 +188,7 @@ TEST(FlatteningInvariance, TheOrderAndDirectionOfCurvesChangeNothing)
   {
     std::reverse(curve.vertices.begin(), curve.vertices.end());
   }
-  for (const FlatteningOptions& options : methods)
+  for (const FlatteningOptions& options : schemes)
   {
     expectSame(flatten(surface, options), flatten(other, options),
       identity(surface.mesh.triangleCount()), 1.0, 1e-9);

@@ -86,7 +86,7 @@ std::vector<Case> cases()
   };
 }
 
-FlatteningResult flattened(const Surface& surface, Scheme scheme)
+FlatteningResult flattenedBy(const Surface& surface, Scheme scheme)
 {
   return flatten(surface, optionsOf(scheme, InteriorMethod::AsRigidAsPossible));
 }
@@ -100,7 +100,7 @@ TEST(FlatteningTopology, FlatSurfacesFlattenToThemselvesWhateverTheCurves)
     surface.curves = curveSet.curves;
     for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
     {
-      const FlatteningResult result = flattened(surface, scheme);
+      const FlatteningResult result = flattenedBy(surface, scheme);
       ASSERT_TRUE(result.status.ok()) << curveSet.name << ": " << result.status.message;
       ASSERT_EQ(result.pieces.size(), curveSet.pieces) << curveSet.name;
       EXPECT_LT(worstPiece(surface, result), 1e-10) << curveSet.name;
@@ -120,7 +120,7 @@ TEST(FlatteningTopology, WiresOfCurvedSurfacesMeetWhateverTheCurves)
     surface.curves = curveSet.curves;
     for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
     {
-      const FlatteningResult result = flattened(surface, scheme);
+      const FlatteningResult result = flattenedBy(surface, scheme);
       ASSERT_FALSE(result.status.refused()) << curveSet.name << ": " << result.status.message;
       EXPECT_STRNE(statusName(result.status.code), "NotConverged") << curveSet.name;
       EXPECT_LT(worstLength(result), 1e-12) << curveSet.name;
@@ -132,7 +132,7 @@ TEST(FlatteningTopology, FloatingWiresGetConnectorsThatAreMarked)
 {
   Surface surface = cushion(size, size, 0.2);
   surface.curves = { accessory("floating", { at(3, 3), at(4, 3), at(5, 3) }) };
-  const FlatteningResult result = flattened(surface, Scheme::Global);
+  const FlatteningResult result = flattenedBy(surface, Scheme::Global);
   ASSERT_FALSE(result.status.refused());
   const auto connectors = std::count_if(
     result.wires.begin(), result.wires.end(), [](const Wire& wire) { return wire.connector; });
@@ -155,7 +155,7 @@ TEST(FlatteningTopology, ASurfaceWithTwoBoundaryLoopsLiesFlatAroundItsHole)
   ASSERT_EQ(surface.mesh.boundaryLoops().size(), 2U);
   for (const Scheme scheme : { Scheme::Global, Scheme::Progressive })
   {
-    const FlatteningResult result = flattened(surface, scheme);
+    const FlatteningResult result = flattenedBy(surface, scheme);
     ASSERT_TRUE(result.status.ok()) << result.status.message;
     EXPECT_LT(rigidDistance(result.positions, unrolled), 1e-10);
   }

@@ -31,7 +31,7 @@ Point3 onTwoBumps(double x, double y)
 }
 
 /// Its own mirror image in x = 0, with a bump on each side.
-TriangleMesh twoBumps()
+TriangleMesh tallBumps()
 {
   return patch(24, 30, [](double i, double j) {
     return onTwoBumps(i / 12.0 - 1.0, j / 12.0);
@@ -58,7 +58,7 @@ std::vector<SuggestedCurve> linesOfKind(
 
 TEST(LineSuggestion, DrawsTheCentreLineInTheMirrorPlaneFromEdgeToEdge)
 {
-  const CurveSuggestions suggestions = suggestLines(twoBumps(), {}, {});
+  const CurveSuggestions suggestions = suggestLines(tallBumps(), {}, {});
   ASSERT_TRUE(suggestions.status.ok()) << suggestions.status.message;
   ASSERT_FALSE(suggestions.curves.empty());
   const Polyline& line = suggestions.curves[0].curve;
@@ -79,7 +79,7 @@ TEST(LineSuggestion, DrawsTheCentreLineInTheMirrorPlaneFromEdgeToEdge)
 
 TEST(LineSuggestion, LeadsStyleLinesOverTheBumpsOfBothSides)
 {
-  const CurveSuggestions suggestions = suggestLines(twoBumps(), {}, {});
+  const CurveSuggestions suggestions = suggestLines(tallBumps(), {}, {});
   const std::vector<SuggestedCurve> lines = linesOfKind(suggestions, "style line");
   ASSERT_EQ(lines.size(), 2u);
   for (const SuggestedCurve& line : lines)
@@ -111,7 +111,7 @@ TEST(LineSuggestion, MeasuresGirthsWhereTheSurfaceIsNarrowestAndWidest)
 
 TEST(LineSuggestion, TellsThePriceThatAFlatteningHas)
 {
-  const TriangleMesh mesh = twoBumps();
+  const TriangleMesh mesh = tallBumps();
   const CurveSuggestions suggestions = suggestLines(mesh, {}, {});
   std::vector<Polyline> curves;
   for (const SuggestedCurve& line : suggestions.curves)
@@ -171,7 +171,7 @@ TEST(LineSuggestion, DrawsNoLineWhereItsPlaneOnlyGrazesTheSurface)
 
 TEST(LineSuggestion, LeavesAPieceItsOwnKeyCurve)
 {
-  const TriangleMesh mesh = twoBumps();
+  const TriangleMesh mesh = tallBumps();
   Polyline key;
   key.type = CurveType::Key;
   key.name = "mine";
@@ -187,7 +187,7 @@ TEST(LineSuggestion, LeavesAPieceItsOwnKeyCurve)
 
 TEST(LineSuggestion, IsTheSameForAnyNumberOfThreadsAndEndsWhenItIsCancelled)
 {
-  const TriangleMesh mesh = twoBumps();
+  const TriangleMesh mesh = tallBumps();
   const CurveSuggestions alone = suggestLines(mesh, {}, {});
   const CurveSuggestions many = suggestLines(mesh, {}, {}, withThreads(3));
   ASSERT_EQ(alone.curves.size(), many.curves.size());

@@ -23,13 +23,13 @@ TriangleMesh pear()
   return { std::move(points), ball.triangles() };
 }
 
-constexpr Index columns = 32;
-constexpr Index rows = 20;
+constexpr Index hipColumns = 32;
+constexpr Index hipRows = 20;
 
 /// The back of a tube that is narrower above.
 TriangleMesh hip()
 {
-  return patch(columns, rows, [](double i, double j) {
+  return patch(hipColumns, hipRows, [](double i, double j) {
     const double angle = 1.2 * (i / 16.0 - 1.0);
     const double height = 0.1 * j;
     const double above = std::max(0.0, height - 1.2) / 0.8;
@@ -45,7 +45,7 @@ struct Skirt
   std::vector<Polyline> darts;
 };
 
-Skirt skirt()
+Skirt sewnSkirt()
 {
   const TriangleMesh body = hip();
   Skirt result;
@@ -54,9 +54,9 @@ Skirt skirt()
     Polyline dart;
     dart.type = CurveType::Dart;
     dart.name = "designed at " + std::to_string(column);
-    for (Index row = rows; row >= 12; --row)
+    for (Index row = hipRows; row >= 12; --row)
     {
-      dart.points.push_back(body.point(row * (columns + 1) + column));
+      dart.points.push_back(body.point(row * (hipColumns + 1) + column));
     }
     result.darts.push_back(dart);
   }
@@ -181,7 +181,7 @@ TEST(SuggestedSets, HalvesAreImagesWhereCoordinatesHaveSixDigits)
 
 TEST(SuggestedSets, FindTheDartsThatASkirtWasSewnWith)
 {
-  const Skirt sewn = skirt();
+  const Skirt sewn = sewnSkirt();
   SuggestionOptions options = optionsOf(0.004, 4);
   options.search.cuts = SuggestedCuts::Darts;
   options.search.maximumWork = 40.0;

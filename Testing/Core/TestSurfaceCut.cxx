@@ -11,7 +11,7 @@ using namespace testmeshes;
 
 namespace
 {
-/// Vertex (i, j) of a patch with n columns.
+/// Vertex (i, j) of a patch with n squares.
 Index at(Index n, Index i, Index j)
 {
   return j * (n + 1) + i;
@@ -207,17 +207,17 @@ TEST(SurfaceCut, NamesCurvesThatAreNoChainsOfEdges)
 
 namespace
 {
-constexpr Index columns = 6;
+constexpr Index squares = 6;
 
 /// Vertex (i, j) of a flat patch of 6 x 6 squares.
 Index at(Index i, Index j)
 {
-  return j * (columns + 1) + i;
+  return j * (squares + 1) + i;
 }
 
 std::vector<ShortEnd> ends(const std::vector<FeatureCurve>& curves)
 {
-  return endsShortOfBoundary(flatPatch(columns, 6).mesh, curves);
+  return endsShortOfBoundary(flatPatch(squares, 6).mesh, curves);
 }
 
 void expectEnd(const ShortEnd& end, Index curve, Index vertex, Index boundary)

@@ -13,8 +13,8 @@ using namespace testmeshes;
 
 namespace
 {
-constexpr Index columns = 12;
-constexpr Index rows = 10;
+constexpr Index sheetColumns = 12;
+constexpr Index sheetRows = 10;
 
 /// A sheet to be damaged.
 struct Sheet
@@ -24,11 +24,11 @@ struct Sheet
 
   Sheet()
   {
-    const TriangleMesh mesh = cushion(columns, rows, 0.2).mesh;
+    const TriangleMesh mesh = cushion(sheetColumns, sheetRows, 0.2).mesh;
     this->points = mesh.points();
     this->triangles = mesh.triangles();
   }
-  static Index at(Index i, Index j) { return j * (columns + 1) + i; }
+  static Index at(Index i, Index j) { return j * (sheetColumns + 1) + i; }
   Index add(const Point3& p)
   {
     this->points.push_back(p);
@@ -102,7 +102,7 @@ TEST(SurfaceHealing, JoinsCollapsedPointsWithTheirNeighbors)
       Sheet sheet;
       const Index moved = Sheet::at(5, 5);
       const Index neighbor = Sheet::at(4, 5);
-      sheet.points[moved] = sheet.points[neighbor] + Point3(part / columns, 0.0, 0.0);
+      sheet.points[moved] = sheet.points[neighbor] + Point3(part / sheetColumns, 0.0, 0.0);
       const Indices between = sheet.with({ moved, neighbor });
       for (Point3& p : sheet.points)
       {
@@ -121,7 +121,8 @@ TEST(SurfaceHealing, JoinsCollapsedPointsWithTheirNeighbors)
   }
   // An edge of three millionths is one.
   Sheet sheet;
-  sheet.points[Sheet::at(5, 5)] = sheet.points[Sheet::at(4, 5)] + 3e-6 / columns * Point3::UnitX();
+  sheet.points[Sheet::at(5, 5)] =
+    sheet.points[Sheet::at(4, 5)] + 3e-6 / sheetColumns * Point3::UnitX();
   EXPECT_TRUE(healSurface(sheet.points, sheet.triangles).mendings.empty());
 }
 
@@ -155,7 +156,7 @@ TEST(SurfaceHealing, DividesWhatLiesBehindTrianglesWithoutArea)
     healed(sheet, SurfaceDefect::FlatTriangles, { first, first + 1, first + 2 });
   EXPECT_EQ(surface.mendings.size(), 1U);
   EXPECT_NEAR(surface.mesh.area() / area, 1.0, 1e-12);
-  EXPECT_EQ(surface.mesh.triangleCount(), 2 * columns * rows + 4);
+  EXPECT_EQ(surface.mesh.triangleCount(), 2 * sheetColumns * sheetRows + 4);
   EXPECT_EQ(surface.mesh.boundaryLoops().size(), 1U);
   EXPECT_EQ(eulerCharacteristic(surface.mesh), 1);
 }
@@ -168,7 +169,7 @@ TEST(SurfaceHealing, TakesOutDoubledTriangles)
   sheet.triangles.push_back({ t[1], t[2], t[0] });
   sheet.triangles.push_back({ u[0], u[2], u[1] });
   sheet.triangles.push_back(u);
-  const Index count = 2 * columns * rows;
+  const Index count = 2 * sheetColumns * sheetRows;
   const HealedSurface surface =
     healed(sheet, SurfaceDefect::DoubledTriangles, { count, count + 1, count + 2 });
   EXPECT_EQ(surface.mendings.size(), 1U);
@@ -205,7 +206,7 @@ TEST(SurfaceHealing, SeparatesWhatStandsOnASurface)
   // A wall across the whole sheet: it comes off, since the sheet goes on evenly.
   Sheet sheet;
   Index before = none;
-  for (Index j = 0; j <= rows; ++j)
+  for (Index j = 0; j <= sheetRows; ++j)
   {
     const Index foot = Sheet::at(6, j);
     const Index top = sheet.add(sheet.points[foot] + Point3(0.02, 0.0, 0.4));
@@ -220,7 +221,7 @@ TEST(SurfaceHealing, SeparatesWhatStandsOnASurface)
   ASSERT_TRUE(surface.status.ok()) << surface.status.message;
   EXPECT_EQ(defectsOf(surface), DefectMix{ SurfaceDefect::CrowdedEdges });
   EXPECT_EQ(surface.mendings[0].ids.kind, ElementKind::Edges);
-  EXPECT_EQ(surface.mendings[0].ids.values.size(), 2U * rows);
+  EXPECT_EQ(surface.mendings[0].ids.values.size(), 2U * sheetRows);
   Indices part;
   EXPECT_EQ(connectedParts(surface.mesh, {}, part), 2);
   EXPECT_EQ(surface.mesh.triangleCount(), sheet.size());

@@ -56,11 +56,11 @@ void oneTablePerBlock(Checks& check)
   filter->Update();
   auto* const output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(3));
   check.that(output && output->GetNumberOfBlocks() == 3, "tables of three blocks");
-  const std::array<int, 3> rows{ 2, 1, 1 };
+  const std::array<int, 3> expected{ 2, 1, 1 };
   for (unsigned int k = 0; output && k < 3; ++k)
   {
     auto* const table = vtkTable::SafeDownCast(output->GetBlock(k));
-    check.that(table && table->GetNumberOfRows() == rows[k], "rows of a block");
+    check.that(table && table->GetNumberOfRows() == expected[k], "rows of a block");
     check.equal(table ? table->GetValueByName(0, "Status").ToString() : "",
       vtkStdString(k == 1 ? "EmptySurface" : "Ok"), "status of a block");
   }

@@ -5,6 +5,7 @@
 #include "Imprint/CurveImprint.h"
 #include "Surface/SurfacePreparation.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -49,6 +50,16 @@ private:
   std::size_t Size;
   std::size_t At = 0;
 };
+
+inline double between(std::mt19937& random, double least, double most)
+{
+  return std::uniform_real_distribution<double>(least, most)(random);
+}
+
+inline Index anyOf(std::mt19937& random, Index least, Index most)
+{
+  return std::uniform_int_distribution<Index>(least, std::max(least, most))(random);
+}
 
 /// Sizes of a surface before its mutations, about.
 struct SizeRange

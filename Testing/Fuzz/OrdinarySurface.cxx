@@ -11,16 +11,6 @@ namespace hostile
 {
 namespace
 {
-double between(std::mt19937& random, double least, double most)
-{
-  return std::uniform_real_distribution<double>(least, most)(random);
-}
-
-Index anyOf(std::mt19937& random, Index least, Index most)
-{
-  return std::uniform_int_distribution<Index>(least, std::max(least, most))(random);
-}
-
 /// As many small counts as large ones.
 Index logarithmic(std::mt19937& random, double least, double most)
 {

@@ -17,7 +17,7 @@ using namespace testmeshes;
 
 namespace
 {
-constexpr double exactly = 1e-7;
+constexpr double closely = 1e-7;
 const double tangent = 1.0 / std::cos(pi / 72.0); // of an arc of 5 degrees, at its end
 
 double lengthOfAll(const PathOffset& offset)
@@ -46,7 +46,7 @@ int expectOffset(const PathGraph& graph, const SurfacePath& path, double distanc
     const std::size_t step = 1 + part.points.size() / 6;
     for (std::size_t i = 0; i < part.points.size(); i += step)
     {
-      EXPECT_GE(distanceFrom(graph, path, part.points[i]).way.length, reach * (1.0 - exactly));
+      EXPECT_GE(distanceFrom(graph, path, part.points[i]).way.length, reach * (1.0 - closely));
       EXPECT_LE(gapInSpace(path, part.points[i].position), reach * tangent);
       ++points;
     }

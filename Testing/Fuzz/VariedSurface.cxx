@@ -10,16 +10,6 @@ namespace hostile
 {
 namespace
 {
-double between(std::mt19937& random, double least, double most)
-{
-  return std::uniform_real_distribution<double>(least, most)(random);
-}
-
-Index anyOf(std::mt19937& random, Index least, Index most)
-{
-  return std::uniform_int_distribution<Index>(least, most)(random);
-}
-
 Specimen oneTriangle(std::mt19937& random)
 {
   const double height = std::pow(10.0, between(random, -4.0, 1.0));

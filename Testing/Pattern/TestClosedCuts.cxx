@@ -30,7 +30,7 @@ PatternSource square(double width)
   return source;
 }
 
-PatternPiece drawn(const PatternSource& source)
+PatternPiece drawnPlainly(const PatternSource& source)
 {
   PatternOptions options = inMillimetres(0.0);
   options.notchSpacing = 0.0;
@@ -40,7 +40,7 @@ PatternPiece drawn(const PatternSource& source)
 
 TEST(ClosedCuts, ADartClosedAllAlongIsWholeCloth)
 {
-  const PatternPiece piece = drawn(square(0.0));
+  const PatternPiece piece = drawnPlainly(square(0.0));
   EXPECT_TRUE(linesOf(piece, LineKind::DartLeg).empty());
   EXPECT_TRUE(linesOf(piece, LineKind::DartFold).empty());
   EXPECT_TRUE(piece.drillHoles.empty());
@@ -50,7 +50,7 @@ TEST(ClosedCuts, ADartClosedAllAlongIsWholeCloth)
 
 TEST(ClosedCuts, ADartClosedAtItsMouthIsFoldedBetweenTwoTips)
 {
-  const PatternPiece piece = drawn(square(10.0));
+  const PatternPiece piece = drawnPlainly(square(10.0));
   const auto legs = linesOf(piece, LineKind::DartLeg);
   ASSERT_EQ(legs.size(), 2U);
   for (const PatternLine& leg : legs)

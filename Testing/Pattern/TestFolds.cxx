@@ -67,13 +67,13 @@ PatternOptions wherePiecesAreSymmetric()
 }
 
 /// A half of the trapezium, of height 320, with its fold at x = 0.
-void expectFold(const PatternPiece& piece, double tolerance)
+void expectFold(const PatternPiece& piece, double within)
 {
   EXPECT_NEAR(piece.extent.y(), 320.0, 1e-3);
   const PatternLine fold = lineOf(piece, LineKind::Fold);
   for (const Point2& p : fold.points)
   {
-    EXPECT_NEAR(p.x(), 0.0, tolerance);
+    EXPECT_NEAR(p.x(), 0.0, within);
   }
   EXPECT_NEAR((fold.points[1] - fold.points[0]).norm(), 320.0, 1e-3);
   EXPECT_TRUE(says(piece, "cut 1 on fold"));
