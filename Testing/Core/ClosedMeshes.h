@@ -75,4 +75,25 @@ inline TriangleMesh sphere(int halvings)
   }
   return { std::move(points), std::move(triangles) };
 }
+
+/// A ball with limbs, that is no mirror image of itself.
+inline TriangleMesh limbedBall(int halvings, double limbs)
+{
+  const TriangleMesh ball = sphere(halvings);
+  const Points3 directions{ { 1.0, 0.2, 0.1 }, { -0.8, 0.7, 0.1 }, { -0.5, -1.0, 0.3 },
+    { 0.2, 0.1, 1.0 }, { 0.3, -0.3, -1.0 } };
+  Points3 points;
+  for (const Point3& p : ball.points())
+  {
+    double radius = 0.5;
+    double length = limbs;
+    for (const Point3& direction : directions)
+    {
+      radius += length * std::exp(12.0 * (p.dot(direction.normalized()) - 1.0));
+      length *= 0.9;
+    }
+    points.push_back(radius * p);
+  }
+  return { std::move(points), ball.triangles() };
+}
 }

@@ -26,8 +26,8 @@ inline TriangleMesh twoBumps()
 }
 
 /// What the caller gets who takes the proposals and flattens.
-inline FlatteningResult flattened(
-  const TriangleMesh& mesh, std::vector<Polyline> curves, const CurveSuggestions& suggestions)
+inline FlatteningResult flattened(const TriangleMesh& mesh, std::vector<Polyline> curves,
+  const CurveSuggestions& suggestions, const FlatteningOptions& options = {})
 {
   for (const SuggestedCurve& cut : suggestions.curves)
   {
@@ -35,7 +35,7 @@ inline FlatteningResult flattened(
   }
   const ImprintedSurface surface = imprintCurves(mesh, curves, {});
   EXPECT_TRUE(surface.status.ok()) << surface.status.message;
-  return flattenSurface(surface.mesh, surface.curves, {}, {});
+  return flattenSurface(surface.mesh, surface.curves, options, {});
 }
 
 inline SuggestionOptions optionsOf(double bound, Index most)

@@ -217,6 +217,38 @@ TEST(ChartCuts, MakeAsManyPiecesAsAreWanted)
   }
 }
 
+TEST(ChartCuts, OpenABodyWithLimbsAsOnePieceWithAFreeBoundary)
+{
+  for (double limbs : { 0.8, 1.6 })
+  {
+    const TriangleMesh body = limbedBall(3, limbs);
+    double before = 0.0;
+    for (double bound : { 0.5, 0.3 })
+    {
+      SCOPED_TRACE(std::to_string(limbs) + " long, within " + std::to_string(bound));
+      SuggestionOptions options;
+      options.search.pieces = 1;
+      options.search.bound = bound;
+      options.flattening.boundary = BoundaryMode::Free;
+      options.flattening.preventOverlap = true;
+      const CurveSuggestions found = suggestCurves(body, {}, options);
+      ASSERT_TRUE(found.status.ok()) << found.status.message;
+      const FlatteningResult flat = flattened(body, {}, found, options.flattening);
+      ASSERT_EQ(flat.pieces.size(), 1u);
+      EXPECT_LE(flat.pieces[0].quality.strainP95, bound);
+      EXPECT_EQ(flat.pieces[0].overlaps.count, 0u);
+      EXPECT_TRUE(flat.pieces[0].quality.flipped.empty());
+      double length = 0.0;
+      for (const SuggestedCurve& cut : found.curves)
+      {
+        length += cut.length;
+      }
+      EXPECT_GT(length, before); // less strain takes more seams
+      before = length;
+    }
+  }
+}
+
 TEST(ChartCuts, AreNoNumberOfPiecesWhereKeyCurvesAre)
 {
   Polyline key;

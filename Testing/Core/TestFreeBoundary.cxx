@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A free boundary: the least energy that an independent minimizer finds, named lengths exact.
+#include "ClosedMeshes.h"
 #include "Embedding/ConvexEmbedding.h"
 #include "Flattened.h"
 #include "ModelDerivatives.h"
 #include "SphereCap.h"
 #include "StatusTesting.h"
+#include "Suggestion/ChartClusters.h"
+#include "Suggestion/SeamTree.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -438,6 +442,29 @@ TEST(OverlapFreeBoundary, IsThereForSaddlesWithAndWithoutAHole)
     EXPECT_EQ(result.pieces[0].overlaps.count, 0u);
     EXPECT_TRUE(result.pieces[0].quality.flipped.empty());
     EXPECT_TRUE(result.status.ok()) << result.status.message;
+  }
+}
+
+TEST(OverlapFreeBoundary, ComesFromAfarToWhatOneThatMayCrossItselfReaches)
+{
+  for (double limbs : { 0.8, 1.6, 2.4 })
+  {
+    const TriangleMesh body = limbedBall(3, limbs);
+    SeamTree tree(body);
+    Indices all(body.triangleCount());
+    std::iota(all.begin(), all.end(), 0);
+    for (double bound : { 1.2, 0.9, 0.7, 0.5 })
+    {
+      SCOPED_TRACE(std::to_string(limbs) + " long, cut to " + std::to_string(bound));
+      ASSERT_TRUE(tree.grow(bound, {}));
+      Surface surface;
+      surface.mesh = openedPart(body, all, tree.cut()).mesh;
+      const double crossing = energyOf(flatten(surface, freeBoundary()));
+      const FlatteningResult result = flatten(surface, withoutOverlap());
+      EXPECT_TRUE(result.status.ok()) << result.status.message;
+      EXPECT_EQ(result.pieces[0].overlaps.count, 0u);
+      EXPECT_LE(energyOf(result), 2.0 * crossing);
+    }
   }
 }
 

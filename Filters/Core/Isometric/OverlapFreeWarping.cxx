@@ -183,14 +183,16 @@ IsometricSolution warpWithoutOverlap(const Piece& piece, const AngleProblem& pro
 {
   const TriangleMesh& mesh = piece.mesh;
   IsometricOptions round = options;
-  round.maximumIterations = stepsOfRound;
   FlatMap map{ start, std::vector<double>(problem.groups.size(), 0.0) };
   double energy = std::numeric_limits<double>::infinity();
   double opening = minOpening;
+  int steps = stepsOfRound;
   int factorizations = 0;
   int idle = 0;
+  bool stuck = false;
   for (int k = 0; k < maxRounds && idle < idleRounds; ++k)
   {
+    round.maximumIterations = steps;
     IsometricSolution next = warpIsometrically(piece, problem, map.positions, map.stretch, round,
       execution, fillingOf(mesh, map.positions, opening));
     factorizations += next.factorizations;
@@ -199,10 +201,13 @@ IsometricSolution warpWithoutOverlap(const Piece& piece, const AngleProblem& pro
       return next;
     }
     const double share = goTowards(mesh, next, map);
-    if (share == 0.0 && opening == maxOpening)
+    stuck = share == 0.0 && opening == maxOpening && steps == 1;
+    if (stuck)
     {
       break;
     }
+    // Between the ends of several steps triangles may turn over, of one they do not.
+    steps = share < 1.0 ? 1 : std::min(2 * steps, stepsOfRound);
     opening = share < 1.0 ? std::min(widening * opening, maxOpening)
                           : std::max(opening / widening, minOpening);
     const bool gains = next.distortionEnergy < (1.0 - minGain) * energy;
@@ -219,10 +224,18 @@ IsometricSolution warpWithoutOverlap(const Piece& piece, const AngleProblem& pro
   }
   result.factorizations += factorizations;
   const bool kept = result.history.empty() || result.history.back().constraint < lengthsKeptWithin;
-  result.status = kept && isBijective(mesh, result.positions)
-    ? Status()
-    : Status{ StatusCode::NotConverged,
-        "no map was found that keeps the lengths of the curves and does not overlap", {}, {} };
+  result.status = {};
+  if (!kept || !isBijective(mesh, result.positions))
+  {
+    result.status = { StatusCode::NotConverged,
+      "no map was found that keeps the lengths of the curves and does not overlap", {}, {} };
+  }
+  else if (stuck)
+  {
+    result.status = { StatusCode::NotConverged,
+      "the free boundary stopped short of a minimum, where every further step would overlap", {},
+      {} };
+  }
   return result;
 }
 }

@@ -152,10 +152,13 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound,
                                : std::string();
   }
   const Point3& p = suggestions.worstPlace;
+  const std::string percent = shortNumber(100.0 * bound) + " %, ";
   const std::string left = "the proposed cuts leave a strain of " +
-    shortNumber(100.0 * suggestions.strainAfter) + " %, above the bound of " +
-    shortNumber(100.0 * bound) + " %, the largest at (" + shortNumber(p.x()) + ", " +
-    shortNumber(p.y()) + ", " + shortNumber(p.z()) + "); ";
+    shortNumber(100.0 * suggestions.strainAfter) + " %, " +
+    (suggestions.strainAfter <= bound
+        ? "within the bound of " + percent + "and pieces that fold or overlap; "
+        : "above the bound of " + percent + "the largest at (" + shortNumber(p.x()) + ", " +
+          shortNumber(p.y()) + ", " + shortNumber(p.z()) + "); ");
   switch (suggestions.end)
   {
     case SearchEnd::WorkUsedUp:

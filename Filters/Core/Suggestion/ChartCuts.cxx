@@ -9,6 +9,7 @@
 #include "Suggestion/PieceSurface.h"
 #include "Suggestion/SeamDrawing.h"
 #include "Suggestion/SeamSettling.h"
+#include "Suggestion/SeamTree.h"
 #include "Suggestion/SurfaceCoarsening.h"
 #include "Suggestion/SurfaceMirror.h"
 
@@ -50,6 +51,15 @@ constexpr double partedShare = 1.5;
 /// The flattening of a chart is given up after these steps; those of charts that keep the bound
 /// take 55 at most.
 constexpr double maxChartSteps = 50.0;
+/// Of the bound, the forecasts up to which the tree of one piece grows, one after the other: a free
+/// boundary keeps far less strain than is forecast. Of the work, what that may take.
+constexpr double firstForecast = 3.0;
+constexpr double nextForecast = 0.9;
+constexpr double lastForecast = 0.3;
+constexpr double growingShare = 0.6;
+/// Of five statues in one piece, the flattenings of one were given up after 500 steps each; with
+/// these none is.
+constexpr double maxTreeSteps = 10000.0;
 /// Charts are parted again this often at most.
 constexpr int maxPartings = 3;
 /// Where the mirror is worse than this, in sqrt(area / pi), cuts are tried from either side.
@@ -290,6 +300,15 @@ public:
 
   std::vector<SuggestedCurve> run()
   {
+    if (this->Options.pieces == 1 && this->Options.darts && !this->Mirror &&
+      this->Options.flattening.boundary == BoundaryMode::Free)
+    {
+      std::vector<SuggestedCurve> cuts = this->onePiece();
+      if (!cuts.empty())
+      {
+        return cuts;
+      }
+    }
     const TriangleMesh half =
       fewTriangles(this->side(), this->Mirror ? chartTriangles / 2 : chartTriangles);
     if (half.triangleCount() == 0 || this->Budget.spent())
@@ -338,9 +357,8 @@ public:
       TrialBudget sewing(sewingShare * this->Budget.left(), this->Budget);
       charts.shorten(sewing, this->Run);
     }
-    this->Settled = settleSeams(this->Given, this->Surface, this->Mirror,
-      this->seams(whole.mesh, parted.mesh.vertexCount(), charts.arcs(this->Mirror.has_value())),
-      this->Bound, this->Options.flattening, this->Budget, this->Run);
+    this->settle(
+      whole.mesh, parted.mesh.vertexCount(), charts.arcs(this->Mirror.has_value()), maxDrawnSteps);
     std::vector<SuggestedCurve> cuts = joined(this->Settled.cuts);
     const CutTrials trials(this->Given, {}, {}, this->Options.flattening);
     return trials.paths(linesOf(cuts)).empty() ? this->Settled.cuts : cuts;
@@ -372,6 +390,48 @@ private:
     return this->Options.pieces > 0
       ? std::max<Index>(0, this->Settled.pieces - this->Options.pieces)
       : 0;
+  }
+
+  /// The surface as one piece, opened along a tree; none where that does not keep the bound. Of
+  /// exact length the sides of a tree's cuts hardly ever lie flat without an overlap.
+  std::vector<SuggestedCurve> onePiece()
+  {
+    const TriangleMesh mesh = fewTriangles(this->Surface, chartTriangles);
+    if (!SeamTree::opens(mesh))
+    {
+      return {};
+    }
+    ChartOptions options = this->Options;
+    options.bound = ruggedShare * this->Bound;
+    options.hopelessShare = std::numeric_limits<double>::infinity();
+    ChartTrials trials(options.flattening, maxTreeSteps);
+    SeamTree tree(mesh);
+    TrialBudget growing(growingShare * this->Budget.left(), this->Budget);
+    ChartTrials::Result flat;
+    for (double share = firstForecast; !flat.keeps(options.bound); share *= nextForecast)
+    {
+      if (share < lastForecast || growing.spent() || !tree.grow(share * options.bound, this->Run))
+      {
+        return {};
+      }
+      const OpenedPart disk = openedPart(mesh, numbersTo(mesh.triangleCount()), tree.cut());
+      flat = trials.run({ { disk.mesh } }, options.bound, growing, this->Run).front();
+    }
+    Charts chart(mesh, tree.cut(), numbersTo(mesh.halfedgeCount()), options, this->Size, trials);
+    TrialBudget sewing(mergingShare * this->Budget.left(), this->Budget);
+    chart.divide(sewing, this->Run);
+    chart.merge(false, sewing, this->Run);
+    chart.shorten(sewing, this->Run);
+    this->settle(mesh, mesh.vertexCount(), chart.arcs(false), maxTreeSteps);
+    return joined(this->Settled.cuts);
+  }
+
+  void settle(
+    const TriangleMesh& mesh, Index half, const std::vector<Charts::Arc>& arcs, double most)
+  {
+    this->Settled =
+      settleSeams(this->Given, this->Surface, this->Mirror, this->seams(mesh, half, arcs),
+        this->Bound, most, this->Options.flattening, this->Budget, this->Run);
   }
 
   /// The surface on one side of the plane, if there is one.
@@ -674,7 +734,7 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
       best = &*second;
     }
   }
-  const bool failed = plane && (cuts.empty() || (near && best->fails()));
+  const bool failed = plane && (cuts.empty() || ((near || options.pieces == 1) && best->fails()));
   if (failed || (near && second))
   {
     std::vector<SuggestedCurve> others = chartCuts(mesh, std::nullopt, options, budget, execution);

@@ -26,9 +26,6 @@ namespace
 constexpr double dividedBound = 0.5;
 constexpr double dividedShare = 0.3;
 constexpr int maxDivisions = 4;
-/// A chart whose forecast is more than this many times the bound is not flattened: of 8,000 merged
-/// charts of animals and parts of machines 0.3 % kept the bound from there on.
-constexpr double hopelessShare = 1.5;
 /// What a forecast takes, in steps of a flattening.
 constexpr double forecastSteps = 1.0;
 /// More than there are threads.
@@ -512,7 +509,7 @@ double Charts::forecastCost(const Removal& removal) const
     const double strain = parts.size() == removal.left && this->isDisk(part)
       ? forecastStrain(part.mesh)
       : std::numeric_limits<double>::infinity();
-    cost += strain > hopelessShare * bound
+    cost += strain > this->Options.hopelessShare * bound
       ? std::numeric_limits<double>::infinity()
       : (strain * strain + freeRise * bound * bound) * part.mesh.area();
   }

@@ -48,15 +48,15 @@ class SeamSettling
 {
 public:
   SeamSettling(const TriangleMesh& surface, const TriangleMesh& drawn,
-    const std::optional<MirrorSection>& mirror, double bound, const FlatteningOptions& flattening,
-    TrialBudget& budget, const Execution& execution)
+    const std::optional<MirrorSection>& mirror, double bound, double most,
+    const FlatteningOptions& flattening, TrialBudget& budget, const Execution& execution)
     : Surface(surface)
     , Mirror(mirror)
     , Bound(bound)
     , Budget(budget)
     , Run(execution)
     , Drawing(drawn)
-    , Trials(flattening, maxDrawnSteps)
+    , Trials(flattening, most)
   {
   }
 
@@ -302,9 +302,10 @@ void openDividingDarts(const TriangleMesh& mesh, const std::vector<Polyline>& cu
 
 SettledSeams settleSeams(const TriangleMesh& surface, const TriangleMesh& drawn,
   const std::optional<MirrorSection>& mirror, std::vector<ChartSeam> seams, double bound,
-  const FlatteningOptions& flattening, TrialBudget& budget, const Execution& execution)
+  double most, const FlatteningOptions& flattening, TrialBudget& budget,
+  const Execution& execution)
 {
-  return SeamSettling(surface, drawn, mirror, bound, flattening, budget, execution)
+  return SeamSettling(surface, drawn, mirror, bound, most, flattening, budget, execution)
     .run(std::move(seams));
 }
 }
