@@ -461,17 +461,18 @@ TEST(CurveSuggestion, EndsWhenItIsCancelledWithTheBestSoFar)
   execution.cancel = [] { return true; };
   EXPECT_EQ(
     suggestCurves(dome(0.4), {}, optionsOf(0.0, 4), execution).status.code, StatusCode::Cancelled);
+  SuggestionOptions options = optionsOf(0.005, 6);
+  options.search.maximumWork = 3.0;
   int all = 0;
   execution.cancel = [&all] { return ++all < 0; };
-  suggestCurves(dome(0.7), {}, optionsOf(0.005, 6), execution);
+  suggestCurves(dome(0.7), {}, options, execution);
   std::size_t most = 0;
   for (double share : { 0.01, 0.5, 0.9 })
   {
     const auto asked = static_cast<int>(share * all);
     int left = asked;
     execution.cancel = [&left] { return --left < 0; };
-    const CurveSuggestions suggestions =
-      suggestCurves(dome(0.7), {}, optionsOf(0.005, 6), execution);
+    const CurveSuggestions suggestions = suggestCurves(dome(0.7), {}, options, execution);
     ASSERT_TRUE(suggestions.status.ok()) << asked;
     EXPECT_EQ(suggestions.end, SearchEnd::Interrupted);
     EXPECT_GE(suggestions.curves.size(), most);

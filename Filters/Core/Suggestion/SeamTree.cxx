@@ -18,7 +18,7 @@ constexpr std::size_t maxTips = 16;
 constexpr double tipsApart = 0.2;
 /// What is added to the length of a path, in sqrt(area / pi): short ones gain much for their length
 /// and are many.
-constexpr double fixedLength = 0.1;
+constexpr double fixedLength = 0.5;
 
 /// The vertex end along edges from some.
 Index farthestFrom(const TriangleMesh& mesh, Index start)
