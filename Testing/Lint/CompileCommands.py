@@ -19,14 +19,14 @@ def compiler_of(command):
 
 def options_of(command):
     """A compile command without the compiler, its launcher, the names of the file and its object, headers
-    that were read once for many, and how gcc alone is to use its memory."""
+    that were read once for many, and what gcc alone knows."""
     words = shlex.split(command)
     words = words[next(k for k, word in enumerate(words) if word.startswith("-")):]
     precompiled = [k for k, word in enumerate(words) if "cmake_pch.hxx" in word and words[k - 1] == "-include"]
     left_out = {k for k, word in enumerate(words) if word in ("-o", "-c", "-MT", "-MF")}
     left_out |= {k + 1 for k in left_out} | set(precompiled) | {k - 1 for k in precompiled}
     return tuple(word for k, word in enumerate(words) if k not in left_out and
-                 word not in ("-Winvalid-pch", "-MD") and not word.startswith("--param=ggc-"))
+                 word not in ("-Winvalid-pch", "-MD", "-Wno-subobject-linkage") and not word.startswith("--param=ggc-"))
 
 
 def sources_of(path):

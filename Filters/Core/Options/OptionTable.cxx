@@ -346,9 +346,10 @@ void addSuggestion(Table& table)
     .range(0.0, std::numeric_limits<int>::max())
     .slider(0.0, 50.0)
     .where({ "SuggestedCuts", { "seams", "all", "gores" } })
-    .help("Approximate number of pieces into which seams divide the surface, with as little strain "
-          "as that allows; 0: as few as the bound needs. 1 with a free boundary: one piece within the "
-          "bound, opened along a tree of cuts.");
+    .help(
+      "Approximate number of pieces into which seams divide the surface, with as little strain "
+      "as that allows; 0: as few as the bound needs. 1 with a free boundary: one piece within the "
+      "bound, opened along a tree of cuts.");
   table.add("MaximumWidth", [](All& all) { return &all.search.maximumWidth; })
     .spelled("max-width", "max_width")
     .range(0.0, unlimited)

@@ -302,8 +302,7 @@ void openDividingDarts(const TriangleMesh& mesh, const std::vector<Polyline>& cu
 
 SettledSeams settleSeams(const TriangleMesh& surface, const TriangleMesh& drawn,
   const std::optional<MirrorSection>& mirror, std::vector<ChartSeam> seams, double bound,
-  double most, const FlatteningOptions& flattening, TrialBudget& budget,
-  const Execution& execution)
+  double most, const FlatteningOptions& flattening, TrialBudget& budget, const Execution& execution)
 {
   return SeamSettling(surface, drawn, mirror, bound, most, flattening, budget, execution)
     .run(std::move(seams));

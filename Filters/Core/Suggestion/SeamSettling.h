@@ -97,9 +97,9 @@ void openDividingDarts(const TriangleMesh& mesh, const std::vector<Polyline>& cu
 /// allow: straight at first, nearer to their chains where something is wrong, and straight again
 /// one by one where they may. What cannot be drawn in any way is left out.
 /// \param drawn the surface with the section of the mirror plane, if there is one
-/// \param maxSteps after which a flattening is given up
+/// \param most steps after which a flattening is given up
 SettledSeams settleSeams(const TriangleMesh& surface, const TriangleMesh& drawn,
   const std::optional<MirrorSection>& mirror, std::vector<ChartSeam> seams, double bound,
-  double maxSteps, const FlatteningOptions& flattening, TrialBudget& budget,
+  double most, const FlatteningOptions& flattening, TrialBudget& budget,
   const Execution& execution);
 }
