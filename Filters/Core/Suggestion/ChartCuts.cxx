@@ -392,8 +392,8 @@ private:
       : 0;
   }
 
-  /// The surface as one piece, opened along a tree; none where that does not keep the bound. Of
-  /// exact length the sides of a tree's cuts hardly ever lie flat without an overlap.
+  /// The surface as one piece, opened along a tree until it keeps the bound, or as near to it as it
+  /// comes. Of exact length the sides of a tree's cuts hardly ever lie flat without an overlap.
   std::vector<SuggestedCurve> onePiece()
   {
     const TriangleMesh mesh = fewTriangles(this->Surface, chartTriangles);
@@ -407,17 +407,28 @@ private:
     ChartTrials trials(options.flattening, maxTreeSteps);
     SeamTree tree(mesh);
     TrialBudget growing(growingShare * this->Budget.left(), this->Budget);
-    ChartTrials::Result flat;
-    for (double share = firstForecast; !flat.keeps(options.bound); share *= nextForecast)
+    std::vector<char> cut;
+    double strain = std::numeric_limits<double>::infinity();
+    for (double share = firstForecast; strain > options.bound && share > lastForecast &&
+         !growing.spent() && tree.grow(share * options.bound, this->Run);
+         share *= nextForecast)
     {
-      if (share < lastForecast || growing.spent() || !tree.grow(share * options.bound, this->Run))
-      {
-        return {};
-      }
       const OpenedPart disk = openedPart(mesh, numbersTo(mesh.triangleCount()), tree.cut());
-      flat = trials.run({ { disk.mesh } }, options.bound, growing, this->Run).front();
+      const ChartTrials::Result flat =
+        trials.run({ { disk.mesh } }, options.bound, growing, this->Run).front();
+      if (flat.sound && flat.strain < strain)
+      {
+        cut = tree.cut();
+        strain = flat.strain;
+      }
     }
-    Charts chart(mesh, tree.cut(), numbersTo(mesh.halfedgeCount()), options, this->Size, trials);
+    if (cut.empty())
+    {
+      return {};
+    }
+    options.bound = std::max(options.bound, strain);
+    this->Bound = std::max(this->Bound, strain / ruggedShare);
+    Charts chart(mesh, cut, numbersTo(mesh.halfedgeCount()), options, this->Size, trials);
     TrialBudget sewing(mergingShare * this->Budget.left(), this->Budget);
     chart.divide(sewing, this->Run);
     chart.merge(false, sewing, this->Run);
