@@ -393,7 +393,8 @@ private:
   }
 
   /// The surface as one piece, opened along a tree until it keeps the bound, or as near to it as it
-  /// comes. Of exact length the sides of a tree's cuts hardly ever lie flat without an overlap.
+  /// comes; none where the surface itself does not lie so. Of exact length the sides of a tree's
+  /// cuts hardly ever lie flat without an overlap.
   std::vector<SuggestedCurve> onePiece()
   {
     const TriangleMesh mesh = fewTriangles(this->Surface, chartTriangles);
@@ -427,13 +428,19 @@ private:
       return {};
     }
     options.bound = std::max(options.bound, strain);
-    this->Bound = std::max(this->Bound, strain / ruggedShare);
+    const double given = this->Bound;
+    this->Bound = std::max(given, strain / ruggedShare);
     Charts chart(mesh, cut, numbersTo(mesh.halfedgeCount()), options, this->Size, trials);
     TrialBudget sewing(mergingShare * this->Budget.left(), this->Budget);
     chart.divide(sewing, this->Run);
     chart.merge(false, sewing, this->Run);
     chart.shorten(sewing, this->Run);
     this->settle(mesh, mesh.vertexCount(), chart.arcs(false), maxTreeSteps);
+    if (this->fails())
+    {
+      this->Bound = given;
+      return {};
+    }
     return joined(this->Settled.cuts);
   }
 
