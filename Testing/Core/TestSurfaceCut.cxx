@@ -11,7 +11,7 @@ using namespace testmeshes;
 
 namespace
 {
-/// Vertex (i, j) of a patch with n squares.
+/// Vertex (i, j) of a patch with n columns.
 Index at(Index n, Index i, Index j)
 {
   return j * (n + 1) + i;

@@ -16,7 +16,8 @@ namespace flattening
 /// where nothing is filled is taken in part, and wider openings are filled for the next one. Ends
 /// where rounds lower the energy by less than a thousandth.
 /// \param options with an energy that has a barrier
-/// \return NotConverged where the lengths of wires cannot be kept so; the positions have no overlap
+/// \return NotConverged where the lengths of wires cannot be kept so, or every further step would
+/// overlap; the positions have no overlap
 IsometricSolution warpWithoutOverlap(const Piece& piece, const AngleProblem& problem,
   const Points2& start, const IsometricOptions& options, const Execution& execution);
 }

@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -244,6 +245,23 @@ void ScaleFactor::integrate(const std::vector<double>& areas, const std::vector<
     }
   }
   this->Energy = this->SiteArea.dot(this->SiteValue.cwiseAbs2());
+}
+
+Indices ScaleFactor::peaks(Indices vertices, double apart, std::size_t most) const
+{
+  std::stable_sort(vertices.begin(), vertices.end(),
+    [this](Index a, Index b) { return std::abs(this->Values[a]) > std::abs(this->Values[b]); });
+  Indices peaks;
+  for (Index v : vertices)
+  {
+    const bool near = std::any_of(peaks.begin(), peaks.end(),
+      [&](Index peak) { return (this->Points[peak] - this->Points[v]).norm() < apart; });
+    if (!near && peaks.size() < most)
+    {
+      peaks.push_back(v);
+    }
+  }
+  return peaks;
 }
 
 CutForecast ScaleFactor::forecast(const Indices& path) const

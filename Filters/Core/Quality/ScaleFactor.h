@@ -72,6 +72,8 @@ public:
   bool ok() const { return this->Ok; }
   /// u by vertex.
   const std::vector<double>& values() const { return this->Values; }
+  /// Of some vertices those where |u| is largest, apart from each other.
+  Indices peaks(Indices vertices, double apart, std::size_t most) const;
   /// int w u^2, by the means over clusters.
   double energy() const { return this->Energy; }
   /// What a cut along a path of vertices, each joined to the next by an edge, would do.

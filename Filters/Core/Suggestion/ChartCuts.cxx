@@ -57,8 +57,7 @@ constexpr double firstForecast = 3.0;
 constexpr double nextForecast = 0.9;
 constexpr double lastForecast = 0.3;
 constexpr double growingShare = 0.6;
-/// Of five statues in one piece, the flattenings of one were given up after 500 steps each; with
-/// these none is.
+/// Flattenings of three of five statues in one piece were given up after 500 steps.
 constexpr double maxTreeSteps = 10000.0;
 /// Charts are parted again this often at most.
 constexpr int maxPartings = 3;
@@ -357,11 +356,8 @@ public:
       TrialBudget sewing(sewingShare * this->Budget.left(), this->Budget);
       charts.shorten(sewing, this->Run);
     }
-    this->settle(
+    return this->settled(
       whole.mesh, parted.mesh.vertexCount(), charts.arcs(this->Mirror.has_value()), maxDrawnSteps);
-    std::vector<SuggestedCurve> cuts = joined(this->Settled.cuts);
-    const CutTrials trials(this->Given, {}, {}, this->Options.flattening);
-    return trials.paths(linesOf(cuts)).empty() ? this->Settled.cuts : cuts;
   }
 
   /// How many pieces are folded, or lie over themselves, and the largest strain.
@@ -411,7 +407,7 @@ private:
     std::vector<char> cut;
     double strain = std::numeric_limits<double>::infinity();
     for (double share = firstForecast; strain > options.bound && share > lastForecast &&
-         !growing.spent() && tree.grow(share * options.bound, this->Run);
+         tree.grow(share * options.bound, growing, this->Run);
          share *= nextForecast)
     {
       const OpenedPart disk = openedPart(mesh, numbersTo(mesh.triangleCount()), tree.cut());
@@ -435,21 +431,26 @@ private:
     chart.divide(sewing, this->Run);
     chart.merge(false, sewing, this->Run);
     chart.shorten(sewing, this->Run);
-    this->settle(mesh, mesh.vertexCount(), chart.arcs(false), maxTreeSteps);
+    std::vector<SuggestedCurve> cuts =
+      this->settled(mesh, mesh.vertexCount(), chart.arcs(false), maxTreeSteps);
     if (this->fails())
     {
       this->Bound = given;
       return {};
     }
-    return joined(this->Settled.cuts);
+    return cuts;
   }
 
-  void settle(
+  /// The arcs as seams of the surface itself.
+  std::vector<SuggestedCurve> settled(
     const TriangleMesh& mesh, Index half, const std::vector<Charts::Arc>& arcs, double most)
   {
     this->Settled =
       settleSeams(this->Given, this->Surface, this->Mirror, this->seams(mesh, half, arcs),
         this->Bound, most, this->Options.flattening, this->Budget, this->Run);
+    std::vector<SuggestedCurve> cuts = joined(this->Settled.cuts);
+    const CutTrials trials(this->Given, {}, {}, this->Options.flattening);
+    return trials.paths(linesOf(cuts)).empty() ? this->Settled.cuts : cuts;
   }
 
   /// The surface on one side of the plane, if there is one.

@@ -273,7 +273,8 @@ public:
     this->Places = cutPlaces(this->Mesh, piece.barred());
     if (options.cuts != SuggestedCuts::Darts)
     {
-      this->findPeaks();
+      this->Peaks =
+        this->Factor.peaks(this->Places.tips, peaksApart * this->Piece.size(), maxPeaks);
     }
     if (options.cuts == SuggestedCuts::Seams)
     {
@@ -369,26 +370,6 @@ private:
       this->add(paths.path(tip), plan, plans);
     }
     return plans;
-  }
-
-  /// The places of the inside that are farthest from flat by the forecast, apart from each other.
-  void findPeaks()
-  {
-    Indices tips = this->Places.tips;
-    const std::vector<double>& u = this->Factor.values();
-    std::stable_sort(
-      tips.begin(), tips.end(), [&](Index a, Index b) { return std::abs(u[a]) > std::abs(u[b]); });
-    for (Index tip : tips)
-    {
-      const bool near = std::any_of(this->Peaks.begin(), this->Peaks.end(), [&](Index peak) {
-        return (this->Mesh.point(peak) - this->Mesh.point(tip)).norm() <
-          peaksApart * this->Piece.size();
-      });
-      if (!near && this->Peaks.size() < maxPeaks)
-      {
-        this->Peaks.push_back(tip);
-      }
-    }
   }
 
   /// Seams that run over a place nearly straight, which need not be the shortest way: that between

@@ -19,8 +19,10 @@ constexpr double tipsApart = 0.2;
 /// What is added to the length of a path, in sqrt(area / pi): short ones gain much for their length
 /// and are many.
 constexpr double fixedLength = 0.5;
+/// What a path takes, in steps of a flattening.
+constexpr double pathSteps = 40.0;
 
-/// The vertex end along edges from some.
+/// The vertex farthest from another along edges.
 Index farthestFrom(const TriangleMesh& mesh, Index start)
 {
   const EdgePaths paths(mesh, { start }, {}, EdgePaths::Through::Boundary);
@@ -33,26 +35,6 @@ Index farthestFrom(const TriangleMesh& mesh, Index start)
     }
   }
   return end;
-}
-
-/// Vertices where the factor is largest, apart from each other and from where it is zero.
-Indices tipsOf(const TriangleMesh& mesh, const std::vector<double>& factor, double apart)
-{
-  Indices order(mesh.vertexCount());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-    [&](Index a, Index b) { return std::abs(factor[a]) > std::abs(factor[b]); });
-  Indices tips;
-  for (Index v : order)
-  {
-    const bool near = std::any_of(tips.begin(), tips.end(),
-      [&](Index tip) { return (mesh.point(tip) - mesh.point(v)).norm() < apart; });
-    if (factor[v] != 0.0 && !near && tips.size() < maxTips)
-    {
-      tips.push_back(v);
-    }
-  }
-  return tips;
 }
 }
 
@@ -77,20 +59,23 @@ SeamTree::SeamTree(const TriangleMesh& mesh)
   }
 }
 
-bool SeamTree::grow(double bound, const Execution& execution)
+bool SeamTree::grow(double bound, TrialBudget& budget, const Execution& execution)
 {
   Indices triangles(this->Mesh.triangleCount());
   std::iota(triangles.begin(), triangles.end(), 0);
-  while (!execution.cancelled() &&
+  Indices vertices(this->Mesh.vertexCount());
+  std::iota(vertices.begin(), vertices.end(), 0);
+  while (!execution.cancelled() && !budget.spent() &&
     forecastStrain(openedPart(this->Mesh, triangles, this->Cut).mesh) > bound)
   {
+    budget.pay(pathSteps * static_cast<double>(this->Mesh.triangleCount()));
     ScaleFactorOptions options;
     options.fixed = this->Vertices;
     const ScaleFactor factor(this->Mesh, options, execution);
     const EdgePaths paths(this->Mesh, this->Vertices, {}, EdgePaths::Through::Boundary);
     Indices best;
     double most = 0.0;
-    for (Index tip : tipsOf(this->Mesh, factor.values(), tipsApart * this->Size))
+    for (Index tip : factor.peaks(vertices, tipsApart * this->Size, maxTips))
     {
       if (!paths.reaches(tip))
       {
@@ -111,7 +96,7 @@ bool SeamTree::grow(double bound, const Execution& execution)
     }
     this->add(best);
   }
-  return !execution.cancelled();
+  return !execution.cancelled() && !budget.spent();
 }
 
 void SeamTree::add(const Indices& path)

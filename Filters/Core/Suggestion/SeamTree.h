@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Base/Execution.h"
+#include "Suggestion/CutTrials.h"
 #include "Surface/TriangleMesh.h"
 
 namespace flattening
@@ -24,8 +24,9 @@ public:
   /// The mesh must outlive it. \pre opens(mesh)
   explicit SeamTree(const TriangleMesh& mesh);
 
-  /// Until forecastStrain() of the disk is within a bound. False where it can grow no more.
-  bool grow(double bound, const Execution& execution);
+  /// Until forecastStrain() of the disk is within a bound. False where it can grow no more, or the
+  /// budget is spent.
+  bool grow(double bound, TrialBudget& budget, const Execution& execution);
   /// By half-edge.
   const std::vector<char>& cut() const { return this->Cut; }
 
