@@ -152,17 +152,17 @@ constexpr bool isInOrder(const Rows& rows)
 }
 static_assert(isInOrder(statuses) && isInOrder(remedies));
 
-template <class Ids>
-std::string listed(const Ids& ids, std::size_t most)
+template <class Elements, class Text>
+std::string listed(const Elements& elements, std::size_t most, const Text& textOf)
 {
   std::string text;
-  for (std::size_t i = 0; i < std::min(ids.size(), most); ++i)
+  for (std::size_t i = 0; i < std::min(elements.size(), most); ++i)
   {
-    text += (i ? ", " : "") + std::to_string(ids[i]);
+    text += (i ? ", " : "") + textOf(elements[i]);
   }
-  if (ids.size() > most)
+  if (elements.size() > most)
   {
-    text += " and " + std::to_string(ids.size() - most) + " more";
+    text += " and " + std::to_string(elements.size() - most) + " more";
   }
   return text;
 }
@@ -188,14 +188,25 @@ const char* remedySentence(Remedy remedy)
   return remedies[static_cast<std::size_t>(remedy)].sentence;
 }
 
+Status invalidOption(std::string defect, std::string give)
+{
+  return { StatusCode::InvalidOption, std::move(defect), {},
+    { { Remedy::Give, std::move(give) } } };
+}
+
 std::string listIds(const Indices& ids, std::size_t most)
 {
-  return listed(ids, most);
+  return listed(ids, most, [](std::int64_t id) { return std::to_string(id); });
 }
 
 std::string listIds(const std::vector<std::int64_t>& ids, std::size_t most)
 {
-  return listed(ids, most);
+  return listed(ids, most, [](std::int64_t id) { return std::to_string(id); });
+}
+
+std::string listNames(const std::vector<std::string>& names, std::size_t most)
+{
+  return listed(names, most, [](const std::string& name) { return name; });
 }
 
 std::string shortNumber(double value)

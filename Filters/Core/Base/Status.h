@@ -211,9 +211,13 @@ struct Status
   }
 };
 
+/// InvalidOption with what to give instead.
+Status invalidOption(std::string defect, std::string give);
+
 /// The first few ids as text, "3, 7, 12 and 5 more".
 std::string listIds(const Indices& ids, std::size_t most = 5);
 std::string listIds(const std::vector<std::int64_t>& ids, std::size_t most = 5);
+std::string listNames(const std::vector<std::string>& names, std::size_t most);
 /// A number for a message, with four digits.
 std::string shortNumber(double value);
 /// Such as "2.5 %" of 0.025.

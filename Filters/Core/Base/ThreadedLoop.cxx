@@ -11,8 +11,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
-#include <exception>
-#include <mutex>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -55,23 +53,13 @@ void ThreadedLoop::operator()(Index count, const std::function<void(Index, Index
     return;
   }
   std::atomic<Index> next{ 0 };
-  std::exception_ptr raised;
-  std::mutex lock;
   const auto work = [&] {
     for (Index k = next++; k < ranges; k = next++)
     {
       const auto at = [&](Index range) {
         return static_cast<Index>(std::int64_t{ count } * range / ranges);
       };
-      try
-      {
-        body(at(k), at(k + 1));
-      }
-      catch (...)
-      {
-        const std::lock_guard<std::mutex> guard(lock);
-        raised = std::current_exception();
-      }
+      body(at(k), at(k + 1));
     }
   };
   std::vector<std::thread> threads;
@@ -90,10 +78,6 @@ void ThreadedLoop::operator()(Index count, const std::function<void(Index, Index
   for (std::thread& thread : threads)
   {
     thread.join();
-  }
-  if (raised)
-  {
-    std::rethrow_exception(raised);
   }
 }
 }

@@ -16,6 +16,7 @@ public:
   /// a thread for whose own data there is no memory ends the process in the C library
   explicit ThreadedLoop(unsigned int threads = 0);
 
+  /// \param body that does not throw: Execution::parallelFor() catches what bodies throw
   void operator()(Index count, const std::function<void(Index, Index)>& body) const;
 
 private:

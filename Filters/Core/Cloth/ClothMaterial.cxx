@@ -23,8 +23,7 @@ constexpr double minLimit = 1e-6;
 
 Status refusal(const ClothMaterial& material, const std::string& defect, const std::string& give)
 {
-  return { StatusCode::InvalidOption, "the material \"" + material.name + "\" has " + defect, {},
-    { { Remedy::Give, give } } };
+  return invalidOption("the material \"" + material.name + "\" has " + defect, give);
 }
 
 bool areLimits(const StrainLimits& limits)

@@ -141,9 +141,8 @@ Status checkOptions(const InteriorOptions& options)
     (options.maximumRigidIterations < 1 || !std::isfinite(options.energyTolerance) ||
       options.energyTolerance < 0.0))
   {
-    return { StatusCode::InvalidOption,
-      "the interior cannot be made as rigid as possible with these options", {},
-      { { Remedy::Give, "at least one iteration and an energy tolerance that is not negative" } } };
+    return invalidOption("the interior cannot be made as rigid as possible with these options",
+      "at least one iteration and an energy tolerance that is not negative");
   }
   return {};
 }

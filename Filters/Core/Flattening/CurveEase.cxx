@@ -42,21 +42,16 @@ Presence presenceOf(Index curve, const Piece& piece, const CutSurface& cut)
   return presence;
 }
 
-Status invalid(const std::string& message, const std::string& give)
-{
-  return { StatusCode::InvalidOption, message, {}, { { Remedy::Give, give } } };
-}
-
 Status checkEase(double fraction, const FeatureCurve& curve)
 {
   const std::string what = "the ease of \"" + curve.name + "\"";
   if (!std::isfinite(fraction) || !(std::abs(fraction) < 1.0))
   {
-    return invalid(what + " is " + shortNumber(fraction), "a fraction between -1 and 1");
+    return invalidOption(what + " is " + shortNumber(fraction), "a fraction between -1 and 1");
   }
   if (std::abs(fraction) > curve.tolerance)
   {
-    return invalid(what + " is " + percent(fraction) + ", and its length may change by " +
+    return invalidOption(what + " is " + percent(fraction) + ", and its length may change by " +
         (curve.tolerance > 0.0 ? "no more than " + percent(curve.tolerance) : "nothing"),
       "the curve a length tolerance as large, or less ease");
   }
@@ -88,16 +83,17 @@ Status decideEase(Index curve, const LengthEase& ease, const std::vector<Feature
   const std::string lies = name + " lies in piece " + places;
   if (ease.piece == none && count != 1)
   {
-    return invalid("an ease names no piece, and " + lies, "the one piece that is to be eased");
+    return invalidOption(
+      "an ease names no piece, and " + lies, "the one piece that is to be eased");
   }
   if (chosen >= pieces.size() || !presence[chosen].there)
   {
-    return invalid(
+    return invalidOption(
       "an ease is for piece " + std::to_string(chosen + 1) + ", and " + lies, "one of these");
   }
   if (presence[chosen].twice)
   {
-    return invalid("both sides of " + name + " lie in piece " + std::to_string(chosen + 1) +
+    return invalidOption("both sides of " + name + " lie in piece " + std::to_string(chosen + 1) +
         ", which therefore cannot ease one onto the other",
       "the ease of another curve");
   }
@@ -138,7 +134,7 @@ Status decideEases(const std::vector<CurveEase>& eases, const std::vector<Featur
     }
     if (!known && status.ok())
     {
-      return invalid("no curve is named \"" + ease.curve + "\", to be eased",
+      return invalidOption("no curve is named \"" + ease.curve + "\", to be eased",
         "the name of a curve that is there");
     }
   }

@@ -33,45 +33,41 @@ Status checkOptions(const FlatteningOptions& options)
   {
     if (!std::isfinite(range.value) || range.value < 0.0 || range.value > range.maximum)
     {
-      return { StatusCode::InvalidOption,
-        std::string("the ") + range.name + " is " + shortNumber(range.value), {},
-        { { Remedy::Give,
-          "a number from 0" +
-            (range.maximum < large ? " to " + shortNumber(range.maximum) : std::string()) } } };
+      return invalidOption(std::string("the ") + range.name + " is " + shortNumber(range.value),
+        "a number from 0" +
+          (range.maximum < large ? " to " + shortNumber(range.maximum) : std::string()));
     }
   }
   if (const double bias = options.isometric.energy.bias; !(std::abs(bias) < 1.0))
   {
-    return { StatusCode::InvalidOption, "the area bias is " + shortNumber(bias), {},
-      { { Remedy::Give, "a number between -1 and 1" } } };
+    return invalidOption("the area bias is " + shortNumber(bias), "a number between -1 and 1");
   }
   if (options.preventOverlap && (options.boundary != BoundaryMode::Free || options.cloth))
   {
-    return { StatusCode::InvalidOption,
-      options.cloth ? "threads are relaid whether the boundary crosses itself or not"
-                    : "the boundary keeps its length, whether it crosses itself or not",
-      {}, { { Remedy::Give, "a free boundary without a material, or let pieces overlap" } } };
+    return invalidOption(options.cloth
+        ? "threads are relaid whether the boundary crosses itself or not"
+        : "the boundary keeps its length, whether it crosses itself or not",
+      "a free boundary without a material, or let pieces overlap");
   }
   if (options.boundary == BoundaryMode::Free)
   {
     if (options.scheme != Scheme::Isometric)
     {
-      return { StatusCode::InvalidOption, "the boundary is free, and the scheme is not isometric",
-        {}, { { Remedy::Give, "the isometric scheme, or an exact boundary" } } };
+      return invalidOption("the boundary is free, and the scheme is not isometric",
+        "the isometric scheme, or an exact boundary");
     }
     if (options.boundaryTolerance > 0.0)
     {
-      return { StatusCode::InvalidOption,
-        "a free boundary may have any length, and it has a tolerance", {},
-        { { Remedy::Give, "an exact boundary, or no tolerance" } } };
+      return invalidOption("a free boundary may have any length, and it has a tolerance",
+        "an exact boundary, or no tolerance");
     }
     if (options.isometric.energy.kind == DistortionEnergyKind::Automatic &&
       options.isometric.energy.bias != 0.0)
     {
-      return { StatusCode::InvalidOption,
+      return invalidOption(
         "an area bias is for the rigid energy, and the energy of a free boundary is the symmetric "
         "Dirichlet one",
-        {}, { { Remedy::Give, "the rigid energy, or no area bias" } } };
+        "the rigid energy, or no area bias");
     }
   }
   if (options.cloth)
@@ -80,10 +76,9 @@ Status checkOptions(const FlatteningOptions& options)
     const std::size_t curves = options.cloth->grainCurves.size();
     if (angles.size() != curves)
     {
-      return { StatusCode::InvalidOption,
-        "grain curves: " + std::to_string(curves) +
+      return invalidOption("grain curves: " + std::to_string(curves) +
           ", angles for them: " + std::to_string(angles.size()),
-        {}, { { Remedy::Give, "one angle for each curve of the grain" } } };
+        "one angle for each curve of the grain");
     }
     angles.push_back(options.cloth->grainAngle);
     if (!std::all_of(angles.begin(), angles.end(), [](double a) { return std::isfinite(a); }))

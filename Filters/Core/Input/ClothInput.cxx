@@ -29,8 +29,7 @@ const char* const example = "an object such as {\"warp\": 2000, \"weft\": 1800, 
 
 Status refusal(const std::string& path, const std::string& defect, const std::string& give)
 {
-  return { StatusCode::InvalidOption, "the material file \"" + path + "\" " + defect, {},
-    { { Remedy::Give, give } } };
+  return invalidOption("the material file \"" + path + "\" " + defect, give);
 }
 
 bool isMaterialFile(const std::string& text)
@@ -103,12 +102,8 @@ private:
     {
       if (std::find(known.begin(), known.end(), key) == known.end())
       {
-        std::string names;
-        for (const std::string& name : known)
-        {
-          names += (names.empty() ? "" : ", ") + name;
-        }
-        this->blame("has a member \"" + key + "\" that means nothing", "only " + names);
+        this->blame("has a member \"" + key + "\" that means nothing",
+          "only " + listNames(known, known.size()));
       }
     }
   }
@@ -257,9 +252,9 @@ ClothMaterial readMaterial(const std::string& material)
   }
   ClothMaterial unknown;
   unknown.name = material;
-  unknown.status = { StatusCode::InvalidOption,
-    "\"" + material + "\" is neither a material nor a file that can be read", {},
-    { { Remedy::Give, "one of " + presetNames() + ", or a JSON file" } } };
+  unknown.status =
+    invalidOption("\"" + material + "\" is neither a material nor a file that can be read",
+      "one of " + presetNames() + ", or a JSON file");
   return unknown;
 }
 

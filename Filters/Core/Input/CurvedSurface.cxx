@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <set>
 #include <utility>
 
 namespace flattening
@@ -80,23 +79,13 @@ bool samePlaces(const std::vector<Polyline>& a, const std::vector<Polyline>& b)
 
 std::string listed(const std::vector<Polyline>& curves)
 {
-  constexpr std::size_t most = 20;
-  std::set<std::string> names;
+  std::vector<std::string> names;
   for (const Polyline& curve : curves)
   {
-    names.insert(curve.name);
+    names.push_back(curve.name);
   }
-  std::string text;
-  std::size_t told = 0;
-  for (const std::string& name : names)
-  {
-    if (told == most)
-    {
-      return text + " and " + std::to_string(names.size() - most) + " more";
-    }
-    text += (told++ ? ", " : "") + name;
-  }
-  return text;
+  sortUnique(names);
+  return listNames(names, 20);
 }
 
 /// The point's id in the input, or where it is if the imprint made it.
@@ -269,9 +258,8 @@ Status applyTolerances(const std::map<std::string, double>& tolerances, CurvedSu
   {
     if (!std::isfinite(entry.second) || entry.second < 0.0 || entry.second >= 1.0)
     {
-      return { StatusCode::InvalidOption,
-        "the length tolerance of \"" + entry.first + "\" lies outside [0, 1)", {},
-        { { Remedy::Give, "a fraction of the length" } } };
+      return invalidOption("the length tolerance of \"" + entry.first + "\" lies outside [0, 1)",
+        "a fraction of the length");
     }
     bool known = entry.first == boundaryName;
     for (std::size_t c = 0; c < polylines.size(); ++c)

@@ -30,15 +30,14 @@ Status readFlatPositions(const DataSet& surface, const DataSet* flat, MappedSurf
     (flat->points->size() != surface.points->size() || flat->faces.size() != surface.faces.size() ||
       flat->strips.size() != surface.strips.size()))
   {
-    return { StatusCode::InvalidOption,
-      "the flat surface has not as many points and cells as the surface", {},
-      { { Remedy::Give, "the same surface, flat" } } };
+    return invalidOption(
+      "the flat surface has not as many points and cells as the surface", "the same surface, flat");
   }
   if (!flat &&
     (!coordinates || coordinates->components < 2 || coordinates->rows() < surface.points->size()))
   {
-    return { StatusCode::InvalidOption, "there are no flat positions", {},
-      { { Remedy::Give, "the flat surface on port 1, or texture coordinates" } } };
+    return invalidOption(
+      "there are no flat positions", "the flat surface on port 1, or texture coordinates");
   }
   Indices bad;
   for (const Index p : result.surface.prepared.originalPoint)

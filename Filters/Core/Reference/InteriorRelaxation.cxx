@@ -15,8 +15,8 @@ Status checkOptions(const InteriorOptions& options)
 {
   if (!std::isfinite(options.relaxation) || options.relaxation <= 0.0 || options.relaxation >= 2.0)
   {
-    return { StatusCode::InvalidOption, "the relaxation factor lies outside its range", {},
-      { { Remedy::Give, "a number between 0 and 2, both excluded" } } };
+    return invalidOption(
+      "the relaxation factor lies outside its range", "a number between 0 and 2, both excluded");
   }
   if (options.minimumIterations < 0 || options.maximumIterations < 1 ||
     options.minimumIterations > options.maximumIterations || !std::isfinite(options.movement) ||

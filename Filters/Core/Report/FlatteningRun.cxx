@@ -55,14 +55,11 @@ Status readWeights(const Columns& cellArrays, const std::string& name, const Cur
       names +=
         column.isText() || column.components != 1 ? "" : (names.empty() ? "" : ", ") + column.name;
     }
-    return { StatusCode::InvalidOption,
-      values && !values->isText()
+    return invalidOption(values && !values->isText()
         ? "the cell array \"" + name + "\" has " + std::to_string(values->components) +
           " numbers a cell"
         : "the surface has no cell array of numbers named \"" + name + "\"",
-      {},
-      { { Remedy::Give,
-        names.empty() ? "a cell array with a number for each cell" : "one of " + names } } };
+      names.empty() ? "a cell array with a number for each cell" : "one of " + names);
   }
   for (const std::int64_t cell : source.surface.input.cellOfTriangle)
   {

@@ -13,8 +13,8 @@ namespace
 {
 Status invalid(std::size_t row, const std::string& defect)
 {
-  return { StatusCode::InvalidOption, "row " + std::to_string(row) + " of SeamPairs " + defect, {},
-    { { Remedy::Give, "the flat pieces as they came out of the flattening" } } };
+  return invalidOption("row " + std::to_string(row) + " of SeamPairs " + defect,
+    "the flat pieces as they came out of the flattening");
 }
 
 /// Finds the two half-edges of a row: from a to b and from d to c, or both the other way round.

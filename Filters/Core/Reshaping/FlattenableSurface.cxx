@@ -192,26 +192,23 @@ constexpr double rounding = 1e-9; ///< of places beside a body or on the side of
 
 Status checked(const std::vector<FeatureCurve>& curves, const FlattenableOptions& options)
 {
-  const auto invalid = [](const std::string& defect, const std::string& way) -> Status {
-    return { StatusCode::InvalidOption, defect, {}, { { Remedy::Give, way } } };
-  };
   if (!std::isfinite(options.bound) || options.bound <= 0.0 || options.bound >= 1.0)
   {
-    return invalid("the bound on strain is outside (0, 1)", "0.02 for 2 %");
+    return invalidOption("the bound on strain is outside (0, 1)", "0.02 for 2 %");
   }
   if (!std::isfinite(options.thickness) || options.thickness < 0.0 || options.thickness > 1.0)
   {
-    return invalid("the thickness is outside 0..1", "a fraction of the size of a piece");
+    return invalidOption("the thickness is outside 0..1", "a fraction of the size of a piece");
   }
   if (!std::isfinite(options.outsideBias) || options.outsideBias < 0.0 || options.outsideBias > 1.0)
   {
-    return invalid("the outside bias is outside 0..1", "0 for none, 1 for outwards alone");
+    return invalidOption("the outside bias is outside 0..1", "0 for none, 1 for outwards alone");
   }
   for (Index curve : options.kept)
   {
     if (curve < 0 || curve >= static_cast<Index>(curves.size()))
     {
-      return invalid("a curve to keep is not there", "the number of a curve");
+      return invalidOption("a curve to keep is not there", "the number of a curve");
     }
   }
   return {};

@@ -27,26 +27,25 @@ constexpr double nearDesign = 1e-3;
 
 Status checked(const CutSurface& cut, const Points2& positions, const SewingOptions& options)
 {
-  const auto invalid = [](const std::string& defect, const std::string& way) -> Status {
-    return { StatusCode::InvalidOption, defect, {}, { { Remedy::Give, way } } };
-  };
   if (!std::isfinite(options.thickness) || options.thickness < 0.0 || options.thickness > 1.0)
   {
-    return invalid("the thickness is outside 0..1", "a fraction of the size of a piece");
+    return invalidOption("the thickness is outside 0..1", "a fraction of the size of a piece");
   }
   if (!std::isfinite(options.areaBias) || std::abs(options.areaBias) >= 1.0)
   {
-    return invalid("the area bias is outside (-1, 1)", "0 for a plain sheet");
+    return invalidOption("the area bias is outside (-1, 1)", "0 for a plain sheet");
   }
   if (!std::isfinite(options.pressure) || std::abs(options.pressure) > maxLoad)
   {
-    return invalid("the pressure is outside -1..1", "a share of stiffness over size, such as 0.01");
+    return invalidOption(
+      "the pressure is outside -1..1", "a share of stiffness over size, such as 0.01");
   }
   const bool finite = std::all_of(options.gravity.begin(), options.gravity.end(),
     [](double component) { return std::isfinite(component); });
   if (!finite || options.gravity.norm() > maxLoad)
   {
-    return invalid("the gravity is longer than 1", "a share of stiffness over size, such as 0.001");
+    return invalidOption(
+      "the gravity is longer than 1", "a share of stiffness over size, such as 0.001");
   }
   if (options.test == SewingTest::Product && !options.body && options.gravity != Point3::Zero())
   {
@@ -55,7 +54,8 @@ Status checked(const CutSurface& cut, const Points2& positions, const SewingOpti
   }
   if (!std::isfinite(options.gap) || options.gap <= 0.0 || options.gap > 1.0)
   {
-    return invalid("the gap to the body is outside (0, 1]", "a fraction of the size of a piece");
+    return invalidOption(
+      "the gap to the body is outside (0, 1]", "a fraction of the size of a piece");
   }
   if (Status material = options.material ? checkMaterial(*options.material) : Status();
       !material.ok())
@@ -68,7 +68,7 @@ Status checked(const CutSurface& cut, const Points2& positions, const SewingOpti
   }
   if (static_cast<Index>(positions.size()) != cut.mesh.vertexCount())
   {
-    return invalid("there is not one flat position for each vertex", "the flat pieces");
+    return invalidOption("there is not one flat position for each vertex", "the flat pieces");
   }
   return {};
 }
