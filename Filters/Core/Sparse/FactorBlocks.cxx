@@ -364,8 +364,10 @@ struct PanelColumns
   const Value* values;
 };
 
+}
+
 template <typename Value>
-void forward(const FactorColumns<const Value>& factor, FrontVectors& w)
+void substituteForward(const FactorColumns<const Value>& factor, FrontVectors w)
 {
   static const Subtract<Value> subtract = widestSubtract<Value>();
   for (Index begin = 0; begin < factor.columns; begin += columnsOfPanel)
@@ -391,7 +393,7 @@ void forward(const FactorColumns<const Value>& factor, FrontVectors& w)
 }
 
 template <typename Value>
-void backward(const FactorColumns<const Value>& factor, FrontVectors& w)
+void substituteBackward(const FactorColumns<const Value>& factor, FrontVectors w)
 {
   static const Multiply<Value> widest = widestMultiply<Value>();
   const Multiply<Value> multiply = factor.size < lanes ? multiplyOneByOne<Value> : widest;
@@ -417,25 +419,9 @@ void backward(const FactorColumns<const Value>& factor, FrontVectors& w)
     end = begin;
   }
 }
-}
 
-void substituteForward(const FactorColumns<const double>& factor, FrontVectors w)
-{
-  forward(factor, w);
-}
-
-void substituteForward(const FactorColumns<const float>& factor, FrontVectors w)
-{
-  forward(factor, w);
-}
-
-void substituteBackward(const FactorColumns<const double>& factor, FrontVectors w)
-{
-  backward(factor, w);
-}
-
-void substituteBackward(const FactorColumns<const float>& factor, FrontVectors w)
-{
-  backward(factor, w);
-}
+template void substituteForward(const FactorColumns<const double>& factor, FrontVectors w);
+template void substituteForward(const FactorColumns<const float>& factor, FrontVectors w);
+template void substituteBackward(const FactorColumns<const double>& factor, FrontVectors w);
+template void substituteBackward(const FactorColumns<const float>& factor, FrontVectors w);
 }

@@ -31,8 +31,6 @@ struct FactorColumns
       first > 0 ? first * std::size_t(size) - first * (first - panelWidth) / 2 : 0;
     return before + (std::size_t(column) - first) * (std::size_t(size) - first);
   }
-  static std::size_t count(Index size, Index columns) { return begin(size, columns); }
-
   /// Where the panel that begins with a column begins; its columns are size - column apart.
   Value* panel(Index column) const { return this->values + begin(this->size, column); }
 };
@@ -90,10 +88,10 @@ private:
 using FrontVectors = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
 /// Solves L x = w in the columns of a front and takes them out of the rows below.
-void substituteForward(const FactorColumns<const double>& factor, FrontVectors w);
-void substituteForward(const FactorColumns<const float>& factor, FrontVectors w);
+template <typename Value>
+void substituteForward(const FactorColumns<const Value>& factor, FrontVectors w);
 /// Solves L^T x = w in the columns of a front, the rows below being known. What is kept above the
 /// diagonal must be finite.
-void substituteBackward(const FactorColumns<const double>& factor, FrontVectors w);
-void substituteBackward(const FactorColumns<const float>& factor, FrontVectors w);
+template <typename Value>
+void substituteBackward(const FactorColumns<const Value>& factor, FrontVectors w);
 }

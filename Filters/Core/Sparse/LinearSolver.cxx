@@ -209,24 +209,6 @@ struct LinearSolver::MultifrontalBackend : LinearSolver::Backend
   void keepDouble() override { this->solver.setPrecision(FactorPrecision::Double); }
 };
 
-namespace
-{
-bool allFinite(const SparseMatrix& matrix)
-{
-  for (Eigen::Index column = 0; column < matrix.outerSize(); ++column)
-  {
-    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
-    {
-      if (!std::isfinite(entry.value()))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-}
-
 LinearSolver::LinearSolver(LeadingColumns leading)
   : Solver(std::make_unique<SimplicialBackend>(leading.count))
 {
@@ -296,7 +278,7 @@ bool LinearSolver::factorize(const SparseMatrix& matrix, const Execution& execut
   {
     return false;
   }
-  if (matrix.rows() != this->Size || matrix.cols() != this->Size || !allFinite(matrix))
+  if (matrix.rows() != this->Size || matrix.cols() != this->Size || !isFinite(matrix.coeffs()))
   {
     return false;
   }

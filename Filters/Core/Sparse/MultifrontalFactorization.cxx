@@ -47,20 +47,13 @@ SupernodalStructure::SupernodalStructure(const SparseMatrix& matrix, const Disse
   Index first = 0;
   for (Index end : dissection.end)
   {
-    this->addSupernode(first, end);
-    first = end;
+    std::fill(this->NodeOfColumn.begin() + first, this->NodeOfColumn.begin() + end,
+      static_cast<Index>(this->Nodes.size()));
+    Supernode& node = this->Nodes.emplace_back();
+    node.first = first;
+    node.end = first = end;
   }
   this->findRows(matrix);
-}
-
-void SupernodalStructure::addSupernode(Index first, Index end)
-{
-  Supernode node;
-  node.first = first;
-  node.end = end;
-  std::fill(this->NodeOfColumn.begin() + first, this->NodeOfColumn.begin() + end,
-    static_cast<Index>(this->Nodes.size()));
-  this->Nodes.push_back(std::move(node));
 }
 
 /// Stored entries of the matrix by the column of L in which they are, each with its row of L.
@@ -118,7 +111,7 @@ void SupernodalStructure::findRows(const SparseMatrix& matrix)
     node.rowsEnd = static_cast<Index>(this->Rows.size());
     std::sort(this->Rows.begin() + node.rowsBegin, this->Rows.end());
     node.block = this->FactorSize;
-    this->FactorSize += FactorColumns<double>::count(node.frontSize(), node.columnCount());
+    this->FactorSize += FactorColumns<double>::begin(node.frontSize(), node.columnCount());
     if (node.blockSize() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
     {
       throwOutOfMemory(this->FactorSize * sizeof(double));

@@ -80,7 +80,6 @@ private:
     Indices stored; ///< into the matrix's values
   };
 
-  void addSupernode(Index first, Index end);
   ColumnEntries entriesByColumn(const Eigen::SparseMatrix<double>& matrix) const;
   void findRows(const Eigen::SparseMatrix<double>& matrix);
 

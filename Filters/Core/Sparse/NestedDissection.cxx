@@ -11,13 +11,18 @@ namespace flattening
 {
 namespace
 {
-/// What both ways of halving have in common.
+/// Halves parts by planes across their longest extent, or by their level structure.
 class Dissector
 {
 public:
-  Dissector(const Triangles& cliques, Index count)
+  /// \param positions per vertex; null: by levels
+  Dissector(const Triangles& cliques, Index count, const Points3* positions)
     : Begin(count + 1, 0)
     , Part(count, 0)
+    , Level(count, none)
+    , Queue(count)
+    , Positions(positions)
+    , Rank(positions ? count : 0, none)
   {
     for (const Triangle& t : cliques)
     {
@@ -42,11 +47,28 @@ public:
     this->Result.order.resize(count);
     std::iota(this->Result.order.begin(), this->Result.order.end(), 0);
   }
-  virtual ~Dissector() = default;
-  Dissector(const Dissector&) = delete;
-  Dissector& operator=(const Dissector&) = delete;
+  Dissection run()
+  {
+    const bool byLevels = !this->Positions && !this->Queue.empty();
+    this->pushPart(
+      0, static_cast<Index>(this->Part.size()), byLevels ? this->Queue[this->visit(0) - 1] : none);
+    while (!this->Steps.empty())
+    {
+      const Step step = this->Steps.back();
+      this->Steps.pop_back();
+      if (step.begin == none || step.end - step.begin <= smallPart)
+      {
+        this->Result.endRange(step.end);
+      }
+      else if (!this->AnyHub || !this->takeHubs(step))
+      {
+        this->Positions ? this->divideByPlane(step) : this->divideByLevels(step);
+      }
+    }
+    return std::move(this->Result);
+  }
 
-protected:
+private:
   using Iterator = Indices::iterator;
 
   /// A part that stands at order[begin] .. order[end - 1] and is to be divided from a vertex at one
@@ -58,9 +80,6 @@ protected:
     Index start;
   };
 
-  /// Divides a part into others that come next, by pushPart() from the last to the first.
-  virtual void divide(const Step& part) = 0;
-
   void pushEnd(Index end) { this->Steps.push_back({ none, end, none }); }
   void pushPart(Index begin, Index end, Index start)
   {
@@ -68,25 +87,6 @@ protected:
     {
       this->Steps.push_back({ begin, end, start });
     }
-  }
-
-  Dissection divideAll(Index start)
-  {
-    this->pushPart(0, static_cast<Index>(this->Part.size()), start);
-    while (!this->Steps.empty())
-    {
-      const Step step = this->Steps.back();
-      this->Steps.pop_back();
-      if (step.begin == none || step.end - step.begin <= smallPart)
-      {
-        this->Result.endRange(step.end);
-      }
-      else if (!this->AnyHub || !this->takeHubs(step))
-      {
-        this->divide(step);
-      }
-    }
-    return std::move(this->Result);
   }
 
   /// Moves those behind that have a neighbour for which this holds, the separator. \return its
@@ -108,15 +108,6 @@ protected:
     return part;
   }
 
-  /// Parts of so few vertices are not divided: a dense block of them costs less.
-  static constexpr Index smallPart = 12;
-
-  Indices Begin; ///< neighbours of each vertex, in flat arrays; inner edges twice
-  Indices Neighbours;
-  Indices Part; ///< mark of each vertex
-  Dissection Result;
-
-private:
   /// Makes the hubs of a part its separator. False where it has none.
   bool takeHubs(const Step& step)
   {
@@ -150,30 +141,8 @@ private:
     return true;
   }
 
-  std::vector<Step> Steps;
-  Index NextPart = 1;
-  bool AnyHub = false;
-};
-
-/// Halves parts by their level structure.
-class LevelDissector : protected Dissector
-{
-public:
-  LevelDissector(const Triangles& cliques, Index count)
-    : Dissector(cliques, count)
-    , Level(count, none)
-    , Queue(count)
-  {
-  }
-
-  Dissection run()
-  {
-    return this->divideAll(this->Queue.empty() ? none : this->Queue[this->visit(0) - 1]);
-  }
-
-protected:
   /// Divides a part by levels where their separator is smaller than another one of it.
-  bool divideByLevels(const Step& part, Index cost)
+  bool divideByFewerLevels(const Step& part, Index cost)
   {
     const auto first = this->Result.order.begin() + part.begin;
     this->assign(first, this->Result.order.begin() + part.end);
@@ -187,7 +156,6 @@ protected:
     return this->divideQueue(part, cost - 1);
   }
 
-private:
   /// Queues the part of a vertex breadth first from it, each with its distance as level. Levels of
   /// later visits are higher, so that none has to be taken back. \return how many are queued.
   Index visit(Index start)
@@ -214,7 +182,7 @@ private:
     return end;
   }
 
-  void divide(const Step& part) override
+  void divideByLevels(const Step& part)
   {
     const Index visited = this->visit(part.start);
     if (visited < part.end - part.begin)
@@ -283,26 +251,7 @@ private:
     }
   }
 
-  Indices Level;
-  Indices Queue;
-  Index NextLevel = 0;
-};
-
-/// Halves parts by planes across their longest extent.
-class PlaneDissector : LevelDissector
-{
-public:
-  PlaneDissector(const Triangles& cliques, const Points3& positions)
-    : LevelDissector(cliques, static_cast<Index>(positions.size()))
-    , Positions(positions)
-    , Rank(positions.size(), none)
-  {
-  }
-
-  Dissection run() { return this->divideAll(none); }
-
-private:
-  void divide(const Step& part) override
+  void divideByPlane(const Step& part)
   {
     const Iterator begin = this->Result.order.begin() + part.begin;
     const Iterator end = this->Result.order.begin() + part.end;
@@ -315,7 +264,7 @@ private:
     // A plane across many long triangles has more next to it than levels, which count edges.
     const auto cost = static_cast<Index>(end - separatorEnd);
     if (cost > manyInSeparator * std::sqrt(static_cast<double>(end - begin)) &&
-      this->divideByLevels(part, cost))
+      this->divideByFewerLevels(part, cost))
     {
       return;
     }
@@ -331,12 +280,12 @@ private:
   Iterator sortAcross(Iterator begin, Iterator end)
   {
     Eigen::AlignedBox3d box;
-    std::for_each(begin, end, [&](Index v) { box.extend(this->Positions[v]); });
+    std::for_each(begin, end, [&](Index v) { box.extend((*this->Positions)[v]); });
     Eigen::Index axis = 0;
     box.sizes().maxCoeff(&axis);
     this->Along.clear();
     std::for_each(
-      begin, end, [&](Index v) { this->Along.emplace_back(this->Positions[v][axis], v); });
+      begin, end, [&](Index v) { this->Along.emplace_back((*this->Positions)[v][axis], v); });
     const auto count = static_cast<Index>(end - begin);
     const auto reach = static_cast<Index>(nearMiddle * count);
     const Index first = count / 2 - reach;
@@ -388,7 +337,20 @@ private:
   /// A separator of more vertices than this multiple of the root of the part's is a bad one.
   static constexpr double manyInSeparator = 2.0;
 
-  const Points3& Positions;
+  /// Parts of so few vertices are not divided: a dense block of them costs less.
+  static constexpr Index smallPart = 12;
+
+  Indices Begin; ///< neighbours of each vertex, in flat arrays; inner edges twice
+  Indices Neighbours;
+  Indices Part; ///< mark of each vertex
+  Index NextPart = 1;
+  bool AnyHub = false;
+  std::vector<Step> Steps;
+  Dissection Result;
+  Indices Level;
+  Index NextLevel = 0;
+  Indices Queue;
+  const Points3* Positions;
   std::vector<std::pair<double, Index>> Along; ///< coordinate across the plane, vertex
   Indices Rank;                                ///< of each vertex across the planes
   Indices More;
@@ -397,11 +359,11 @@ private:
 
 Dissection dissect(const Triangles& cliques, const Points3& positions)
 {
-  return PlaneDissector(cliques, positions).run();
+  return Dissector(cliques, static_cast<Index>(positions.size()), &positions).run();
 }
 
 Dissection dissect(const Triangles& cliques, Index count)
 {
-  return LevelDissector(cliques, count).run();
+  return Dissector(cliques, count, nullptr).run();
 }
 }

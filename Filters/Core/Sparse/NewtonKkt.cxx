@@ -52,7 +52,7 @@ public:
   void raise(const Eigen::VectorXd& multipliers)
   {
     const Eigen::VectorXd asked = this->Margin * multipliers.cwiseAbs();
-    const double least = this->Share * (asked.size() ? asked.maxCoeff() : 0.0);
+    const double least = this->Share * largest(asked);
     this->Penalties =
       this->Penalties.cwiseMax((asked.array().max(least) + smallestPenalty).matrix());
   }
@@ -62,10 +62,7 @@ public:
   {
     return constraints.cwiseAbs().dot(this->Penalties);
   }
-  double largestPenalty() const
-  {
-    return this->Penalties.size() ? this->Penalties.maxCoeff() : 0.0;
-  }
+  double largestPenalty() const { return largest(this->Penalties); }
 
 private:
   /// Where no multiplier asks for one.

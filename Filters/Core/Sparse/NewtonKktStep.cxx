@@ -140,7 +140,7 @@ double NewtonKktStep::optimality(const Eigen::VectorXd& multipliers) const
       g[this->unknownOf(k)] = 0.0;
     }
   }
-  return g.size() ? g.cwiseAbs().maxCoeff() : 0.0;
+  return largest(g);
 }
 
 double NewtonKktStep::predictedReduction() const
