@@ -104,9 +104,7 @@ Indices releaseCandidates(const ReleaseAdvice& advice, const WireNetwork& networ
       candidates.push_back(advice.ranking[k]);
     }
   }
-  keys.erase(std::remove_if(keys.begin(), keys.end(),
-               [&](Index key) { return !isShaped(curves, released, key); }),
-    keys.end());
+  eraseIf(keys, [&](Index key) { return !isShaped(curves, released, key); });
   sortByMagnitude(shapeCosts(network, curves, released, solution.theta), keys);
   keys.resize(std::min(keys.size(), maxTried));
   candidates.insert(candidates.end(), keys.begin(), keys.end());

@@ -53,6 +53,13 @@ inline bool sameBits(const Points3& a, const Points3& b)
     (a.empty() || std::memcmp(a.data()->data(), b.data()->data(), a.size() * sizeof(Point3)) == 0);
 }
 
+/// Takes out the values for which a predicate holds.
+template <typename Value, typename Predicate>
+void eraseIf(std::vector<Value>& values, const Predicate& predicate)
+{
+  values.erase(std::remove_if(values.begin(), values.end(), predicate), values.end());
+}
+
 /// Ascending, each once.
 template <typename Value>
 void sortUnique(std::vector<Value>& values)
@@ -66,6 +73,12 @@ void sortUnique(std::vector<Value>& values)
 inline double cross(const Point2& u, const Point2& v)
 {
   return u.x() * v.y() - u.y() * v.x();
+}
+
+/// The same of a triangle's sides: twice its area, positive where it turns anti-clockwise.
+inline double cross(const Points2& positions, const Triangle& t)
+{
+  return cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]);
 }
 
 /// The vertical axis of a body where no other is stated: of y and z that along which it is larger.

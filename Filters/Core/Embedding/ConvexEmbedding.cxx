@@ -37,8 +37,7 @@ std::vector<WeightedEdge> cotangentEdges(const TriangleMesh& mesh)
   std::vector<double> cotangents(mesh.halfedgeCount());
   for (Index t = 0; t < mesh.triangleCount(); ++t)
   {
-    const Triangle& c = mesh.triangle(t);
-    const TriangleFrame frame(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
+    const TriangleFrame frame(mesh.points(), mesh.triangle(t));
     for (int k = 0; k < 3; ++k)
     {
       cotangents[3 * t + k] =
@@ -61,20 +60,17 @@ std::vector<WeightedEdge> cotangentEdges(const TriangleMesh& mesh)
 /// On a circle of the loop's length, anti-clockwise.
 void placeOnCircle(const TriangleMesh& mesh, const Indices& loop, Points2& positions)
 {
-  std::vector<double> length;
   double perimeter = 0.0;
   for (Index h : loop)
   {
-    length.push_back((mesh.point(mesh.to(h)) - mesh.point(mesh.from(h))).norm());
-    perimeter += length.back();
+    perimeter += mesh.length(h);
   }
   double along = 0.0;
-  for (std::size_t k = 0; k < loop.size(); ++k)
+  for (Index h : loop)
   {
     const double angle = 2.0 * pi * along / perimeter;
-    positions[mesh.from(loop[k])] =
-      perimeter / (2.0 * pi) * Point2(std::cos(angle), std::sin(angle));
-    along += length[k];
+    positions[mesh.from(h)] = perimeter / (2.0 * pi) * Point2(std::cos(angle), std::sin(angle));
+    along += mesh.length(h);
   }
 }
 
@@ -93,8 +89,7 @@ bool reweigh(const TriangleMesh& mesh, const std::vector<Indices>& loops, const 
   {
     const Triangle& c = mesh.triangle(t);
     const double there = mesh.area(t);
-    const double here = std::max(minShare * there,
-      0.5 * cross(positions[c[1]] - positions[c[0]], positions[c[2]] - positions[c[0]]));
+    const double here = std::max(minShare * there, 0.5 * cross(positions, c));
     least = std::min(least, here / there);
     most = std::max(most, here / there);
     for (Index v : c)

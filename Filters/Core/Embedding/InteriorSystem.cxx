@@ -182,8 +182,7 @@ const std::vector<TriangleFrame>& InteriorSystem::frames()
     this->Frames.reserve(this->Patch.triangles.size());
     for (const Triangle& t : this->Patch.triangles)
     {
-      this->Frames.emplace_back(
-        this->Points[t[0]], this->Points[t[1]], this->Points[t[2]], slimmest);
+      this->Frames.emplace_back(this->Points, t, slimmest);
     }
   }
   return this->Frames;
@@ -200,26 +199,19 @@ std::vector<EdgeWeights> InteriorSystem::edgeWeights(InteriorWeights weights)
   std::vector<EdgeWeights> result(this->Patch.triangles.size());
   const TriangleFrame* const frame =
     weights == InteriorWeights::Cotangent ? this->frames().data() : nullptr;
-  for (std::size_t t = 0; t < result.size(); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
+  forEdges(this->Patch, [&](std::size_t t, int k, Index a, Index b) {
+    if (frame)
     {
-      const int a = (k + 1) % 3;
-      const int b = (k + 2) % 3;
-      if (frame)
-      {
-        const auto& g = frame[t].gradient;
-        result[t][k] =
-          -4.0 * frame[t].area * (g[a].real() * g[b].real() + g[a].imag() * g[b].imag());
-      }
-      else
-      {
-        // Half of 1 / |v_i v_j| from each triangle at the edge.
-        const Triangle& corner = this->Patch.triangles[t];
-        result[t][k] = 0.5 / (this->Points[corner[a]] - this->Points[corner[b]]).norm();
-      }
+      const Complex& from = frame[t].gradient[(k + 1) % 3];
+      const Complex& to = frame[t].gradient[(k + 2) % 3];
+      result[t][k] = -4.0 * frame[t].area * (from.real() * to.real() + from.imag() * to.imag());
     }
-  }
+    else
+    {
+      // Half of 1 / |v_i v_j| from each triangle at the edge.
+      result[t][k] = 0.5 / (this->Points[a] - this->Points[b]).norm();
+    }
+  });
   return result;
 }
 
@@ -293,22 +285,16 @@ bool InteriorSystem::solve(
   const Index free = this->Patch.freeCount;
   const std::vector<EdgeWeights>& edges = this->factorOf(weights).edges;
   Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(free, 2);
-  for (std::size_t t = 0; t < edges.size(); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
+  forEdges(this->Patch, [&](std::size_t t, int k, Index a, Index b) {
+    if (a < free && b >= free)
     {
-      const Index a = this->Patch.triangles[t][(k + 1) % 3];
-      const Index b = this->Patch.triangles[t][(k + 2) % 3];
-      if (a < free && b >= free)
-      {
-        pull.row(a) += edges[t][k] * positions.row(b);
-      }
-      if (b < free && a >= free)
-      {
-        pull.row(b) += edges[t][k] * positions.row(a);
-      }
+      pull.row(a) += edges[t][k] * positions.row(b);
     }
-  }
+    if (b < free && a >= free)
+    {
+      pull.row(b) += edges[t][k] * positions.row(a);
+    }
+  });
   const Eigen::MatrixXd solution = solver->solve(pull, execution);
   if (solution.rows() != free)
   {

@@ -54,7 +54,7 @@ public:
     this->Frames.reserve(mesh.triangleCount());
     for (const Triangle& c : mesh.triangles())
     {
-      this->Frames.emplace_back(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]), 1e-9);
+      this->Frames.emplace_back(mesh.points(), c, 1e-9);
       largest = std::max(largest, this->Frames.back().area);
     }
     // Levy's row of a triangle is 4 A beta, or that divided by sqrt(2 A).

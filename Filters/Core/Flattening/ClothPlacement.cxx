@@ -54,7 +54,7 @@ Indices lineInPiece(const PieceContext& context, Index curve)
       }
     }
   }
-  vertexAt.erase(std::remove(vertexAt.begin(), vertexAt.end(), none), vertexAt.end());
+  eraseIf(vertexAt, [](Index v) { return v == none; });
   return vertexAt.size() < 2 || feature.closed() ? Indices() : vertexAt;
 }
 
@@ -331,7 +331,7 @@ double leastStrainedAngle(
   const TriangleMesh& mesh = context.piece.mesh;
   for (const Triangle& c : mesh.triangles())
   {
-    frames.emplace_back(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
+    frames.emplace_back(mesh.points(), c);
   }
   for (int k = 0; k < measuredAngles; ++k)
   {

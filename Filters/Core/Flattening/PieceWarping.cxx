@@ -94,7 +94,7 @@ Points2 unfoldedMap(const PieceContext& context, bool convex)
     double pressing = 0.0;
     for (const Triangle& c : mesh.triangles())
     {
-      const TriangleFrame frame(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
+      const TriangleFrame frame(mesh.points(), c);
       Eigen::Matrix<double, 6, 1> corners;
       corners << map[c[0]], map[c[1]], map[c[2]];
       const Eigen::Vector4d parts = mapPartsDerivative(frame) * corners;

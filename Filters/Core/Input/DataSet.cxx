@@ -29,31 +29,19 @@ Index pointIndex(std::int64_t id)
 Triangles trianglesOfPolygon(const Points3& points, const Indices& corners)
 {
   Triangles triangles = triangulatePolygon(points, corners);
-  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
-                    [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }),
-    triangles.end());
+  eraseIf(triangles, repeatsCorner);
   return triangles;
 }
 
-/// Keeps the unsound points for prepareSurface() to refuse.
-Triangles fanOf(const Indices& corners)
+/// The triangles of a strip, every other one turned, or of a fan: that keeps unsound points for
+/// prepareSurface() to refuse.
+Triangles trianglesInRow(const Indices& corners, bool strip)
 {
   Triangles triangles;
   for (std::size_t k = 2; k < corners.size(); ++k)
   {
-    triangles.push_back({ corners[0], corners[k - 1], corners[k] });
-  }
-  return triangles;
-}
-
-/// The triangles of a strip, every other one turned.
-Triangles trianglesOfStrip(const Indices& corners)
-{
-  Triangles triangles;
-  for (std::size_t k = 2; k < corners.size(); ++k)
-  {
-    triangles.push_back({ corners[k - 2], corners[k - 1], corners[k] });
-    if (k % 2 == 1)
+    triangles.push_back({ corners[strip ? k - 2 : 0], corners[k - 1], corners[k] });
+    if (strip && k % 2 == 1)
     {
       std::swap(triangles.back()[0], triangles.back()[1]);
     }
@@ -138,9 +126,9 @@ SurfaceTriangles readTriangles(const DataSet& surface, GhostCells ghosts)
       }
       Indices corners;
       std::transform(ids, cells.end(k), std::back_inserter(corners), pointIndex);
-      const Triangles triangles = strips ? trianglesOfStrip(corners)
-        : divides && corners.size() > 3  ? trianglesOfPolygon(result.points, corners)
-                                         : fanOf(corners);
+      const Triangles triangles = !strips && divides && corners.size() > 3
+        ? trianglesOfPolygon(result.points, corners)
+        : trianglesInRow(corners, strips);
       result.triangles.insert(result.triangles.end(), triangles.begin(), triangles.end());
       result.cellOfTriangle.insert(result.cellOfTriangle.end(), triangles.size(), id);
       if (divides && triangles.empty())

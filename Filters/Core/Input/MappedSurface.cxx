@@ -65,9 +65,7 @@ void turnFaceUp(MappedSurface& result)
   double twiceArea = 0.0;
   for (const Triangle& t : result.surface.prepared.mesh.triangles())
   {
-    const Point2 u = result.positions[t[1]] - result.positions[t[0]];
-    const Point2 v = result.positions[t[2]] - result.positions[t[0]];
-    twiceArea += cross(u, v);
+    twiceArea += cross(result.positions, t);
   }
   result.mirrored = twiceArea < 0.0;
   if (result.mirrored)

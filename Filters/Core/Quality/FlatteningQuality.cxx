@@ -151,10 +151,8 @@ SurfaceMeasures measureSurface(const TriangleMesh& mesh, const Execution& execut
   SurfaceMeasures measures;
   measures.angles = cornerAngles(mesh, execution);
   measures.frames.resize(mesh.triangleCount());
-  execution.forEach(mesh.triangleCount(), [&](Index t) {
-    const Triangle& c = mesh.triangle(t);
-    measures.frames[t] = TriangleFrame(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
-  });
+  execution.forEach(mesh.triangleCount(),
+    [&](Index t) { measures.frames[t] = TriangleFrame(mesh.points(), mesh.triangle(t)); });
   return measures;
 }
 
@@ -204,9 +202,8 @@ MapDistortion measureDistortion(
   std::vector<TriangleFrame> frames(mesh.triangleCount());
   std::vector<TriangleQuality> triangles(mesh.triangleCount());
   execution.forEach(mesh.triangleCount(), [&](Index t) {
-    const Triangle& c = mesh.triangle(t);
-    frames[t] = TriangleFrame(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
-    triangles[t] = measureStretch(c, frames[t], positions);
+    frames[t] = TriangleFrame(mesh.points(), mesh.triangle(t));
+    triangles[t] = measureStretch(mesh.triangle(t), frames[t], positions);
   });
   MapDistortion distortion;
   const auto [least, most] = std::minmax_element(triangles.begin(), triangles.end(),
@@ -224,9 +221,7 @@ Index countFlipped(const TriangleMesh& mesh, const Points2& positions)
   Index count = 0;
   for (const Triangle& c : mesh.triangles())
   {
-    const Point2 u = positions[c[1]] - positions[c[0]];
-    const Point2 v = positions[c[2]] - positions[c[0]];
-    count += cross(u, v) > 0.0 ? 0 : 1;
+    count += cross(positions, c) > 0.0 ? 0 : 1;
   }
   return count;
 }

@@ -228,9 +228,7 @@ private:
       }
     }
     sortUnique(changed);
-    changed.erase(std::remove_if(changed.begin(), changed.end(),
-                    [this](Index l) { return this->Done[l] || this->Net.isHole(l); }),
-      changed.end());
+    eraseIf(changed, [this](Index l) { return this->Done[l] || this->Net.isHole(l); });
     return changed;
   }
 

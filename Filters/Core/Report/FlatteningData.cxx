@@ -83,20 +83,16 @@ void setScalars(DataSet& data, const char* name)
 /// Normals and tangents of the surface in space, which would shade the flat pieces by its shape.
 void dropDirections(Columns& columns)
 {
-  columns.erase(std::remove_if(columns.begin(), columns.end(),
-                  [](const Column& column) {
-                    return column.role == ArrayRole::Normals || column.role == ArrayRole::Tangents;
-                  }),
-    columns.end());
+  eraseIf(columns, [](const Column& column) {
+    return column.role == ArrayRole::Normals || column.role == ArrayRole::Tangents;
+  });
 }
 
 /// Fields without rows replace others of the input.
 void setFields(Columns& fields, Columns added)
 {
   setColumns(fields, std::move(added));
-  fields.erase(std::remove_if(fields.begin(), fields.end(),
-                 [](const Column& column) { return column.rows() == 0; }),
-    fields.end());
+  eraseIf(fields, [](const Column& column) { return column.rows() == 0; });
 }
 
 Column planarShapes(std::size_t points, const std::vector<FeatureCurve>& curves)

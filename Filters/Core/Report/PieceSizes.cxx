@@ -53,13 +53,6 @@ struct Totals
   double worst = 0.0;
 };
 
-double flatArea(const Points2& positions, const Triangle& triangle)
-{
-  const Point2 a = positions[triangle[1]] - positions[triangle[0]];
-  const Point2 b = positions[triangle[2]] - positions[triangle[0]];
-  return 0.5 * std::abs(cross(a, b));
-}
-
 std::vector<Totals> measure(const FlatteningResult& result)
 {
   const TriangleMesh& mesh = result.cut->mesh;
@@ -70,7 +63,7 @@ std::vector<Totals> measure(const FlatteningResult& result)
     const Triangle& triangle = mesh.triangles()[t];
     const Index piece = result.cut->pieceOfTriangle[t];
     const double surface = mesh.area(t);
-    const double change = flatArea(result.positions, triangle) - surface;
+    const double change = 0.5 * std::abs(cross(result.positions, triangle)) - surface;
     Totals& total = totals[piece];
     total.surface += surface;
     (change > 0.0 ? total.more : total.less) += std::abs(change);

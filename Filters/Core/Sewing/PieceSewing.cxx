@@ -390,11 +390,6 @@ std::vector<double> distancesFrom(
   return distances;
 }
 
-Point3 areaVectorOf(const Points3& points, const Triangle& c)
-{
-  return areaVector(points[c[0]], points[c[1]], points[c[2]]);
-}
-
 /// Of a triangle without extent at rest, which has no strain, that of the identity.
 Eigen::Vector3d metricAt(const TriangleFrame& rest, const Triangle& c, const Points3& points)
 {
@@ -414,9 +409,9 @@ void measureTriangles(const SewnCloth& cloth, const Points3& points, SewnMeasure
     rest.push_back(restFrame(cloth.flat[t]));
     const double weight = rest.back().area;
     area += weight;
-    const Point3 designed = areaVectorOf(cloth.points, c);
+    const Point3 designed = areaVector(cloth.points, c);
     designArea += 0.5 * designed.norm();
-    measures.normalDeviation.push_back(angleBetween(designed, areaVectorOf(points, c)));
+    measures.normalDeviation.push_back(angleBetween(designed, areaVector(points, c)));
     measures.normalDeviationMean += weight * measures.normalDeviation.back();
     measures.stretches.push_back(stretchesOf(metricAt(rest.back(), c, points)));
     TriangleQuality quality;

@@ -48,14 +48,9 @@ double longestSquare(const Point2& a, const Point2& b, const Point2& c)
   return std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() });
 }
 
-double twiceArea(const Point2& a, const Point2& b, const Point2& c)
-{
-  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
-}
-
 bool isConvex(const Point2& a, const Point2& b, const Point2& c)
 {
-  return orientation(a, b, c) > 0 && twiceArea(a, b, c) > flatCorner * longestSquare(a, b, c);
+  return orientation(a, b, c) > 0 && cross(b - a, c - a) > flatCorner * longestSquare(a, b, c);
 }
 
 bool isBetween(const Point2& p, const Point2& a, const Point2& b)
@@ -126,7 +121,7 @@ private:
     const Point2& c = this->At[this->Next[tip]];
     if (!isConvex(a, b, c))
     {
-      const bool flat = std::abs(twiceArea(a, b, c)) <= flatCorner * longestSquare(a, b, c);
+      const bool flat = std::abs(cross(b - a, c - a)) <= flatCorner * longestSquare(a, b, c);
       return flat ? unwanted : never;
     }
     if (!this->isEar(tip))
@@ -134,7 +129,7 @@ private:
       return never;
     }
     const double perimeter = (b - a).norm() + (c - b).norm() + (a - c).norm();
-    return perimeter * perimeter / twiceArea(a, b, c);
+    return perimeter * perimeter / cross(b - a, c - a);
   }
 
   /// Whether the outline stays out of the triangle at a convex corner and off its diagonal.

@@ -40,11 +40,6 @@ struct Draft
   Indices origin; ///< per triangle that of the input
 };
 
-bool repeatsCorner(const Triangle& t)
-{
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
-
 /// Takes out the triangles for which a predicate of their place holds. \return their origins
 template <typename Predicate>
 Indices takeOut(Draft& draft, const Predicate& isTaken)
@@ -109,9 +104,7 @@ Indices joinCollapsed(const Draft& draft, JoinedSets& places)
     }
   });
   sortUnique(joined);
-  joined.erase(std::remove_if(
-                 joined.begin(), joined.end(), [&places](Index p) { return places.find(p) == p; }),
-    joined.end());
+  eraseIf(joined, [&places](Index p) { return places.find(p) == p; });
   return joined;
 }
 
@@ -308,8 +301,7 @@ struct Parts
       {
         this->ofTriangle.push_back(this->ofTriangle[first]);
       }
-      this->area[this->ofTriangle[t]] +=
-        0.5 * areaVector(draft.points[c[0]], draft.points[c[1]], draft.points[c[2]]).norm();
+      this->area[this->ofTriangle[t]] += 0.5 * areaVector(draft.points, c).norm();
       ++this->triangleCount[this->ofTriangle[t]];
     }
     this->largest = *std::max_element(this->area.begin(), this->area.end());
@@ -394,9 +386,7 @@ bool pairAtEdge(const Draft& draft, const Parts& parts, Indices edge, Indices& p
     }
   }
   const auto takePaired = [&] {
-    edge.erase(
-      std::remove_if(edge.begin(), edge.end(), [&partner](Index h) { return partner[h] != none; }),
-      edge.end());
+    eraseIf(edge, [&partner](Index h) { return partner[h] != none; });
   };
   takePaired();
   while (edge.size() > 2)
@@ -599,9 +589,7 @@ Status separateParts(Draft& draft, Specks specksAre, HealedSurface& result)
   Indices pinched = splitFans(draft, partner);
   Indices onEdges = separated;
   std::sort(onEdges.begin(), onEdges.end());
-  pinched.erase(std::remove_if(pinched.begin(), pinched.end(),
-                  [&](Index p) { return std::binary_search(onEdges.begin(), onEdges.end(), p); }),
-    pinched.end());
+  eraseIf(pinched, [&](Index p) { return std::binary_search(onEdges.begin(), onEdges.end(), p); });
   report(result, SurfaceDefect::Fins, ElementKind::Cells, fins);
   if (!separated.empty())
   {
@@ -722,9 +710,7 @@ HealedSurface heal(
     result.vertexOfPoint[p] = result.vertexOfPoint[places.find(static_cast<Index>(p))];
   }
   Indices& joined = result.joinedPoints; // to a point that is left
-  joined.erase(std::remove_if(joined.begin(), joined.end(),
-                 [&result](Index p) { return result.vertexOfPoint[p] == none; }),
-    joined.end());
+  eraseIf(joined, [&result](Index p) { return result.vertexOfPoint[p] == none; });
   if (!joined.empty())
   {
     result.mendings.insert(

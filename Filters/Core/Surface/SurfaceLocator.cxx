@@ -184,9 +184,7 @@ std::vector<ClosestPoint> SurfaceLocator::allClosest(const Point3& point, double
       }
     }
   }
-  found.erase(std::remove_if(found.begin(), found.end(),
-                [asClose](const ClosestPoint& one) { return one.distance > asClose; }),
-    found.end());
+  eraseIf(found, [asClose](const ClosestPoint& one) { return one.distance > asClose; });
   std::sort(found.begin(), found.end(),
     [](const ClosestPoint& a, const ClosestPoint& b) { return a.triangle < b.triangle; });
   return found;

@@ -243,8 +243,7 @@ Index commonTriangle(const TriangleMesh& mesh, const SurfacePoint& a, const Surf
 
 Point3 triangleNormal(const TriangleMesh& mesh, Index triangle)
 {
-  const Triangle& c = mesh.triangle(triangle);
-  return areaVector(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2])).stableNormalized();
+  return areaVector(mesh.points(), mesh.triangle(triangle)).stableNormalized();
 }
 
 Point3 normalAt(const TriangleMesh& mesh, const SurfacePoint& point)

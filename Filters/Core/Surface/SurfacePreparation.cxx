@@ -277,9 +277,7 @@ Triangles renumbered(const Triangles& triangles, const Indices& vertexOfPoint,
     {
       cells[t][k] = vertexOfPoint[triangles[t][k]];
     }
-    const bool repeats =
-      cells[t][0] == cells[t][1] || cells[t][1] == cells[t][2] || cells[t][2] == cells[t][0];
-    if (repeats || hasNoArea(vertices, cells[t]))
+    if (repeatsCorner(cells[t]) || hasNoArea(vertices, cells[t]))
     {
       degenerate.push_back(static_cast<Index>(t));
     }

@@ -51,6 +51,11 @@ enum class CoincidentPoints
   Keep, ///< each point is a vertex of its own: a surface that is cut open stays so
 };
 
+inline bool repeatsCorner(const Triangle& t)
+{
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
 /// Whether a triangle has a height below flatTriangle of its longest edge, or no size.
 bool hasNoArea(const Points3& points, const Triangle& t);
 

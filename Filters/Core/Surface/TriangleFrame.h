@@ -64,6 +64,12 @@ struct TriangleFrame
     }
   }
 
+  /// A triangle of points.
+  TriangleFrame(const Points3& points, const Triangle& t, double slimmest = 0.0)
+    : TriangleFrame(points[t[0]], points[t[1]], points[t[2]], slimmest)
+  {
+  }
+
   /// Parts of the map that takes the corners to u.
   Complex alpha(const std::array<Complex, 3>& u) const
   {

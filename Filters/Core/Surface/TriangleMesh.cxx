@@ -88,8 +88,7 @@ Point3 TriangleMesh::centroid(Index t) const
 
 double TriangleMesh::area(Index t) const
 {
-  const Triangle& c = this->Cells[t];
-  return 0.5 * areaVector(this->point(c[0]), this->point(c[1]), this->point(c[2])).norm();
+  return 0.5 * areaVector(this->Points, this->Cells[t]).norm();
 }
 
 double TriangleMesh::area() const
@@ -191,8 +190,7 @@ Points3 vertexNormals(const TriangleMesh& mesh)
   for (Index t = 0; t < mesh.triangleCount(); ++t)
   {
     const Triangle& c = mesh.triangle(t);
-    const Point3 normal =
-      areaVector(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2])).normalized();
+    const Point3 normal = areaVector(mesh.points(), c).normalized();
     for (int k = 0; k < 3; ++k)
     {
       normals[c[k]] += mesh.angle(3 * t + k) * normal;

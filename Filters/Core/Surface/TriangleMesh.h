@@ -82,6 +82,11 @@ inline Point3 areaVector(const Point3& a, const Point3& b, const Point3& c)
   return (b - a).cross(c - a);
 }
 
+inline Point3 areaVector(const Points3& points, const Triangle& t)
+{
+  return areaVector(points[t[0]], points[t[1]], points[t[2]]);
+}
+
 /// The unit normal of each vertex by the angles of its triangles, of length 0 where it has none
 /// (J. A. Baerentzen, H. Aanaes, "Signed distance computation using the angle weighted
 /// pseudonormal", 2005).
