@@ -136,6 +136,14 @@ public:
     }
   }
 
+  /// The same as numbers of a type.
+  template <class Type, class Value>
+  void addAs(const char* name, const Value& value) const
+  {
+    addRows<Type>(this->Written, name, this->Rows.size(),
+      [this, &value](std::size_t row) { return std::invoke(value, this->Rows[row]); });
+  }
+
   /// Adds a column of the rows' numbers, from 0.
   void addNumbers(const char* name) const
   {
@@ -144,13 +152,6 @@ public:
   }
 
 private:
-  template <class Type, class Value>
-  void addAs(const char* name, const Value& value) const
-  {
-    addRows<Type>(this->Written, name, this->Rows.size(),
-      [this, &value](std::size_t row) { return std::invoke(value, this->Rows[row]); });
-  }
-
   Columns& Written;
   const std::vector<Row>& Rows;
 };

@@ -47,12 +47,12 @@ void addThreads(const FlatteningResult& result, Columns& cells)
   {
     return;
   }
-  const std::size_t count = threads.size();
-  addRows<double>(cells, "StrainWarp", count, [&](std::size_t t) { return threads[t].warp; });
-  addRows<double>(cells, "StrainWeft", count, [&](std::size_t t) { return threads[t].weft; });
-  addRows<double>(
-    cells, "ShearAngle", count, [&](std::size_t t) { return threads[t].shear / degree; });
-  std::vector<unsigned char> out(count, 0);
+  const TableColumns<ThreadStrain> columns(cells, threads);
+  using Strain = const ThreadStrain&;
+  columns.add("StrainWarp", &ThreadStrain::warp);
+  columns.add("StrainWeft", &ThreadStrain::weft);
+  columns.add("ShearAngle", [](Strain strain) { return strain.shear / degree; });
+  std::vector<unsigned char> out(threads.size(), 0);
   for (const PieceReport& piece : result.pieces)
   {
     for (Index t : piece.cloth ? piece.cloth->outOfLimit : Indices())
@@ -60,11 +60,11 @@ void addThreads(const FlatteningResult& result, Columns& cells)
       out[t] = 1;
     }
   }
-  addRows<unsigned char>(cells, "OutOfLimit", count, [&](std::size_t t) { return out[t]; });
-  addRows<unsigned char>(
-    cells, "DominantThread", count, [&](std::size_t t) { return dominantOf(threads[t]).thread; });
-  addRows<double>(cells, "DominantStretch", count,
-    [&](std::size_t t) { return 100.0 * (1.0 + dominantOf(threads[t]).strain); });
+  cells.push_back({ "OutOfLimit", std::move(out) });
+  columns.addAs<unsigned char>(
+    "DominantThread", [](Strain strain) { return dominantOf(strain).thread; });
+  columns.add(
+    "DominantStretch", [](Strain strain) { return 100.0 * (1.0 + dominantOf(strain).strain); });
 }
 
 /// `GrainAngle` of each piece, by which patterns know that pieces lie on a material.
@@ -114,8 +114,7 @@ Indices placesInOrder(const FlatteningResult& result)
 void addPatches(const FlatteningResult& result, Columns& cells)
 {
   const Indices& patches = result.patchOfTriangle;
-  addRows<std::int64_t>(
-    cells, "WirePatchId", patches.size(), [&](std::size_t t) { return patches[t]; });
+  cells.push_back({ "WirePatchId", std::vector<std::int64_t>(patches.begin(), patches.end()) });
   const Indices place = placesInOrder(result);
   if (!place.empty())
   {
@@ -134,13 +133,11 @@ int kindOf(const Wire& wire)
 
 void addFlatLengths(const std::vector<Wire>& wires, Columns& cells)
 {
-  addRows<int>(cells, "WireKind", wires.size(), [&](std::size_t w) { return kindOf(wires[w]); });
-  addRows<unsigned char>(cells, "Connector", wires.size(),
-    [&](std::size_t w) { return static_cast<unsigned char>(wires[w].connector); });
-  addRows<double>(
-    cells, "FlatLength", wires.size(), [&](std::size_t w) { return wires[w].flatLength; });
-  addRows<double>(
-    cells, "LengthError", wires.size(), [&](std::size_t w) { return wires[w].maximumEdgeError; });
+  const TableColumns<Wire> columns(cells, wires);
+  columns.addAs<int>("WireKind", kindOf);
+  columns.addAs<unsigned char>("Connector", &Wire::connector);
+  columns.add("FlatLength", &Wire::flatLength);
+  columns.add("LengthError", &Wire::maximumEdgeError);
 }
 
 /// Per row of SeamPairs whether the two edges lie on each other because their cut was closed.
@@ -197,8 +194,8 @@ CutArrays cutArrays(const CurvedSurface& source, const CutSurface& cut)
   const std::size_t count = cut.pieceOfTriangle.size();
   addRows<std::int64_t>(arrays.cellArrays, "vtkOriginalCellIds", count,
     [&](std::size_t t) { return source.cellOf(cut.originalTriangle(static_cast<Index>(t))); });
-  addRows<std::int64_t>(
-    arrays.cellArrays, "PieceId", count, [&](std::size_t t) { return cut.pieceOfTriangle[t]; });
+  arrays.cellArrays.push_back({ "PieceId",
+    std::vector<std::int64_t>(cut.pieceOfTriangle.begin(), cut.pieceOfTriangle.end()) });
   return arrays;
 }
 
@@ -217,33 +214,30 @@ Column seamPairs(const CutSurface& cut)
 
 void addTriangleQuality(const std::vector<TriangleQuality>& quality, Columns& cells)
 {
-  const std::size_t count = quality.size();
-  addRows<double>(
-    cells, "HomogeneityOfDistortion", count, [&](std::size_t t) { return quality[t].homogeneity; });
-  addRows<double>(
-    cells, "AspectRatio", count, [&](std::size_t t) { return quality[t].aspectRatio; });
-  addRows<double>(cells, "AreaRatio", count, [&](std::size_t t) { return quality[t].areaRatio; });
-  addRows<double>(cells, "AngleError", count, [&](std::size_t t) { return quality[t].angleError; });
-  addRows<unsigned char>(
-    cells, "Flipped", count, [&](std::size_t t) { return quality[t].areaRatio <= 0.0; });
+  const TableColumns<TriangleQuality> columns(cells, quality);
+  columns.add("HomogeneityOfDistortion", &TriangleQuality::homogeneity);
+  columns.add("AspectRatio", &TriangleQuality::aspectRatio);
+  columns.add("AreaRatio", &TriangleQuality::areaRatio);
+  columns.add("AngleError", &TriangleQuality::angleError);
+  columns.addAs<unsigned char>(
+    "Flipped", [](const TriangleQuality& triangle) { return triangle.areaRatio <= 0.0; });
 }
 
 Columns wireArrays(const std::vector<Wire>& wires, const std::vector<FeatureCurve>& curves)
 {
   Columns cells;
-  const std::size_t count = wires.size();
-  addRows<int>(cells, "CurveType", count,
-    [&](std::size_t w) { return wires[w].curve == none ? -1 : static_cast<int>(wires[w].type); });
-  addRows<std::int64_t>(cells, "CurveId", count, [&](std::size_t w) { return wires[w].curve; });
-  addRows<std::string>(cells, "CurveName", count, [&](std::size_t w) {
-    return wires[w].curve != none ? curves[wires[w].curve].name
-      : wires[w].connector        ? std::string("connector")
-                                  : std::string("boundary");
+  const TableColumns<Wire> columns(cells, wires);
+  columns.addAs<int>("CurveType",
+    [](const Wire& wire) { return wire.curve == none ? -1 : static_cast<int>(wire.type); });
+  columns.add("CurveId", &Wire::curve);
+  columns.add("CurveName", [&curves](const Wire& wire) {
+    return wire.curve != none ? curves[wire.curve].name
+      : wire.connector        ? std::string("connector")
+                              : std::string("boundary");
   });
-  addRows<std::int64_t>(cells, "PieceId", count, [&](std::size_t w) { return wires[w].piece; });
-  addRows<unsigned char>(
-    cells, "Boundary", count, [&](std::size_t w) { return wires[w].boundary; });
-  addRows<double>(cells, "RestLength", count, [&](std::size_t w) { return wires[w].restLength; });
+  columns.add("PieceId", &Wire::piece);
+  columns.addAs<unsigned char>("Boundary", &Wire::boundary);
+  columns.add("RestLength", &Wire::restLength);
   return cells;
 }
 
@@ -252,8 +246,7 @@ FlatteningArrays flatteningArrays(
 {
   FlatteningArrays arrays;
   static_cast<CutArrays&>(arrays) = cutArrays(source, *result.cut);
-  addRows<double>(arrays.pointArrays, "Developability", result.developability.size(),
-    [&](std::size_t v) { return result.developability[v]; });
+  arrays.pointArrays.push_back({ "Developability", result.developability });
   arrays.positions = result.positions;
   auto& ids = std::get<std::vector<std::int64_t>>(arrays.pointArrays[0].values);
   auto& developability = std::get<std::vector<double>>(arrays.pointArrays[1].values);
@@ -277,7 +270,7 @@ FlatteningArrays flatteningArrays(
   addClosedSeams(result, arrays.fieldArrays);
   addOverlapEdges(result, arrays.fieldArrays);
   const bool sheet = options.cloth && options.cloth->material.sheet;
-  addRows<int>(arrays.fieldArrays, "SheetMaterial", sheet ? 1 : 0, [](std::size_t) { return 1; });
+  arrays.fieldArrays.push_back({ "SheetMaterial", std::vector<int>(sheet ? 1 : 0, 1) });
   return arrays;
 }
 

@@ -245,19 +245,17 @@ ImprintData imprintData(const SurfaceArrays& input, const CurvedSurface& source)
     setColumn(lines.pointArrays, planarShapes(vertices.size(), curves));
   }
   Columns& arrays = lines.cellArrays;
-  const std::size_t count = curves.size();
-  addRows<int>(
-    arrays, "CurveType", count, [&](std::size_t c) { return static_cast<int>(curves[c].type); });
-  addRows<std::string>(arrays, "CurveName", count, [&](std::size_t c) { return curves[c].name; });
-  addRows<int>(arrays, "KeyShape", count,
-    [&](std::size_t c) { return curves[c].keyShape == KeyShape::Straight ? 1 : 0; });
-  addRows<double>(
-    arrays, "LengthTolerance", count, [&](std::size_t c) { return curves[c].tolerance; });
-  addEases(arrays, count, [&](std::size_t c) { return curves[c].ease; });
-  addRows<std::int64_t>(arrays, "CurveId", count, [](std::size_t c) { return c; });
-  addRows<double>(
-    arrays, "RestLength", count, [&](std::size_t c) { return lengthOf(mesh, curves[c].vertices); });
-  addRows<std::int64_t>(arrays, "vtkOriginalCellIds", count,
+  const TableColumns<FeatureCurve> columns(arrays, curves);
+  columns.addAs<int>("CurveType", &FeatureCurve::type);
+  columns.add("CurveName", &FeatureCurve::name);
+  columns.addAs<int>("KeyShape",
+    [](const FeatureCurve& curve) { return curve.keyShape == KeyShape::Straight ? 1 : 0; });
+  columns.add("LengthTolerance", &FeatureCurve::tolerance);
+  addEases(arrays, curves.size(), [&](std::size_t c) { return curves[c].ease; });
+  columns.addNumbers("CurveId");
+  columns.add(
+    "RestLength", [&mesh](const FeatureCurve& curve) { return lengthOf(mesh, curve.vertices); });
+  addRows<std::int64_t>(arrays, "vtkOriginalCellIds", curves.size(),
     [&](std::size_t c) { return source.curves.cellOfPolyline[c]; });
   return data;
 }

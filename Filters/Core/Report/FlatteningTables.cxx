@@ -505,14 +505,9 @@ Columns shiftArrays(const TriangleMesh& design, const FlattenableSurface& result
     const Point3 moved = result.mesh.point(v) - design.point(v);
     shift.insert(shift.end(), moved.data(), moved.data() + 3);
   }
-  Columns points{ { "Shift", std::move(shift), 3 } };
-  addRows<double>(points, "ShiftDistance", result.shift.ofVertex.size(),
-    [&](std::size_t v) { return result.shift.ofVertex[v]; });
-  addRows<double>(points, "ShiftOutwards", result.shift.outwardsOfVertex.size(),
-    [&](std::size_t v) { return result.shift.outwardsOfVertex[v]; });
-  addRows<unsigned char>(
-    points, "Kept", result.kept.size(), [&](std::size_t v) { return result.kept[v]; });
-  return points;
+  return { { "Shift", std::move(shift), 3 }, { "ShiftDistance", result.shift.ofVertex },
+    { "ShiftOutwards", result.shift.outwardsOfVertex },
+    { "Kept", std::vector<unsigned char>(result.kept.begin(), result.kept.end()) } };
 }
 
 Columns shiftTable(const FlattenableSurface& result)

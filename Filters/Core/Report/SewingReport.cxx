@@ -83,25 +83,20 @@ Column distances(const Indices& vertexOfPoint, const std::vector<double>& ofVert
 Columns cellArrays(const SewingResult& result)
 {
   Columns cells;
-  const std::size_t count = result.shapeOfTriangle.size();
-  addRows<std::int64_t>(
-    cells, "ShapeId", count, [&](std::size_t t) { return result.shapeOfTriangle[t]; });
-  addRows<double>(
-    cells, "NormalDeviation", count, [&](std::size_t t) { return result.normalDeviation[t]; });
-  addRows<double>(cells, "PrincipalStrains", 2 * count,
+  const Indices& shapes = result.shapeOfTriangle;
+  cells.push_back({ "ShapeId", std::vector<std::int64_t>(shapes.begin(), shapes.end()) });
+  cells.push_back({ "NormalDeviation", result.normalDeviation });
+  addRows<double>(cells, "PrincipalStrains", 2 * shapes.size(),
     [&](std::size_t k) { return result.stretches[k / 2][k % 2] - 1.0; });
   cells.back().components = 2;
-  addRows<unsigned char>(cells, "Compressed", count,
-    [&](std::size_t t) { return isCompressed(result.stretches[t]) ? 1 : 0; });
-  const auto ofThreads = [&](const char* name, auto value) {
-    if (!result.threads.empty())
-    {
-      addRows<double>(cells, name, count, [&](std::size_t t) { return value(result.threads[t]); });
-    }
-  };
-  ofThreads("SewnStrainWarp", [](const ThreadStrain& strain) { return strain.warp; });
-  ofThreads("SewnStrainWeft", [](const ThreadStrain& strain) { return strain.weft; });
-  ofThreads("SewnShearAngle", [](const ThreadStrain& strain) { return strain.shear / degree; });
+  TableColumns(cells, result.stretches).addAs<unsigned char>("Compressed", isCompressed);
+  if (!result.threads.empty())
+  {
+    const TableColumns columns(cells, result.threads);
+    columns.add("SewnStrainWarp", &ThreadStrain::warp);
+    columns.add("SewnStrainWeft", &ThreadStrain::weft);
+    columns.add("SewnShearAngle", [](const ThreadStrain& strain) { return strain.shear / degree; });
+  }
   return cells;
 }
 

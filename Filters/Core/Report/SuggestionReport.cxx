@@ -27,32 +27,26 @@ std::vector<SuggestedCurve> suggestionRows(
 Columns suggestionArrays(const std::vector<SuggestedCurve>& rows, std::size_t first)
 {
   Columns cells;
-  const std::size_t count = rows.size();
-  const auto addNumbers = [&](const char* name, double SuggestedCurve::*value) {
-    addRows<double>(cells, name, count, [&](std::size_t c) { return rows[c].*value; });
-  };
-  addRows<int>(
-    cells, "CurveType", count, [&](std::size_t c) { return static_cast<int>(rows[c].curve.type); });
-  addRows<std::string>(
-    cells, "CurveName", count, [&](std::size_t c) { return rows[c].curve.name; });
-  addRows<int>(cells, "KeyShape", count,
-    [&](std::size_t c) { return rows[c].curve.keyShape == KeyShape::Straight ? 1 : 0; });
-  addRows<double>(
-    cells, "LengthTolerance", count, [&](std::size_t c) { return rows[c].curve.tolerance; });
-  addEases(cells, count, [&](std::size_t c) { return rows[c].curve.ease; });
-  addRows<int>(cells, "Rank", count,
+  const TableColumns<SuggestedCurve> columns(cells, rows);
+  using Curve = const SuggestedCurve&;
+  columns.addAs<int>("CurveType", [](Curve row) { return row.curve.type; });
+  columns.add("CurveName", [](Curve row) { return row.curve.name; });
+  columns.addAs<int>(
+    "KeyShape", [](Curve row) { return row.curve.keyShape == KeyShape::Straight ? 1 : 0; });
+  columns.add("LengthTolerance", [](Curve row) { return row.curve.tolerance; });
+  addEases(cells, rows.size(), [&](std::size_t c) { return rows[c].curve.ease; });
+  addRows<int>(cells, "Rank", rows.size(),
     [&](std::size_t c) { return c < first ? -1 : static_cast<int>(c - first) + 1; });
-  addNumbers("Length", &SuggestedCurve::length);
-  addNumbers("PredictedGain", &SuggestedCurve::predictedGain);
-  addNumbers("Gain", &SuggestedCurve::gain);
-  addNumbers("Opening", &SuggestedCurve::opening);
-  addNumbers("AreaErrorBefore", &SuggestedCurve::areaErrorBefore);
-  addNumbers("AreaErrorAfter", &SuggestedCurve::areaErrorAfter);
-  addNumbers("StrainBefore", &SuggestedCurve::strainBefore);
-  addNumbers("StrainAfter", &SuggestedCurve::strainAfter);
-  addRows<int>(cells, "MirrorOf", count, [&](std::size_t c) {
-    return rows[c].mirrorOf == none ? -1 : static_cast<int>(rows[c].mirrorOf) + 1;
-  });
+  columns.add("Length", &SuggestedCurve::length);
+  columns.add("PredictedGain", &SuggestedCurve::predictedGain);
+  columns.add("Gain", &SuggestedCurve::gain);
+  columns.add("Opening", &SuggestedCurve::opening);
+  columns.add("AreaErrorBefore", &SuggestedCurve::areaErrorBefore);
+  columns.add("AreaErrorAfter", &SuggestedCurve::areaErrorAfter);
+  columns.add("StrainBefore", &SuggestedCurve::strainBefore);
+  columns.add("StrainAfter", &SuggestedCurve::strainAfter);
+  columns.addAs<int>(
+    "MirrorOf", [](Curve row) { return row.mirrorOf == none ? -1 : row.mirrorOf + 1; });
   return cells;
 }
 
