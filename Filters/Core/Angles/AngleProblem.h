@@ -95,6 +95,32 @@ private:
   Index Rows = 0;
 };
 
+/// Ranks of elements of which some come first, each part in its order.
+struct RankedFirst
+{
+  Indices rank;
+  Index first = 0; ///< how many come first
+};
+
+template <class ComesFirst>
+RankedFirst rankFirst(std::size_t count, const ComesFirst& comesFirst)
+{
+  RankedFirst ranked{ Indices(count) };
+  Index next = 0;
+  for (const bool first : { true, false })
+  {
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      if (comesFirst(k) == first)
+      {
+        ranked.rank[k] = next++;
+      }
+    }
+    ranked.first = first ? next : ranked.first;
+  }
+  return ranked;
+}
+
 /// Largest distance by which a loop misses its start when its sides are laid one after the other.
 /// \param length per wire edge.
 double closureResidual(

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace flattening
 {
@@ -105,49 +106,27 @@ Runs joinLockedEdges(const AngleProblem& problem, const std::vector<double>& bra
 /// Ranks of the runs in their order. Single edges along wires come first: edges follow each other
 /// along a wire by their numbers, so that each in turn leaves one neighbor only. Larger runs, edges
 /// at junctions of wires and the fixed run come last.
-struct RunOrder
+RankedFirst rankRuns(const WireNetwork& net, const Runs& runs, Index fixed)
 {
-  RunOrder(const WireNetwork& net, const Runs& runs, Index fixed)
-    : rank(runs.size.size(), none)
+  const Indices degrees = hostDegrees(net);
+  std::vector<char> along(runs.size.size(), 0);
+  for (Index e = 0; e < net.edgeCount(); ++e)
   {
-    Indices degree(net.hostVertices.size(), 0);
-    for (const WireEdge& edge : net.edges)
-    {
-      ++degree[net.hostOfVertex[edge.from]];
-      ++degree[net.hostOfVertex[edge.to]];
-    }
-    std::vector<char> along(this->rank.size(), 0);
-    for (Index e = 0; e < net.edgeCount(); ++e)
-    {
-      const Index run = runs.ofEdge[e];
-      along[run] = run != fixed && runs.size[run] == 1 &&
-          degree[net.hostOfVertex[net.edges[e].from]] == 2 &&
-          degree[net.hostOfVertex[net.edges[e].to]] == 2
-        ? 1
-        : 0;
-    }
-    this->alongWires = static_cast<Index>(std::count(along.begin(), along.end(), 1));
-    Index next = 0;
-    Index nextLate = this->alongWires;
-    for (std::size_t run = 0; run < along.size(); ++run)
-    {
-      this->rank[run] = along[run] ? next++ : nextLate++;
-    }
+    const Index run = runs.ofEdge[e];
+    along[run] = run != fixed && runs.size[run] == 1 &&
+        degrees[net.hostOfVertex[net.edges[e].from]] == 2 &&
+        degrees[net.hostOfVertex[net.edges[e].to]] == 2
+      ? 1
+      : 0;
   }
-
-  Indices rank;
-  Index alongWires = 0;
-};
+  return rankFirst(along.size(), [&along](std::size_t run) { return along[run] != 0; });
+}
 }
 
 DirectionsForm::DirectionsForm(const AngleProblem& problem)
   : Problem(&problem)
 {
-  double sum = 0.0;
-  for (double l : problem.length)
-  {
-    sum += l;
-  }
+  const double sum = std::accumulate(problem.length.begin(), problem.length.end(), 0.0);
   this->Unit = sum / static_cast<double>(std::max<std::size_t>(1, problem.length.size()));
   this->setLengths(problem.length);
   this->projectAngles();
@@ -253,8 +232,8 @@ void DirectionsForm::formRuns(const std::vector<double>& psi)
   this->Offset = std::move(runs.offset);
   this->Contradictions = std::move(runs.contradictions);
   const Index fixed = runs.largest();
-  const RunOrder order(net, runs, fixed);
-  this->RotationsAlong = order.alongWires;
+  const RankedFirst order = rankRuns(net, runs, fixed);
+  this->RotationsAlong = order.first;
   this->Rotations = static_cast<Index>(runs.size.size()) - 1;
   this->UnknownOfEdge.assign(net.edgeCount(), none);
   double rotation = 0.0;

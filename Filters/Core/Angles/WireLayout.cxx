@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace flattening
@@ -88,47 +89,19 @@ double largestMiss(const WireNetwork& network, const Points2& positions, const P
 struct EliminationOrder
 {
   explicit EliminationOrder(const WireNetwork& network)
-    : degree(network.hostVertices.size(), 0)
+    : degree(hostDegrees(network))
   {
-    for (std::size_t e = 0; e < network.edges.size(); ++e)
-    {
-      const auto [from, to] = ends(network, e);
-      ++this->degree[from];
-      ++this->degree[to];
-    }
-    const auto rank = [](std::size_t count, const auto& isAlong, Indices& ranks) {
-      Index next = 0;
-      ranks.resize(count);
-      const auto visit = [&](bool along) {
-        for (std::size_t k = 0; k < count; ++k)
-        {
-          if (isAlong(k) == along)
-          {
-            ranks[k] = next++;
-          }
-        }
-        return next;
-      };
-      const Index along = visit(true);
-      visit(false);
-      return along;
-    };
     const auto isAlong = [this](std::size_t host) { return this->degree[host] == 2; };
-    this->hostsAlong = rank(this->degree.size(), isAlong, this->rankOfHost);
-    this->edgesAlong = rank(
-      network.edges.size(),
-      [&](std::size_t e) {
-        const auto [from, to] = ends(network, e);
-        return isAlong(from) && isAlong(to);
-      },
-      this->rankOfEdge);
+    this->hosts = rankFirst(this->degree.size(), isAlong);
+    this->edges = rankFirst(network.edges.size(), [&](std::size_t e) {
+      const auto [from, to] = ends(network, e);
+      return isAlong(from) && isAlong(to);
+    });
   }
 
-  Indices degree;     ///< per entry of hostVertices, how many edges are there
-  Indices rankOfHost; ///< per entry of hostVertices
-  Indices rankOfEdge;
-  Index hostsAlong = 0; ///< how many come first
-  Index edgesAlong = 0;
+  Indices degree; ///< per entry of hostVertices, how many edges are there
+  RankedFirst hosts;
+  RankedFirst edges;
 };
 
 /// Positions whose edges come nearest to the vectors in the least squares sense; the first stays.
@@ -141,18 +114,18 @@ void spreadMisses(const WireNetwork& network, const Points2& vectors, const Elim
   for (std::size_t e = 0; e < vectors.size(); ++e)
   {
     const auto [from, to] = ends(network, e);
-    const Index a = order.rankOfHost[from];
-    const Index b = order.rankOfHost[to];
+    const Index a = order.hosts.rank[from];
+    const Index b = order.hosts.rank[to];
     entries.emplace_back(a, a, 1.0);
     entries.emplace_back(b, b, 1.0);
     entries.emplace_back(std::max(a, b), std::min(a, b), -1.0);
     rhs.row(b) += vectors[e].transpose();
     rhs.row(a) -= vectors[e].transpose();
   }
-  entries.emplace_back(order.rankOfHost[0], order.rankOfHost[0], 1.0);
+  entries.emplace_back(order.hosts.rank[0], order.hosts.rank[0], 1.0);
   SparseMatrix laplacian(count, count);
   laplacian.setFromTriplets(entries.begin(), entries.end());
-  LinearSolver solver(LeadingColumns{ order.hostsAlong });
+  LinearSolver solver(LeadingColumns{ order.hosts.first });
   if (!solver.factorize(laplacian))
   {
     return;
@@ -160,7 +133,7 @@ void spreadMisses(const WireNetwork& network, const Points2& vectors, const Elim
   const Eigen::MatrixXd x = solver.solveRefined(laplacian, rhs);
   for (Eigen::Index k = 0; k < count && x.rows() == count; ++k)
   {
-    positions[k] = x.row(order.rankOfHost[k]).transpose();
+    positions[k] = x.row(order.hosts.rank[k]).transpose();
   }
 }
 
@@ -197,7 +170,7 @@ public:
     const auto hosts = static_cast<Index>(order.degree.size());
     // Changes but those of hubs, edges along wires, changes of hubs, edges at junctions.
     Index next = 0;
-    Index nextHub = 2 * (hosts - hubs) + order.edgesAlong;
+    Index nextHub = 2 * (hosts - hubs) + order.edges.first;
     this->Solver = LinearSolver(LeadingColumns{ nextHub });
     for (std::size_t host = 0; host < this->FirstColumn.size(); ++host)
     {
@@ -207,8 +180,8 @@ public:
     }
     for (std::size_t e = 0; e < this->Row.size(); ++e)
     {
-      const Index rank = order.rankOfEdge[e];
-      this->Row[e] = rank + 2 * (rank < order.edgesAlong ? hosts - hubs : hosts);
+      const Index rank = order.edges.rank[e];
+      this->Row[e] = rank + 2 * (rank < order.edges.first ? hosts - hubs : hosts);
     }
   }
 
@@ -324,11 +297,7 @@ Points2 layOutWires(
   const Points2 vectors = edgeVectors(network, theta, length);
   const EliminationOrder order(network);
   Points2 hosts = placeAlongTree(network, vectors);
-  double size = 0.0;
-  for (double l : length)
-  {
-    size += l;
-  }
+  const double size = std::accumulate(length.begin(), length.end(), 0.0);
   if (largestMiss(network, hosts, vectors) > 1e-14 * size)
   {
     spreadMisses(network, vectors, order, hosts);

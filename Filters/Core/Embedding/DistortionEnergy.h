@@ -43,6 +43,15 @@ struct DistortionEnergyValue
 /// Derivative of a triangle's map parts (q, p) by the planar positions of its three corners.
 Eigen::Matrix<double, 4, 6> mapPartsDerivative(const TriangleFrame& frame);
 
+/// Those parts of the map that takes a triangle to placeOf(v) of each of its corners v.
+template <class PlaceOf>
+Eigen::Vector4d mapParts(const TriangleFrame& frame, const Triangle& t, const PlaceOf& placeOf)
+{
+  Eigen::Matrix<double, 6, 1> corners;
+  corners << placeOf(t[0]), placeOf(t[1]), placeOf(t[2]);
+  return mapPartsDerivative(frame) * corners;
+}
+
 /// Partial derivatives of a density that depends on |J|^2 and det J only.
 struct NormDetDensity
 {

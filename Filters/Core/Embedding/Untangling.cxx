@@ -61,13 +61,6 @@ NormDetDensity density(double epsilon, const Eigen::Vector4d& parts)
   return d;
 }
 
-bool isFlipped(const TriangleFrame& frame, const Triangle& corners, const Points2& positions)
-{
-  Eigen::Matrix<double, 6, 1> at;
-  at << positions[corners[0]], positions[corners[1]], positions[corners[2]];
-  return determinant(mapPartsDerivative(frame) * at) <= 0.0;
-}
-
 /// The part of a patch in some rings of vertices around its flipped triangles; more of them
 /// need more room.
 InteriorPatch aroundFolds(
@@ -78,9 +71,9 @@ InteriorPatch aroundFolds(
   for (const Triangle& c : patch.triangles)
   {
     const Triangle corners{ patch.vertices[c[0]], patch.vertices[c[1]], patch.vertices[c[2]] };
-    const TriangleFrame frame(
-      mesh.point(corners[0]), mesh.point(corners[1]), mesh.point(corners[2]));
-    if (isFlipped(frame, corners, positions))
+    const Eigen::Vector4d parts = mapParts(TriangleFrame(mesh.points(), corners), corners,
+      [&positions](Index v) { return positions[v]; });
+    if (determinant(parts) <= 0.0)
     {
       ++folds;
       std::for_each(c.begin(), c.end(), [&within](Index v) { within[v] = 1; });
@@ -116,8 +109,7 @@ public:
     }
     for (const Triangle& c : patch.triangles)
     {
-      this->Frames.emplace_back(mesh.point(patch.vertices[c[0]]), mesh.point(patch.vertices[c[1]]),
-        mesh.point(patch.vertices[c[2]]));
+      this->Frames.emplace_back(this->Space, c);
     }
   }
 
@@ -175,12 +167,8 @@ public:
 private:
   Eigen::Vector4d parts(std::size_t t, const Eigen::VectorXd& x) const
   {
-    Eigen::Matrix<double, 6, 1> corners;
-    for (int k = 0; k < 3; ++k)
-    {
-      corners.segment<2>(2 * k) = x.segment<2>(2 * this->Patch.triangles[t][k]);
-    }
-    return mapPartsDerivative(this->Frames[t]) * corners;
+    return mapParts(
+      this->Frames[t], this->Patch.triangles[t], [&x](Index v) { return x.segment<2>(2 * v); });
   }
 
   Index flips(const Eigen::VectorXd& x) const

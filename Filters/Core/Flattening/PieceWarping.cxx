@@ -95,9 +95,7 @@ Points2 unfoldedMap(const PieceContext& context, bool convex)
     for (const Triangle& c : mesh.triangles())
     {
       const TriangleFrame frame(mesh.points(), c);
-      Eigen::Matrix<double, 6, 1> corners;
-      corners << map[c[0]], map[c[1]], map[c[2]];
-      const Eigen::Vector4d parts = mapPartsDerivative(frame) * corners;
+      const Eigen::Vector4d parts = mapParts(frame, c, [&map](Index v) { return map[v]; });
       const double norm = 0.5 * parts.squaredNorm();
       stretching += frame.area * norm;
       pressing += frame.area * (distortionEnergyDensity({ barrier }, parts) + 4.0 - norm);

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace flattening
 {
@@ -284,11 +285,7 @@ CurveStretches meanStretches(const PieceStretches& pieces)
       continue;
     }
     const auto [least, most] = std::minmax_element(stretches.begin(), stretches.end());
-    double sum = 0.0;
-    for (double h : stretches)
-    {
-      sum += h;
-    }
+    const double sum = std::accumulate(stretches.begin(), stretches.end(), 0.0);
     decided[c] = sum / static_cast<double>(stretches.size());
     // What rounding leaves of one length is no disagreement.
     agree = agree && *most - *least <= 1e-13;

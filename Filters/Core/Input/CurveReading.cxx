@@ -68,27 +68,21 @@ std::vector<SegmentChain> chainSegments(const std::vector<std::array<std::int64_
   return chains;
 }
 
-/// What the arrays say of a line cell.
-struct Attributes
+/// Compares what the arrays say of line cells.
+struct ByAttributes
 {
-  CurveType type = CurveType::Accessory;
-  std::string name;
-  KeyShape keyShape = KeyShape::Surface;
-  double tolerance = 0.0;
-  LengthEase ease;
-
-  auto values() const
+  static auto values(const Polyline& line)
   {
-    return std::tie(this->type, this->name, this->keyShape, this->tolerance, this->ease.fraction,
-      this->ease.piece);
+    return std::tie(
+      line.type, line.name, line.keyShape, line.tolerance, line.ease.fraction, line.ease.piece);
   }
-  bool operator<(const Attributes& other) const { return this->values() < other.values(); }
+  bool operator()(const Polyline& a, const Polyline& b) const { return values(a) < values(b); }
 };
 
 struct Chain
 {
   std::int64_t cell = -1; ///< the first one
-  Attributes attributes;
+  Polyline attributes;    ///< without points
   std::vector<std::int64_t> points;
 };
 
@@ -192,7 +186,7 @@ private:
       "0 (accessory), 1 (key), 2 (dart), 3 (seam) or one of these names");
   }
 
-  bool readAttributes(std::int64_t cell, Attributes& attributes)
+  bool readAttributes(std::int64_t cell, Polyline& attributes)
   {
     if (!this->readType(cell, attributes.type))
     {
@@ -258,7 +252,7 @@ private:
         { Remedy::DivideInput } });
     }
     bool sound = true;
-    std::map<Attributes, std::vector<Chain>> segments;
+    std::map<Polyline, std::vector<Chain>, ByAttributes> segments;
     const CellList& lines = this->Data.lines;
     for (std::size_t k = 0; k < lines.size() && sound; ++k)
     {
@@ -321,14 +315,11 @@ private:
   {
     for (const Chain& chain : this->Chains)
     {
-      Polyline polyline;
-      polyline.name = chain.attributes.name.empty()
-        ? "curve " + std::to_string(this->Curves.polylines.size())
-        : chain.attributes.name;
-      polyline.type = chain.attributes.type;
-      polyline.keyShape = chain.attributes.keyShape;
-      polyline.tolerance = chain.attributes.tolerance;
-      polyline.ease = chain.attributes.ease;
+      Polyline polyline = chain.attributes;
+      if (polyline.name.empty())
+      {
+        polyline.name = "curve " + std::to_string(this->Curves.polylines.size());
+      }
       for (const std::int64_t p : chain.points)
       {
         polyline.points.push_back(this->Points[static_cast<std::size_t>(p)]);

@@ -73,44 +73,39 @@ std::string describe(const Mending& mending)
       std::to_string(values[k]) + (pairs ? "-" + std::to_string(values[k + 1]) : std::string()));
   }
   const bool one = ids.size() == 1;
-  const auto counted = [&](const std::string& thing, const std::string& singular,
-                         const std::string& plural) {
-    return std::to_string(ids.size()) + ' ' + thing + (one ? ' ' + singular : "s " + plural);
+  const char* const was = one ? " was" : " were";
+  const auto counted = [&](const std::string& thing) {
+    return std::to_string(ids.size()) + ' ' + thing + (one ? "" : "s");
   };
   std::string text;
   switch (mending.defect)
   {
     case SurfaceDefect::CollapsedPoints:
-      text = counted("point", "was", "were") +
-        " joined with a neighbor within a millionth of the edges there";
+      text =
+        counted("point") + was + " joined with a neighbor within a millionth of the edges there";
       break;
     case SurfaceDefect::FlatTriangles:
-      text = counted("triangle", "without area was", "without area were") + " taken out";
+      text = counted("triangle") + " without area" + was + " taken out";
       break;
     case SurfaceDefect::DoubledTriangles:
-      text =
-        counted("triangle", "with the corners of another was", "with the corners of another were") +
-        " taken out";
+      text = counted("triangle") + " with the corners of another" + was + " taken out";
       break;
     case SurfaceDefect::Fins:
-      text = counted("triangle", "standing on an edge of others was",
-               "standing on an edge of others were") +
-        " taken out";
+      text = counted("triangle") + " standing on an edge of others" + was + " taken out";
       break;
     case SurfaceDefect::CrowdedEdges:
-      text = "the surface was separated at " +
-        counted("edge", "of more than two triangles", "of more than two triangles");
+      text = "the surface was separated at " + counted("edge") + " of more than two triangles";
       break;
     case SurfaceDefect::PinchedPoints:
-      text = counted("point", "in which parts touch was", "in which parts touch were") + " doubled";
+      text = counted("point") + " in which parts touch" + was + " doubled";
       break;
     case SurfaceDefect::Specks:
       text = std::to_string(mending.parts) + (mending.parts == 1 ? " part" : " parts") +
         " below 0.1 % of the largest part's area " + (mending.parts == 1 ? "was" : "were") +
-        " left out: " + std::to_string(ids.size()) + (one ? " triangle" : " triangles");
+        " left out: " + counted("triangle");
       break;
     case SurfaceDefect::ReversedTriangles:
-      text = counted("triangle", "was", "were") + " turned over to agree with the others";
+      text = counted("triangle") + was + " turned over to agree with the others";
       break;
   }
   return text + firstOf(ids);

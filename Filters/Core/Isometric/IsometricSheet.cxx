@@ -3,6 +3,8 @@
 
 #include "Base/Execution.h"
 
+#include <numeric>
+
 namespace flattening
 {
 IsometricSheet::IsometricSheet(const TriangleMesh& mesh, double unit, const SheetEnergy& energy,
@@ -33,12 +35,8 @@ IsometricSheet::IsometricSheet(const TriangleMesh& mesh, double unit, const Shee
 
 Eigen::Vector4d IsometricSheet::mapParts(Index t, const Eigen::VectorXd& x) const
 {
-  Eigen::Matrix<double, 6, 1> corners;
-  for (int k = 0; k < 3; ++k)
-  {
-    corners.segment<2>(2 * k) = x.segment<2>(2 * this->Cells[t][k]);
-  }
-  return mapPartsDerivative(this->Frames[t]) * corners;
+  return flattening::mapParts(
+    this->Frames[t], this->Cells[t], [&x](Index v) { return x.segment<2>(2 * v); });
 }
 
 double IsometricSheet::energy(const Eigen::VectorXd& x, const Execution& execution) const
@@ -48,12 +46,7 @@ double IsometricSheet::energy(const Eigen::VectorXd& x, const Execution& executi
   execution.forEach(static_cast<Index>(density.size()), [&](Index t) {
     density[t] = this->Frames[t].area * this->Energy.density(this->mapParts(t, x));
   });
-  double sum = 0.0;
-  for (double d : density)
-  {
-    sum += d;
-  }
-  return sum;
+  return std::accumulate(density.begin(), density.end(), 0.0);
 }
 
 void IsometricSheet::declare(SymmetricAssembler& assembler)

@@ -16,20 +16,24 @@
 
 namespace flattening
 {
+namespace
+{
+bool isSound(const Eigen::SparseMatrix<double>& matrix)
+{
+  return matrix.rows() == matrix.cols() && isFinite(matrix.coeffs());
+}
+}
+
 #ifdef FLATTENING_WITHOUT_SUPERLU
 struct SuperLUFactorization::Factors
 {
   Eigen::SparseLU<Eigen::SparseMatrix<double>> lu;
 };
 
-SuperLUFactorization::SuperLUFactorization() = default;
-SuperLUFactorization::~SuperLUFactorization() = default;
-
 bool SuperLUFactorization::factorize(const Eigen::SparseMatrix<double>& matrix)
 {
   this->Held.reset();
-  if (matrix.rows() != matrix.cols() ||
-    !isFinite(Eigen::Map<const Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros())))
+  if (!isSound(matrix))
   {
     return false;
   }
@@ -161,14 +165,10 @@ void freeUnfinished(GlobalLU_t& factors)
 }
 }
 
-SuperLUFactorization::SuperLUFactorization() = default;
-SuperLUFactorization::~SuperLUFactorization() = default;
-
 bool SuperLUFactorization::factorize(const Eigen::SparseMatrix<double>& matrix)
 {
   this->Held.reset();
-  if (matrix.rows() != matrix.cols() ||
-    !isFinite(Eigen::Map<const Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros())))
+  if (!isSound(matrix))
   {
     return false;
   }
@@ -231,4 +231,7 @@ Eigen::MatrixXd SuperLUFactorization::solve(const Eigen::MatrixXd& rightHandSide
   return factors.columnScale.asDiagonal() * x;
 }
 #endif
+
+SuperLUFactorization::SuperLUFactorization() = default;
+SuperLUFactorization::~SuperLUFactorization() = default;
 }

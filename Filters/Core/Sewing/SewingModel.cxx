@@ -5,6 +5,7 @@
 #include "Base/Types.h"
 #include "Sewing/SheetDensity.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace flattening
@@ -69,12 +70,9 @@ std::unique_ptr<ContactBody> bodyOf(const TriangleMesh* body, const Point3& cent
 
 Index countOf(const SpaceUnknowns& unknowns)
 {
-  Index count = 0;
-  for (Index first : unknowns.first)
-  {
-    count += first == none ? 0 : 3;
-  }
-  return count;
+  return 3 *
+    static_cast<Index>(std::count_if(
+      unknowns.first.begin(), unknowns.first.end(), [](Index first) { return first != none; }));
 }
 }
 

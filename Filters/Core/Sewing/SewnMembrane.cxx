@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace flattening
 {
@@ -87,12 +88,7 @@ double SewnMembrane::energy(const Eigen::VectorXd& x, const Execution& execution
     const double area = this->Frames[t].area;
     density[t] = area > 0.0 ? area * this->Density.value(metricOf(this->mapOf(t, x))) : 0.0;
   });
-  double sum = 0.0;
-  for (double d : density)
-  {
-    sum += d;
-  }
-  return sum;
+  return std::accumulate(density.begin(), density.end(), 0.0);
 }
 
 void SewnMembrane::declare(SpaceMatrix& matrix)

@@ -427,6 +427,17 @@ Indices findConnectors(const TriangleMesh& mesh, const std::vector<char>& isWire
   return connectors;
 }
 
+Indices hostDegrees(const WireNetwork& network)
+{
+  Indices degrees(network.hostVertices.size(), 0);
+  for (const WireEdge& edge : network.edges)
+  {
+    ++degrees[network.hostOfVertex[edge.from]];
+    ++degrees[network.hostOfVertex[edge.to]];
+  }
+  return degrees;
+}
+
 WireNetwork buildWireNetwork(const Piece& piece, bool disk)
 {
   return Builder(piece).build(disk);

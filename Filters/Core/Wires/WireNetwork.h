@@ -80,6 +80,9 @@ struct WireNetwork
 /// handles is known. Errors, where it is not: ClosedSurface, Handle (ids: triangles).
 WireNetwork buildWireNetwork(const Piece& piece, bool disk = false);
 
+/// Per host vertex how many wire edges end there.
+Indices hostDegrees(const WireNetwork& network);
+
 /// Edges to add as wires so that all wires hang together: shortest paths of mesh edges from the
 /// wires that are joined to the given root vertex to the others, nearest first.
 /// \param isWire per half-edge, both sides of an edge alike. \return half-edges.
