@@ -107,8 +107,8 @@ TEST(SewingModel, TheConvexPartHasNoNegativeEigenvalueAndTheExactHessianHasWhere
     ClothProperties properties{ 0.2, 0.0 };
     properties.material = material;
     SewingModel model(cloth, properties);
-    const auto least = [&model](Curvature curvature) {
-      model.linearize(model.start(), {}, curvature, 0.0, {});
+    const auto least = [&](Curvature curvature) {
+      model.linearize(model.unknownsAt(cloth.points), {}, curvature, 0.0, {});
       return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(hessianOf(model)).eigenvalues()[0];
     };
     EXPECT_GT(least(Curvature::Convex), -1e-12);
@@ -136,7 +136,7 @@ TEST(SewingModel, AnUnrolledCylinderIsNotStretchedAndBendsAsAPlateDoes)
       },
       [&](double i, double j) { return Point2(step * i, step * j); });
     SewingModel model(clothOf(surface.mesh, surface.unrolled), { 0.0, thickness });
-    const SewingModel::Terms terms = model.terms(model.start(), {});
+    const SewingModel::Terms terms = model.terms(model.unknownsAt(surface.mesh.points()), {});
     EXPECT_LT(terms.membrane, 1e-20);
     const double area = columns * columns * step * step;
     const double plate = thickness * thickness / 12.0 / (radius * radius) * area;

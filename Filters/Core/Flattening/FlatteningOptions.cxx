@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace flattening
@@ -22,20 +23,23 @@ FlatteningOptions withEnergy(FlatteningOptions options)
 Status checkOptions(const FlatteningOptions& options)
 {
   constexpr double large = std::numeric_limits<double>::max();
-  std::vector<OptionRange> ranges = rangesOf(options.isometric);
-  ranges.insert(ranges.begin(),
-    { { "closure tolerance", options.angles.closureTolerance, large },
-      { "optimality tolerance", options.angles.optimalityTolerance, large },
-      { "number of iterations", static_cast<double>(options.angles.maximumIterations), large } });
-  ranges.push_back({ "length tolerance", options.lengthTolerance, large });
-  ranges.push_back({ "spacing", options.spacing, 1e6 });
-  for (const OptionRange& range : ranges)
+  const std::vector<std::tuple<const char*, double, double>> ranges{
+    { "closure tolerance", options.angles.closureTolerance, large },
+    { "optimality tolerance", options.angles.optimalityTolerance, large },
+    { "number of iterations", static_cast<double>(options.angles.maximumIterations), large },
+    { "number of isometric iterations", static_cast<double>(options.isometric.maximumIterations),
+      large },
+    { "isometric tolerance", options.isometric.tolerance, large },
+    { "angle weight", options.isometric.angleWeight, 100.0 },
+    { "length tolerance", options.lengthTolerance, large },
+    { "spacing", options.spacing, 1e6 },
+  };
+  for (const auto& [name, value, maximum] : ranges)
   {
-    if (!std::isfinite(range.value) || range.value < 0.0 || range.value > range.maximum)
+    if (!std::isfinite(value) || value < 0.0 || value > maximum)
     {
-      return invalidOption(std::string("the ") + range.name + " is " + shortNumber(range.value),
-        "a number from 0" +
-          (range.maximum < large ? " to " + shortNumber(range.maximum) : std::string()));
+      return invalidOption(std::string("the ") + name + " is " + shortNumber(value),
+        "a number from 0" + (maximum < large ? " to " + shortNumber(maximum) : std::string()));
     }
   }
   if (const double bias = options.isometric.energy.bias; !(std::abs(bias) < 1.0))

@@ -86,7 +86,6 @@ public:
   std::vector<double> bounds() const override { return stretchBounds(this->Problem); }
   /// Constraints 0 .. lengthCount() - 1 are lengths, the others locked angles, the last the hold.
   Index lengthCount() const { return static_cast<Index>(this->LengthEdges.size()); }
-  double unit() const { return this->Unit; }
 
   Eigen::VectorXd unknowns(const Points2& positions, const std::vector<double>& stretch) const;
   Points2 positions(const Eigen::VectorXd& x) const;

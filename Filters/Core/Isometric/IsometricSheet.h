@@ -96,8 +96,6 @@ public:
   IsometricSheet(const TriangleMesh& mesh, double unit, const SheetEnergy& energy,
     const BoundaryFilling& filling, const RegionWeights& weights);
 
-  /// Those of the filling last.
-  const Triangles& triangles() const { return this->Cells; }
   /// Modulus over that of |J - R|^2, for small strains.
   double modulus() const { return this->Energy.modulus(); }
   bool turnsFreely() const { return this->Energy.turnsFreely(); }
@@ -127,7 +125,7 @@ private:
   Eigen::Vector4d mapParts(Index t, const Eigen::VectorXd& x) const;
   Derivatives derivatives(Index t, const Eigen::VectorXd& x, bool convex) const;
 
-  Triangles Cells;
+  Triangles Cells; ///< those of the filling last
   SheetEnergy Energy;
   std::vector<TriangleFrame> Frames; ///< in units, areas with their weights
   Index FirstEntry = none;           ///< of the first triangle; those of the others follow

@@ -7,7 +7,6 @@
 #include "Sparse/PenaltyDescent.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -206,15 +205,6 @@ void correctLengths(const AngleProblem& problem, IsometricSolution& solution)
   }
   correctWireLengths(network, length, solution.positions);
 }
-}
-
-std::vector<OptionRange> rangesOf(const IsometricOptions& options)
-{
-  constexpr double large = std::numeric_limits<double>::max();
-  return { { "number of isometric iterations", static_cast<double>(options.maximumIterations),
-             large },
-    { "isometric tolerance", options.tolerance, large },
-    { "angle weight", options.angleWeight, 100.0 } };
 }
 
 IsometricSolution warpIsometrically(const Piece& piece, const AngleProblem& problem,

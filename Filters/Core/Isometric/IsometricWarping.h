@@ -46,15 +46,6 @@ struct IsometricOptions
   double lengthTolerance = 1e-10;
 };
 
-/// A number of an option that must lie between 0 and an end, as messages call it.
-struct OptionRange
-{
-  const char* name;
-  double value;
-  double maximum;
-};
-std::vector<OptionRange> rangesOf(const IsometricOptions& options);
-
 struct IsometricIteration
 {
   double energy = 0.0;

@@ -93,8 +93,7 @@ double SewnCloth::restArea() const
 }
 
 SewingModel::SewingModel(const SewnCloth& cloth, const ClothProperties& properties)
-  : Design(cloth.points)
-  , Center(centerOf(cloth.points))
+  : Center(centerOf(cloth.points))
   , Unit(unitOf(cloth))
   , Unknowns(unknownsOf(cloth, Center, Unit))
   , Count(countOf(Unknowns))

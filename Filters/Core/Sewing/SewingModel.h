@@ -61,7 +61,6 @@ public:
   SewingModel(const SewnCloth& cloth, const ClothProperties& properties);
 
   double unit() const { return this->Unit; }
-  Eigen::VectorXd start() const { return this->unknownsAt(this->Design); }
   /// The unknowns where the vertices lie there.
   Eigen::VectorXd unknownsAt(const Points3& points) const;
   Points3 positions(const Eigen::VectorXd& x) const;
@@ -89,18 +88,12 @@ public:
 
   Index unknownCount() const override { return this->Count; }
   Index constraintCount() const override { return 0; }
-  std::vector<double> bounds() const override { return {}; }
   double objective(const Eigen::VectorXd& x, const Execution& execution) const override;
   Eigen::VectorXd constraints(const Eigen::VectorXd& /*x*/) const override { return {}; }
-  double constraintRounding(const Eigen::VectorXd& /*x*/, double /*merit*/) const override
-  {
-    return 0.0;
-  }
   Linearization linearize(const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers,
     Curvature curvature, double delta, const Execution& execution) override;
   bool hasConvexPart() const override { return true; }
   void shift(double tau) override;
-  void stiffen(Index /*bounded*/, double /*stiffness*/) override {}
   const SparseMatrix& kkt() const override { return this->Hessian.matrix(); }
   Eigen::VectorXd transposedJacobianTimes(const Eigen::VectorXd& /*multipliers*/) const override
   {
@@ -111,7 +104,6 @@ private:
   void chooseGauge();
   void holdMotion(const Eigen::VectorXd& x);
 
-  Points3 Design;
   Point3 Center;
   double Unit;
   SpaceUnknowns Unknowns;

@@ -36,12 +36,12 @@ public:
   virtual Index unknownCount() const = 0;
   virtual Index constraintCount() const = 0;
   /// Of the last unknowns: each lies between minus its bound and its bound.
-  virtual std::vector<double> bounds() const = 0;
+  virtual std::vector<double> bounds() const { return {}; }
 
   virtual double objective(const Eigen::VectorXd& x, const Execution& execution) const = 0;
   virtual Eigen::VectorXd constraints(const Eigen::VectorXd& x) const = 0;
   /// What rounding leaves of the sum of |c_i(x)|, at this value of the merit function.
-  virtual double constraintRounding(const Eigen::VectorXd& x, double merit) const = 0;
+  virtual double constraintRounding(const Eigen::VectorXd&, double) const { return 0.0; }
   /// What an entry of the gradient of the Lagrangian is small against, at this objective.
   virtual double gradientScale(double) const { return 1.0; }
   /// What the rounding of the unknowns leaves of an entry of that gradient: none is asked to be
@@ -72,7 +72,7 @@ public:
   /// Adds to the diagonal of H, after linearize().
   virtual void shift(double tau) = 0;
   /// Adds to the diagonal at a bounded unknown, after linearize().
-  virtual void stiffen(Index bounded, double stiffness) = 0;
+  virtual void stiffen(Index /*bounded*/, double /*stiffness*/) {}
   virtual const SparseMatrix& kkt() const = 0;
   /// J' times a vector, with the Jacobian of the last linearize() or differentiate().
   virtual Eigen::VectorXd transposedJacobianTimes(const Eigen::VectorXd& multipliers) const = 0;

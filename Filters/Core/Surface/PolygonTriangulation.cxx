@@ -2,6 +2,7 @@
 #include "Surface/PolygonTriangulation.h"
 
 #include "Base/Orientation.h"
+#include "Surface/SurfacePreparation.h"
 
 #include <algorithm>
 #include <array>
@@ -14,9 +15,6 @@ namespace flattening
 {
 namespace
 {
-/// Height over longest edge below which a corner is flat, as the preparation of surfaces has it.
-constexpr double flatCorner = 1e-12;
-
 /// The coordinate plane in which a polygon appears the largest and anti-clockwise.
 struct Projection
 {
@@ -50,7 +48,7 @@ double longestSquare(const Point2& a, const Point2& b, const Point2& c)
 
 bool isConvex(const Point2& a, const Point2& b, const Point2& c)
 {
-  return orientation(a, b, c) > 0 && cross(b - a, c - a) > flatCorner * longestSquare(a, b, c);
+  return orientation(a, b, c) > 0 && cross(b - a, c - a) > flatTriangle * longestSquare(a, b, c);
 }
 
 bool isBetween(const Point2& p, const Point2& a, const Point2& b)
@@ -121,7 +119,7 @@ private:
     const Point2& c = this->At[this->Next[tip]];
     if (!isConvex(a, b, c))
     {
-      const bool flat = std::abs(cross(b - a, c - a)) <= flatCorner * longestSquare(a, b, c);
+      const bool flat = std::abs(cross(b - a, c - a)) <= flatTriangle * longestSquare(a, b, c);
       return flat ? unwanted : never;
     }
     if (!this->isEar(tip))
