@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <utility>
 
 namespace flattening
 {
@@ -32,11 +33,6 @@ bool areLimits(const StrainLimits& limits)
     limits.greatest >= minLimit;
 }
 
-struct Modulus
-{
-  const char* name;
-  double value;
-};
 }
 
 Status checkMaterial(const ClothMaterial& material)
@@ -45,8 +41,8 @@ Status checkMaterial(const ClothMaterial& material)
   {
     return material.status;
   }
-  for (const auto& [name, value] : { Modulus{ "warp", material.warp },
-         Modulus{ "weft", material.weft }, Modulus{ "shear", material.shear } })
+  for (const auto& [name, value] : { std::pair("warp", material.warp),
+         std::pair("weft", material.weft), std::pair("shear", material.shear) })
   {
     if (!std::isfinite(value) || value < minModulus || value > largestModulus)
     {

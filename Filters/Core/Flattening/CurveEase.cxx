@@ -28,9 +28,8 @@ Presence presenceOf(Index curve, const Piece& piece, const CutSurface& cut)
       continue;
     }
     presence.there = true;
-    const Triangle& corners = piece.mesh.triangle(static_cast<Index>(h / 3));
-    const Index from = corners[h % 3];
-    const Index to = corners[(h + 1) % 3];
+    const Index from = piece.mesh.from(static_cast<Index>(h));
+    const Index to = piece.mesh.to(static_cast<Index>(h));
     const auto original = [&](Index v) { return cut.originalVertex[piece.vertices[v]]; };
     if (here.insert(std::minmax(from, to)).second)
     {

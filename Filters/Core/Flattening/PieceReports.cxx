@@ -203,10 +203,7 @@ Indices worstEdge(const CutSurface& cut, const Points2& positions, const Wire& w
 {
   Indices ends;
   double worst = -1.0;
-  for (std::size_t k = 0; k + 1 < wire.vertices.size(); ++k)
-  {
-    const Index a = wire.vertices[k];
-    const Index b = wire.vertices[k + 1];
+  forEachEdge(wire.vertices, [&](Index a, Index b) {
     const double rest = (cut.mesh.point(b) - cut.mesh.point(a)).norm();
     const double flat = (positions[b] - positions[a]).norm();
     if (!(std::abs(flat - rest) <= worst * rest))
@@ -214,7 +211,7 @@ Indices worstEdge(const CutSurface& cut, const Points2& positions, const Wire& w
       worst = std::abs(flat - rest) / rest;
       ends = { cut.originalVertex[a], cut.originalVertex[b] };
     }
-  }
+  });
   return ends;
 }
 

@@ -144,13 +144,10 @@ void traceBoundary(const CutSurface& cut, std::vector<Wire>& wires)
 void completeWire(const TriangleMesh& cut, Wire& wire)
 {
   wire.boundary = true;
-  for (std::size_t k = 0; k + 1 < wire.vertices.size(); ++k)
-  {
-    const Index a = wire.vertices[k];
-    const Index b = wire.vertices[k + 1];
+  forEachEdge(wire.vertices, [&](Index a, Index b) {
     wire.boundary = wire.boundary && (cut.find(a, b) == none || cut.find(b, a) == none);
     wire.restLength += (cut.point(b) - cut.point(a)).norm();
-  }
+  });
 }
 }
 
@@ -178,12 +175,9 @@ void noteClosedEdges(const TriangleMesh& cut, const Indices& closedEdges, std::v
   };
   for (Wire& wire : wires)
   {
-    for (std::size_t k = 0; !closedEdges.empty() && k + 1 < wire.vertices.size(); ++k)
-    {
-      const Index a = wire.vertices[k];
-      const Index b = wire.vertices[k + 1];
+    forEachEdge(closedEdges.empty() ? Indices() : wire.vertices, [&](Index a, Index b) {
       wire.boundary = wire.boundary && !isClosed(cut.find(a, b)) && !isClosed(cut.find(b, a));
-    }
+    });
   }
 }
 
@@ -196,12 +190,10 @@ std::vector<Wire> traceConnectors(const WireNetwork& network, const Piece& piece
     {
       continue;
     }
-    const Index a = piece.vertices[edge.from];
-    const Index b = piece.vertices[edge.to];
     Wire wire;
     wire.connector = true;
     wire.piece = pieceId;
-    wire.vertices = { a, b };
+    wire.vertices = { piece.vertices[edge.from], piece.vertices[edge.to] };
     wires.push_back(std::move(wire));
   }
   return wires;
@@ -210,18 +202,13 @@ std::vector<Wire> traceConnectors(const WireNetwork& network, const Piece& piece
 void measureWire(const CutSurface& cut, const Points2& positions, Wire& wire)
 {
   wire.restLength = wire.flatLength = wire.maximumEdgeError = wire.resolvedEdgeError = 0.0;
-  for (std::size_t k = 0; k + 1 < wire.vertices.size(); ++k)
-  {
-    const Index a = wire.vertices[k];
-    const Index b = wire.vertices[k + 1];
-    const double rest = (cut.mesh.point(b) - cut.mesh.point(a)).norm();
-    const double flat = (positions[b] - positions[a]).norm();
+  forEachEdge(wire.vertices, [&](Index a, Index b) {
     const EdgeLengthError error = edgeLengthError(cut.mesh, positions, a, b);
-    wire.restLength += rest;
-    wire.flatLength += flat;
+    wire.restLength += (cut.mesh.point(b) - cut.mesh.point(a)).norm();
+    wire.flatLength += (positions[b] - positions[a]).norm();
     wire.maximumEdgeError = std::max(wire.maximumEdgeError, error.measured);
     wire.resolvedEdgeError = std::max(wire.resolvedEdgeError, error.resolved);
-  }
+  });
 }
 
 void measureCuts(const CutSurface& cut, std::vector<PieceReport>& pieces)
@@ -262,15 +249,12 @@ std::vector<CurveReport> summarizeCurves(const TriangleMesh& original, const Cut
     report.type = curves[c].type;
     report.tolerance = curves[c].tolerance;
     double length = 0.0;
-    for (std::size_t k = 0; k + 1 < curves[c].vertices.size(); ++k)
-    {
-      const Index a = curves[c].vertices[k];
-      const Index b = curves[c].vertices[k + 1];
+    forEachEdge(curves[c].vertices, [&](Index a, Index b) {
       if (cut.keptTriangles.empty() || !copies.of(a, b).empty())
       {
         length += (original.point(b) - original.point(a)).norm();
       }
-    }
+    });
     if (report.restLength > 0.0)
     {
       // Both sides of a cut are wires, but the curve is one.

@@ -24,68 +24,62 @@ struct Step
 
 /// Eq. 15 with its unknown lambda taken as the new multiplier instead of its change, which is the
 /// same step: [I H^T; H 0] [d; lambda] = [alpha - theta; -r].
-class GlobalStep
+Step globalStep(const Eigen::SparseMatrix<double>& H, const Eigen::VectorXd& gradient,
+  const Eigen::VectorXd& residual)
 {
-public:
-  Step operator()(const Eigen::SparseMatrix<double>& H, const Eigen::VectorXd& gradient,
-    const Eigen::VectorXd& residual)
+  const Eigen::Index n = H.cols();
+  const Eigen::Index m = H.rows();
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<std::size_t>(n + 2 * H.nonZeros()));
+  for (Eigen::Index i = 0; i < n; ++i)
   {
-    const Eigen::Index n = H.cols();
-    const Eigen::Index m = H.rows();
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(static_cast<std::size_t>(n + 2 * H.nonZeros()));
-    for (Eigen::Index i = 0; i < n; ++i)
+    entries.emplace_back(i, i, 1.0);
+  }
+  for (Eigen::Index column = 0; column < n; ++column)
+  {
+    for (Eigen::SparseMatrix<double>::InnerIterator it(H, column); it; ++it)
     {
-      entries.emplace_back(i, i, 1.0);
+      entries.emplace_back(n + it.row(), column, it.value());
+      entries.emplace_back(column, n + it.row(), it.value());
     }
-    for (Eigen::Index column = 0; column < n; ++column)
+  }
+  // A constraint whose angles are all locked has nothing to say to the step.
+  std::vector<char> empty(static_cast<std::size_t>(m), 1);
+  for (Eigen::Index k = 0; k < H.nonZeros(); ++k)
+  {
+    empty[H.innerIndexPtr()[k]] = 0;
+  }
+  for (Eigen::Index row = 0; row < m; ++row)
+  {
+    entries.emplace_back(n + row, n + row, empty[row] ? -1.0 : 0.0);
+  }
+  SparseMatrix kkt(n + m, n + m);
+  kkt.setFromTriplets(entries.begin(), entries.end());
+  Eigen::VectorXd rhs(n + m);
+  rhs << -gradient, -residual;
+  SuperLUFactorization factors;
+  if (!factors.factorize(kkt))
+  {
+    // Dependent constraints: a small block makes the system regular, refinement takes it out.
+    SparseMatrix regular = kkt;
+    for (Eigen::Index row = n; row < n + m; ++row)
     {
-      for (Eigen::SparseMatrix<double>::InnerIterator it(H, column); it; ++it)
-      {
-        entries.emplace_back(n + it.row(), column, it.value());
-        entries.emplace_back(column, n + it.row(), it.value());
-      }
+      regular.coeffRef(row, row) -= regularization;
     }
-    // A constraint whose angles are all locked has nothing to say to the step.
-    std::vector<char> empty(static_cast<std::size_t>(m), 1);
-    for (Eigen::Index k = 0; k < H.nonZeros(); ++k)
-    {
-      empty[H.innerIndexPtr()[k]] = 0;
-    }
-    for (Eigen::Index row = 0; row < m; ++row)
-    {
-      entries.emplace_back(n + row, n + row, empty[row] ? -1.0 : 0.0);
-    }
-    SparseMatrix kkt(n + m, n + m);
-    kkt.setFromTriplets(entries.begin(), entries.end());
-    Eigen::VectorXd rhs(n + m);
-    rhs << -gradient, -residual;
-    if (!this->Factors.factorize(kkt))
-    {
-      // Dependent constraints: a small block makes the system regular, refinement takes it out.
-      SparseMatrix regular = kkt;
-      for (Eigen::Index row = n; row < n + m; ++row)
-      {
-        regular.coeffRef(row, row) -= regularization;
-      }
-      if (!this->Factors.factorize(regular))
-      {
-        return {};
-      }
-    }
-    Eigen::VectorXd x = this->Factors.solve(rhs);
-    if (!isFinite(x))
+    if (!factors.factorize(regular))
     {
       return {};
     }
-    const Eigen::VectorXd left = rhs - kkt * x;
-    x += this->Factors.solve(left);
-    return { x.head(n), x.tail(m) };
   }
-
-private:
-  SuperLUFactorization Factors;
-};
+  Eigen::VectorXd x = factors.solve(rhs);
+  if (!isFinite(x))
+  {
+    return {};
+  }
+  const Eigen::VectorXd left = rhs - kkt * x;
+  x += factors.solve(left);
+  return { x.head(n), x.tail(m) };
+}
 
 /// Eqs. 6 and 7 by singular value decomposition.
 Step loopStep(const Eigen::SparseMatrix<double>& H, const Eigen::VectorXd& gradient,
@@ -100,9 +94,8 @@ Step loopStep(const Eigen::SparseMatrix<double>& H, const Eigen::VectorXd& gradi
   return { -gradient - H.transpose() * multipliers, multipliers };
 }
 
-template <class StepFunction>
 AngleSolution iterate(const AngleProblem& problem, const AngleSolverOptions& options,
-  const Execution& execution, StepFunction&& step)
+  const Execution& execution, decltype(loopStep) step)
 {
   const WireNetwork& net = *problem.network;
   const AngleConstraints constraints(problem);
@@ -201,9 +194,8 @@ AngleSolution iterate(const AngleProblem& problem, const AngleSolverOptions& opt
 AngleSolution solveAnglesSequentially(
   const AngleProblem& problem, const AngleSolverOptions& options, const Execution& execution)
 {
-  AngleSolution solution = problem.network->loopCount() == 1
-    ? iterate(problem, options, execution, loopStep)
-    : iterate(problem, options, execution, GlobalStep());
+  AngleSolution solution =
+    iterate(problem, options, execution, problem.network->loopCount() == 1 ? loopStep : globalStep);
   solution.method = AngleMethod::Sequential;
   return solution;
 }

@@ -143,6 +143,18 @@ bool FlatteningRun::load(SurfaceTriangles surface, CurveInput curves,
   return loaded;
 }
 
+/// Concludes with the status of a flattening, and says what it leaves out.
+bool FlatteningRun::concludeFlattening(const Status& outcome, const FlatteningResult& result)
+{
+  const bool flat = this->conclude(
+    this->source.outcomeOfStage(outcome, outcome.refused() ? nullptr : result.cut.get()));
+  if (flat && !result.leftOut.empty())
+  {
+    this->warn({ describeLeftOut(this->source, result) });
+  }
+  return flat;
+}
+
 bool FlatteningRun::weigh(const Columns& cellArrays, const std::string& name)
 {
   this->weights.clear();
@@ -168,14 +180,9 @@ std::optional<FlatteningResult> FlatteningRun::flatten(FlatteningOptions options
   this->warn(describeShortEnds(this->source));
   FlatteningResult result = flattenSurface(this->source.imprinted.mesh,
     this->source.imprinted.curves, this->weighted(std::move(options)), execution, kept);
-  if (!this->conclude(this->source.outcomeOfStage(
-        result.status, result.status.refused() ? nullptr : result.cut.get())))
+  if (!this->concludeFlattening(result.status, result))
   {
     return {};
-  }
-  if (!result.leftOut.empty())
-  {
-    this->warn({ describeLeftOut(this->source, result) });
   }
   this->warn(describeVerdicts(this->source, result));
   return result;
@@ -239,14 +246,9 @@ std::optional<FlattenableSurface> FlatteningRun::reshape(const std::set<std::str
   this->warn(describeShortEnds(this->source));
   FlattenableSurface moved =
     makeFlattenable(this->source.imprinted.mesh, this->source.imprinted.curves, options, execution);
-  if (!this->conclude(this->source.outcomeOfStage(
-        moved.status, moved.status.refused() ? nullptr : moved.after.cut.get())))
+  if (!this->concludeFlattening(moved.status, moved.after))
   {
     return {};
-  }
-  if (!moved.after.leftOut.empty())
-  {
-    this->warn({ describeLeftOut(this->source, moved.after) });
   }
   if (!moved.boundMet)
   {

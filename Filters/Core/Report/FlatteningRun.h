@@ -72,6 +72,7 @@ struct FlatteningRun
     const LoadedBody& body, FlattenableOptions options, const Execution& execution);
 
 private:
+  bool concludeFlattening(const Status& outcome, const FlatteningResult& result);
   FlatteningOptions weighted(FlatteningOptions options) const;
 };
 }
