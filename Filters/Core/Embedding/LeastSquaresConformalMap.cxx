@@ -220,20 +220,6 @@ std::array<Index, 2> farthestPins(const TriangleMesh& mesh, const Indices& bound
   return pins;
 }
 
-/// Nested dissection of the mesh, without the pins.
-Dissection eliminationOrder(const TriangleMesh& mesh, const FreeVertices& free)
-{
-  const Dissection vertices = dissect(mesh.triangles(), mesh.points());
-  return vertices.replaced([&](Index k, Indices& order) {
-    const Index column = free.column[vertices.order[k]];
-    if (column != none)
-    {
-      order.push_back(2 * column);
-      order.push_back(2 * column + 1);
-    }
-  });
-}
-
 /// Moves the free vertices to the least energy. False where that fails or is cancelled.
 bool minimizeConformalEnergy(const TriangleMesh& mesh, const ConformalEnergy& energy,
   const FreeVertices& free, const Execution& execution, std::vector<Complex>& positions)
@@ -242,7 +228,9 @@ bool minimizeConformalEnergy(const TriangleMesh& mesh, const ConformalEnergy& en
   // their residual does not where it is computed row by row.
   constexpr int passes = 3;
   const Index unknowns = 2 * free.count;
-  LinearSolver solver(eliminationOrder(mesh, free));
+  LinearSolver solver(dissect(mesh.triangles(), mesh.points()).ofUnknowns(2, [&free](Index v) {
+    return free.column[v] == none ? none : 2 * free.column[v];
+  }));
   const SparseMatrix hessian = energy.hessian(free.column, unknowns);
   if (execution.cancelled() || !solver.analyze(hessian) || execution.cancelled() ||
     !solver.factorize(hessian, execution))

@@ -207,21 +207,12 @@ private:
     this->Assembler.finish();
     if (this->Patch.freeCount >= manyVertices)
     {
-      this->Solver = LinearSolver(this->eliminationOrder());
+      // By where the vertices lie on the surface.
+      this->Solver =
+        LinearSolver(dissect(this->Patch.triangles, this->Space).ofUnknowns(2, [this](Index v) {
+          return v < this->Patch.freeCount ? 2 * v : none;
+        }));
     }
-  }
-
-  /// Of the unknowns, by where the free vertices lie on the surface.
-  Dissection eliminationOrder() const
-  {
-    const Dissection vertices = dissect(this->Patch.triangles, this->Space);
-    return vertices.replaced([&](Index k, Indices& order) {
-      if (vertices.order[k] < this->Patch.freeCount)
-      {
-        order.push_back(2 * vertices.order[k]);
-        order.push_back(2 * vertices.order[k] + 1);
-      }
-    });
   }
 
   /// One projected Newton step with backtracking; false where it leads nowhere. Gives the energy

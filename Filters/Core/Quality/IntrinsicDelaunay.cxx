@@ -21,12 +21,11 @@ class Flipping
 public:
   explicit Flipping(const TriangleMesh& mesh)
     : Triangulation{ mesh.triangles(), {} }
+    , Twin(mesh.twins())
   {
-    this->Twin.reserve(mesh.halfedgeCount());
     this->Length.reserve(mesh.halfedgeCount());
     for (Index h = 0; h < mesh.halfedgeCount(); ++h)
     {
-      this->Twin.push_back(mesh.twin(h));
       this->Length.push_back(mesh.length(h));
     }
   }

@@ -96,13 +96,10 @@ LinearSolver factorLaplacian(
     number[members[k]] = static_cast<Index>(k);
   }
   const IntrinsicTriangulation triangulation = intrinsicDelaunay(mesh);
-  const Dissection vertices = dissect(triangulation.triangles, mesh.points());
-  LinearSolver solver(vertices.replaced([&](Index k, Indices& order) {
-    if (number[vertices.order[k]] != none)
-    {
-      order.push_back(number[vertices.order[k]]);
-    }
-  }));
+  LinearSolver solver(
+    dissect(triangulation.triangles, mesh.points()).ofUnknowns(1, [&number](Index v) {
+      return number[v];
+    }));
   const auto count = static_cast<Index>(members.size());
   if (solver.factorize(assemble(triangulation, number, count), execution) &&
     solver.positive() != count)

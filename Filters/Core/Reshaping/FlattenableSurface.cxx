@@ -44,12 +44,7 @@ public:
 
   TriangleMesh mesh() const
   {
-    Indices twins(this->Design->halfedgeCount());
-    for (Index h = 0; h < this->Design->halfedgeCount(); ++h)
-    {
-      twins[h] = this->Design->twin(h);
-    }
-    return { this->Points, this->Design->triangles(), std::move(twins) };
+    return { this->Points, this->Design->triangles(), this->Design->twins() };
   }
 
   bool canMove() const

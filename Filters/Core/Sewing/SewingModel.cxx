@@ -237,13 +237,8 @@ Dissection SewingModel::eliminationOrder() const
 {
   Triangles cliques = this->Membrane.triangles();
   this->Bending.addCliques(cliques);
-  const Dissection dissection = dissect(cliques, this->Unknowns.points);
-  return dissection.replaced([&](Index k, Indices& order) {
-    const Index first = this->Unknowns.first[dissection.order[k]];
-    for (Index axis = 0; first != none && axis < 3; ++axis)
-    {
-      order.push_back(first + axis);
-    }
+  return dissect(cliques, this->Unknowns.points).ofUnknowns(3, [this](Index v) {
+    return this->Unknowns.first[v];
   });
 }
 
@@ -327,11 +322,7 @@ SewnTopology sewnShapes(const CutSurface& cut, const Points2& positions, SewingT
   JoinedSets vertices(mesh.vertexCount());
   JoinedSets pieces(cut.pieceCount);
   std::vector<char> sewn(cut.pieceCount, 0);
-  Indices twins(mesh.halfedgeCount());
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
-  {
-    twins[h] = mesh.twin(h);
-  }
+  Indices twins = mesh.twins();
   for (const SeamPair& pair : cut.seamPairs)
   {
     if (product)

@@ -41,6 +41,19 @@ struct Dissection
     }
     return result;
   }
+
+  /// The same of unknowns, some for each vertex v: firstOf(v) and those that follow, or none.
+  template <typename FirstOf>
+  Dissection ofUnknowns(Index count, const FirstOf& firstOf) const
+  {
+    return this->replaced([&](Index k, Indices& unknowns) {
+      const Index first = firstOf(this->order[k]);
+      for (Index i = 0; first != none && i < count; ++i)
+      {
+        unknowns.push_back(first + i);
+      }
+    });
+  }
 };
 
 /// Number of neighbors from which a vertex among `count` is a hub: to eliminate it before them

@@ -25,6 +25,7 @@ public:
 
   const Points3& points() const { return this->Points; }
   const Triangles& triangles() const { return this->Cells; }
+  const Indices& twins() const { return this->Twins; }
   const Point3& point(Index vertex) const { return this->Points[vertex]; }
   const Triangle& triangle(Index t) const { return this->Cells[t]; }
 
