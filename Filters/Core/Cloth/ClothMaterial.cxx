@@ -32,7 +32,6 @@ bool areLimits(const StrainLimits& limits)
   return !std::isnan(limits.least) && !std::isnan(limits.greatest) && limits.least <= -minLimit &&
     limits.greatest >= minLimit;
 }
-
 }
 
 Status checkMaterial(const ClothMaterial& material)

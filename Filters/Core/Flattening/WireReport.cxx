@@ -173,9 +173,13 @@ void noteClosedEdges(const TriangleMesh& cut, const Indices& closedEdges, std::v
   const auto isClosed = [&](Index halfedge) {
     return halfedge != none && std::binary_search(closedEdges.begin(), closedEdges.end(), halfedge);
   };
+  if (closedEdges.empty())
+  {
+    return;
+  }
   for (Wire& wire : wires)
   {
-    forEachEdge(closedEdges.empty() ? Indices() : wire.vertices, [&](Index a, Index b) {
+    forEachEdge(wire.vertices, [&](Index a, Index b) {
       wire.boundary = wire.boundary && !isClosed(cut.find(a, b)) && !isClosed(cut.find(b, a));
     });
   }
