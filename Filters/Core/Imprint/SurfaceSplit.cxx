@@ -26,19 +26,10 @@ struct NodeOnEdge
   Index node;
 };
 
-/// The points put on edges of a mesh, in order along each edge. Edges are named by edgeOf().
-class EdgeNodes
+bool before(const NodeOnEdge& node, double fraction)
 {
-public:
-  /// The node next to a place on an edge, none within the distance (a fraction of the edge).
-  Index nearest(Index edge, double fraction, double distance) const;
-  void insert(Index edge, double fraction, Index node);
-  /// The nodes of an edge in the direction of a half-edge.
-  std::vector<NodeOnEdge> along(const TriangleMesh& mesh, Index halfedge) const;
-
-private:
-  std::unordered_map<Index, std::vector<NodeOnEdge>> Nodes;
-};
+  return node.fraction < fraction;
+}
 
 /// The vertices of a mesh that is split: those of the mesh before, with their ids, and the nodes
 /// after them, which lie on its edges and inside its triangles.
@@ -52,180 +43,144 @@ public:
   };
 
   /// Mesh and distance stay the caller's and must outlive the nodes.
-  SplitNodes(const TriangleMesh& mesh, const SnapDistance& snap);
+  SplitNodes(const TriangleMesh& mesh, const SnapDistance& snap)
+    : Mesh(mesh)
+    , Snap(snap)
+    , VertexCount(mesh.vertexCount())
+  {
+  }
 
   /// The node of a point of the surface: the one already there, or one within the snap distance on
   /// the same edge, or a new one.
-  Place place(const SurfacePoint& point);
-  /// A node inside a triangle where there is none yet.
-  Index add(const SurfacePoint& point);
-  /// Makes one node of two; `into` stays.
-  void merge(Index node, Index into);
+  Place place(const SurfacePoint& point)
+  {
+    if (point.type == SurfacePointType::Vertex)
+    {
+      return { point.id, false };
+    }
+    const auto [known, isUnknown] =
+      this->Known.emplace(std::make_tuple(point.type, point.id, point.weights), none);
+    Index& node = known->second;
+    if (!isUnknown)
+    {
+      return { node, false };
+    }
+    if (point.type == SurfacePointType::Face)
+    {
+      node = this->add(point);
+      return { node, true };
+    }
+    std::vector<NodeOnEdge>& nodes = this->OnEdge[point.id];
+    const double fraction = point.weights[1];
+    node = nearest(nodes, fraction, this->Snap.ofEdge(point.id) / this->Mesh.length(point.id));
+    if (node != none)
+    {
+      return { node, false };
+    }
+    node = this->add(point);
+    const auto after = std::lower_bound(nodes.begin(), nodes.end(), fraction, before);
+    nodes.insert(after, { fraction, node });
+    return { node, true };
+  }
 
-  SurfacePoint point(Index node) const;
+  /// A node inside a triangle where there is none yet.
+  Index add(const SurfacePoint& point)
+  {
+    this->Nodes.push_back(point);
+    this->Alias.push_back(none);
+    return this->VertexCount + static_cast<Index>(this->Nodes.size()) - 1;
+  }
+
+  /// Makes one node of two; `into` stays.
+  void merge(Index node, Index into) { this->Alias[node - this->VertexCount] = into; }
+
+  SurfacePoint point(Index node) const
+  {
+    return node < this->VertexCount ? vertexPoint(this->Mesh, node)
+                                    : this->Nodes[node - this->VertexCount];
+  }
+
   /// The nodes of an edge in the direction of a half-edge.
   std::vector<NodeOnEdge> along(Index halfedge) const
   {
-    return this->OnEdge.along(this->Mesh, halfedge);
+    const Index edge = edgeOf(this->Mesh, halfedge);
+    const auto found = this->OnEdge.find(edge);
+    if (found == this->OnEdge.end())
+    {
+      return {};
+    }
+    std::vector<NodeOnEdge> nodes = found->second;
+    if (edge != halfedge)
+    {
+      std::reverse(nodes.begin(), nodes.end());
+      for (NodeOnEdge& node : nodes)
+      {
+        node.fraction = 1.0 - node.fraction;
+      }
+    }
+    return nodes;
   }
 
   /// Numbers what is left of the nodes, once all are there.
-  std::vector<VertexSource> numberVertices();
+  std::vector<VertexSource> numberVertices()
+  {
+    std::vector<VertexSource> sources(this->VertexCount);
+    for (Index v = 0; v < this->VertexCount; ++v)
+    {
+      sources[v].vertices = { v, v, v };
+    }
+    this->VertexOfNode.assign(this->Nodes.size(), none);
+    for (std::size_t i = 0; i < this->Nodes.size(); ++i)
+    {
+      if (this->Alias[i] != none)
+      {
+        continue;
+      }
+      const SurfacePoint& point = this->Nodes[i];
+      const bool onEdge = point.type == SurfacePointType::Edge;
+      const Index from = onEdge ? this->Mesh.from(point.id) : none;
+      this->VertexOfNode[i] = static_cast<Index>(sources.size());
+      sources.push_back(
+        { onEdge ? Triangle{ from, this->Mesh.to(point.id), from } : this->Mesh.triangle(point.id),
+          point.weights });
+    }
+    return sources;
+  }
+
   /// \pre numberVertices() was called.
-  Index vertex(Index node) const;
+  Index vertex(Index node) const
+  {
+    while (node >= this->VertexCount && this->Alias[node - this->VertexCount] != none)
+    {
+      node = this->Alias[node - this->VertexCount];
+    }
+    return node < this->VertexCount ? node : this->VertexOfNode[node - this->VertexCount];
+  }
 
 private:
+  /// The node next to a place on an edge, none within the distance (a fraction of the edge).
+  static Index nearest(const std::vector<NodeOnEdge>& nodes, double fraction, double distance)
+  {
+    const auto after = std::lower_bound(nodes.begin(), nodes.end(), fraction, before);
+    Index node = none;
+    double least = distance;
+    if (after != nodes.begin() && fraction - (after - 1)->fraction <= least)
+    {
+      node = (after - 1)->node;
+      least = fraction - (after - 1)->fraction;
+    }
+    return after != nodes.end() && after->fraction - fraction <= least ? after->node : node;
+  }
+
   const TriangleMesh& Mesh;
   const SnapDistance& Snap;
   Index VertexCount;
   std::vector<SurfacePoint> Nodes; ///< those after the vertices
   Indices Alias;                   ///< the node that a node became one with
   Indices VertexOfNode;
-  EdgeNodes OnEdge;
+  std::unordered_map<Index, std::vector<NodeOnEdge>> OnEdge; ///< by edgeOf(), in order along each
   std::map<std::tuple<SurfacePointType, Index, std::array<double, 3>>, Index> Known;
 };
-
-bool before(const NodeOnEdge& node, double fraction)
-{
-  return node.fraction < fraction;
-}
-
-Index EdgeNodes::nearest(Index edge, double fraction, double distance) const
-{
-  const auto found = this->Nodes.find(edge);
-  if (found == this->Nodes.end())
-  {
-    return none;
-  }
-  const std::vector<NodeOnEdge>& nodes = found->second;
-  const auto after = std::lower_bound(nodes.begin(), nodes.end(), fraction, before);
-  Index node = none;
-  double least = distance;
-  if (after != nodes.begin() && fraction - (after - 1)->fraction <= least)
-  {
-    node = (after - 1)->node;
-    least = fraction - (after - 1)->fraction;
-  }
-  if (after != nodes.end() && after->fraction - fraction <= least)
-  {
-    node = after->node;
-  }
-  return node;
-}
-
-void EdgeNodes::insert(Index edge, double fraction, Index node)
-{
-  std::vector<NodeOnEdge>& nodes = this->Nodes[edge];
-  nodes.insert(std::lower_bound(nodes.begin(), nodes.end(), fraction, before), { fraction, node });
-}
-
-std::vector<NodeOnEdge> EdgeNodes::along(const TriangleMesh& mesh, Index halfedge) const
-{
-  const Index edge = edgeOf(mesh, halfedge);
-  const auto found = this->Nodes.find(edge);
-  if (found == this->Nodes.end())
-  {
-    return {};
-  }
-  std::vector<NodeOnEdge> nodes = found->second;
-  if (edge != halfedge)
-  {
-    std::reverse(nodes.begin(), nodes.end());
-    for (NodeOnEdge& node : nodes)
-    {
-      node.fraction = 1.0 - node.fraction;
-    }
-  }
-  return nodes;
-}
-
-SplitNodes::SplitNodes(const TriangleMesh& mesh, const SnapDistance& snap)
-  : Mesh(mesh)
-  , Snap(snap)
-  , VertexCount(mesh.vertexCount())
-{
-}
-
-SurfacePoint SplitNodes::point(Index node) const
-{
-  return node < this->VertexCount ? vertexPoint(this->Mesh, node)
-                                  : this->Nodes[node - this->VertexCount];
-}
-
-Index SplitNodes::add(const SurfacePoint& point)
-{
-  this->Nodes.push_back(point);
-  this->Alias.push_back(none);
-  return this->VertexCount + static_cast<Index>(this->Nodes.size()) - 1;
-}
-
-SplitNodes::Place SplitNodes::place(const SurfacePoint& point)
-{
-  if (point.type == SurfacePointType::Vertex)
-  {
-    return { point.id, false };
-  }
-  const auto [known, isUnknown] =
-    this->Known.emplace(std::make_tuple(point.type, point.id, point.weights), none);
-  if (!isUnknown)
-  {
-    return { known->second, false };
-  }
-  if (point.type == SurfacePointType::Edge)
-  {
-    const double near = this->Snap.ofEdge(point.id) / this->Mesh.length(point.id);
-    known->second = this->OnEdge.nearest(point.id, point.weights[1], near);
-    if (known->second != none)
-    {
-      return { known->second, false };
-    }
-  }
-  known->second = this->add(point);
-  if (point.type == SurfacePointType::Edge)
-  {
-    this->OnEdge.insert(point.id, point.weights[1], known->second);
-  }
-  return { known->second, true };
-}
-
-void SplitNodes::merge(Index node, Index into)
-{
-  this->Alias[node - this->VertexCount] = into;
-}
-
-std::vector<VertexSource> SplitNodes::numberVertices()
-{
-  std::vector<VertexSource> sources(this->VertexCount);
-  for (Index v = 0; v < this->VertexCount; ++v)
-  {
-    sources[v].vertices = { v, v, v };
-  }
-  this->VertexOfNode.assign(this->Nodes.size(), none);
-  for (std::size_t i = 0; i < this->Nodes.size(); ++i)
-  {
-    if (this->Alias[i] != none)
-    {
-      continue;
-    }
-    const SurfacePoint& point = this->Nodes[i];
-    const bool onEdge = point.type == SurfacePointType::Edge;
-    const Index from = onEdge ? this->Mesh.from(point.id) : none;
-    this->VertexOfNode[i] = static_cast<Index>(sources.size());
-    sources.push_back(
-      { onEdge ? Triangle{ from, this->Mesh.to(point.id), from } : this->Mesh.triangle(point.id),
-        point.weights });
-  }
-  return sources;
-}
-
-Index SplitNodes::vertex(Index node) const
-{
-  while (node >= this->VertexCount && this->Alias[node - this->VertexCount] != none)
-  {
-    node = this->Alias[node - this->VertexCount];
-  }
-  return node < this->VertexCount ? node : this->VertexOfNode[node - this->VertexCount];
-}
 
 /// What crosses one triangle of the mesh before.
 struct FaceTask
