@@ -22,40 +22,6 @@ namespace flattening
 {
 namespace
 {
-/// Where the points of polylines lie on a surface: at its vertices, or anywhere on it.
-class CurvePlacement
-{
-public:
-  /// The mesh, the polylines and the options stay the caller's and must outlive the placement.
-  CurvePlacement(const TriangleMesh& mesh, const std::vector<Polyline>& polylines,
-    const ImprintOptions& options);
-
-  /// Finds the vertices of all points in one pass over the mesh. \pre The points are finite.
-  void findVertices();
-  /// The vertex that a point of a polyline is, none where it lies elsewhere.
-  Index vertex(std::size_t polyline, std::size_t point) const
-  {
-    return this->Vertices[this->First[polyline] + point];
-  }
-  /// The nearest point of the surface per point of polyline c. Errors: CurvePointOffSurface (ids:
-  /// points of the polyline).
-  Status locate(std::size_t c, std::vector<ClosestPoint>& closest);
-
-private:
-  void keepNearVertices(const Points3& queries, std::vector<Indices>& candidates) const;
-  SuggestedRemedies waysFrom(double farthest) const;
-
-  const TriangleMesh& Mesh;
-  const std::vector<Polyline>& Polylines;
-  const ImprintOptions& Options;
-  double Diagonal;
-  double Reach;          ///< greatest distance of a point from the surface
-  SnapDistance AtVertex; ///< greatest distance of a point from the vertex that it is
-  std::vector<std::size_t> First;
-  Indices Vertices; ///< per point of all polylines
-  std::optional<SheetLocator> Locator;
-};
-
 double diagonal(const TriangleMesh& mesh)
 {
   Eigen::AlignedBox3d bounds;
@@ -72,7 +38,9 @@ double diagonal(const TriangleMesh& mesh)
 /// Per query the nearest vertex within the radius, with all others at the same place; ascending
 /// ids. One pass over the vertices against the queries sorted along a line: a few curves on a large
 /// mesh cost no search structure over the mesh. Vertices that no triangle uses are left out.
-std::vector<Indices> matchVertices(const TriangleMesh& mesh, const Points3& queries, double radius)
+/// \param same points that are nearer to each other differ by rounding alone, and are one place
+std::vector<Indices> matchVertices(
+  const TriangleMesh& mesh, const Points3& queries, double radius, double same)
 {
   // Along a direction to which no row of a mesh is likely to be at right angles.
   const auto height = [](const Point3& p) { return p.dot(Point3(0.48, 0.6, 0.64)); };
@@ -82,8 +50,6 @@ std::vector<Indices> matchVertices(const TriangleMesh& mesh, const Points3& quer
     byHeight.emplace_back(height(queries[i]), static_cast<Index>(i));
   }
   std::sort(byHeight.begin(), byHeight.end());
-  // Points that differ by rounding alone are one place.
-  const double same = 1e-12 * diagonal(mesh);
   const double reach = radius + same;
   std::vector<Indices> nearest(queries.size());
   std::vector<double> distance(queries.size(), std::numeric_limits<double>::infinity());
@@ -168,124 +134,6 @@ double roundedUp(double value)
   return std::ceil(value / unit * (1.0 - 1e-12)) * unit;
 }
 
-CurvePlacement::CurvePlacement(
-  const TriangleMesh& mesh, const std::vector<Polyline>& polylines, const ImprintOptions& options)
-  : Mesh(mesh)
-  , Polylines(polylines)
-  , Options(options)
-  , Diagonal(diagonal(mesh))
-  , Reach(options.tolerance * this->Diagonal)
-  , AtVertex(mesh, std::max(0.01, options.snap))
-{
-}
-
-void CurvePlacement::findVertices()
-{
-  Points3 queries;
-  for (const Polyline& polyline : this->Polylines)
-  {
-    this->First.push_back(queries.size());
-    queries.insert(queries.end(), polyline.points.begin(), polyline.points.end());
-  }
-  const double reach =
-    this->Options.split ? std::min(this->Reach, this->AtVertex.greatest()) : this->Reach;
-  std::vector<Indices> candidates = matchVertices(this->Mesh, queries, reach);
-  this->keepNearVertices(queries, candidates);
-  for (std::size_t c = 0; c < this->Polylines.size(); ++c)
-  {
-    const auto first = candidates.begin() + static_cast<std::ptrdiff_t>(this->First[c]);
-    const Indices chosen = chooseVertices(
-      this->Mesh, { first, first + static_cast<std::ptrdiff_t>(this->Polylines[c].points.size()) });
-    this->Vertices.insert(this->Vertices.end(), chosen.begin(), chosen.end());
-  }
-}
-
-/// The tolerance says how far from the surface a point may be. It must not drag points along the
-/// surface to vertices that are not meant: where triangles can be split, those that are not near;
-/// else those that are not the nearest.
-void CurvePlacement::keepNearVertices(
-  const Points3& queries, std::vector<Indices>& candidates) const
-{
-  for (std::size_t i = 0; i < queries.size(); ++i)
-  {
-    Indices& near = candidates[i];
-    const auto distance = [&](Index vertex) {
-      return (this->Mesh.point(vertex) - queries[i]).norm();
-    };
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Index vertex : near)
-    {
-      nearest = std::min(nearest, distance(vertex));
-    }
-    near.erase(std::remove_if(near.begin(), near.end(),
-                 [&](Index vertex) {
-                   return distance(vertex) > this->AtVertex.ofVertex(vertex) &&
-                     (this->Options.split || distance(vertex) > nearest);
-                 }),
-      near.end());
-  }
-}
-
-SuggestedRemedies CurvePlacement::waysFrom(double farthest) const
-{
-  const double fraction = roundedUp(farthest / this->Diagonal);
-  SuggestedRemedies ways{ Remedy::ProjectPoints };
-  if (fraction <= nearby)
-  {
-    ways.push_back({ Remedy::RaiseImprintTolerance, shortNumber(fraction) });
-  }
-  return ways;
-}
-
-Status CurvePlacement::locate(std::size_t c, std::vector<ClosestPoint>& closest)
-{
-  if (!this->Locator)
-  {
-    this->Locator.emplace(this->Mesh);
-  }
-  const Polyline& polyline = this->Polylines[c];
-  Indices off;
-  double farthest = 0.0;
-  const std::vector<SheetLocator::Place> places = this->Locator->along(polyline.points);
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    const ClosestPoint& point = places[i].closest;
-    closest.push_back(point);
-    if (point.triangle == none || point.distance > this->Reach)
-    {
-      off.push_back(pointId(polyline, i));
-      farthest = std::max(farthest, point.distance);
-    }
-    Index& vertex = this->Vertices[this->First[c] + i];
-    const Indices& sheet = places[i].sheet;
-    const bool elsewhere = !sheet.empty() && std::none_of(sheet.begin(), sheet.end(), [&](Index t) {
-      const Triangle& corners = this->Mesh.triangle(t);
-      return std::find(corners.begin(), corners.end(), vertex) != corners.end();
-    });
-    vertex = elsewhere ? none : vertex;
-  }
-  if (off.empty())
-  {
-    return {};
-  }
-  return { StatusCode::CurvePointOffSurface,
-    curveName(polyline, c) + ": points " + listIds(off) + " lie up to " + shortNumber(farthest) +
-      " off the surface, more than the tolerance of " + shortNumber(this->Reach) +
-      ", both in the unit of the surface" +
-      (farthest > nearby * this->Diagonal
-          ? ", as where curve and surface differ in unit, axes or place"
-          : ""),
-    { ElementKind::CurvePoints, off }, this->waysFrom(farthest) };
-}
-
-ImprintedSurface refuse(Status status, std::size_t curve)
-{
-  ImprintedSurface result;
-  status.curve = static_cast<Index>(curve);
-  result.status = std::move(status);
-  return result;
-}
-
 ImprintedSurface refuse(Status status)
 {
   ImprintedSurface result;
@@ -318,7 +166,9 @@ public:
     , Polylines(polylines)
     , Options(options)
     , Execute(execution)
-    , Placement(mesh, polylines, options)
+    , Diagonal(diagonal(mesh))
+    , Reach(options.tolerance * this->Diagonal)
+    , AtVertex(mesh, std::max(0.01, options.snap))
   {
   }
 
@@ -329,7 +179,7 @@ public:
     {
       return refuse(std::move(sound));
     }
-    this->Placement.findVertices();
+    this->findVertices();
     std::vector<Route> routes(this->Polylines.size());
     std::vector<char> alongEdges(this->Polylines.size(), 0);
     bool all = true;
@@ -340,18 +190,118 @@ public:
       all = all && status.ok();
       if (!status.ok() && !this->Options.split)
       {
-        return refuse(std::move(status), c);
+        status.curve = static_cast<Index>(c);
+        return refuse(std::move(status));
       }
     }
-    if (all)
-    {
-      ImprintedSurface result = keepMesh(this->Mesh);
-      return this->collect(std::move(result), std::move(routes));
-    }
-    return this->split(routes, alongEdges);
+    return all ? this->collect(keepMesh(this->Mesh), std::move(routes))
+               : this->split(routes, alongEdges);
   }
 
 private:
+  /// Finds the vertices of all points in one pass over the mesh. \pre The points are finite.
+  void findVertices()
+  {
+    Points3 queries;
+    for (const Polyline& polyline : this->Polylines)
+    {
+      this->First.push_back(queries.size());
+      queries.insert(queries.end(), polyline.points.begin(), polyline.points.end());
+    }
+    const double reach =
+      this->Options.split ? std::min(this->Reach, this->AtVertex.greatest()) : this->Reach;
+    std::vector<Indices> candidates =
+      matchVertices(this->Mesh, queries, reach, 1e-12 * this->Diagonal);
+    this->keepNearVertices(queries, candidates);
+    for (std::size_t c = 0; c < this->Polylines.size(); ++c)
+    {
+      const auto first = candidates.begin() + static_cast<std::ptrdiff_t>(this->First[c]);
+      const Indices chosen = chooseVertices(this->Mesh,
+        { first, first + static_cast<std::ptrdiff_t>(this->Polylines[c].points.size()) });
+      this->Vertices.insert(this->Vertices.end(), chosen.begin(), chosen.end());
+    }
+  }
+
+  /// The vertex that a point of a polyline is, none where it lies elsewhere.
+  Index vertex(std::size_t polyline, std::size_t point) const
+  {
+    return this->Vertices[this->First[polyline] + point];
+  }
+
+  /// The tolerance says how far from the surface a point may be. It must not drag points along the
+  /// surface to vertices that are not meant: where triangles can be split, those that are not near;
+  /// else those that are not the nearest.
+  void keepNearVertices(const Points3& queries, std::vector<Indices>& candidates) const
+  {
+    for (std::size_t i = 0; i < queries.size(); ++i)
+    {
+      Indices& near = candidates[i];
+      const auto distance = [&](Index vertex) {
+        return (this->Mesh.point(vertex) - queries[i]).norm();
+      };
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Index vertex : near)
+      {
+        nearest = std::min(nearest, distance(vertex));
+      }
+      near.erase(std::remove_if(near.begin(), near.end(),
+                   [&](Index vertex) {
+                     return distance(vertex) > this->AtVertex.ofVertex(vertex) &&
+                       (this->Options.split || distance(vertex) > nearest);
+                   }),
+        near.end());
+    }
+  }
+
+  /// The nearest point of the surface per point of polyline c. Errors: CurvePointOffSurface (ids:
+  /// points of the polyline).
+  Status locate(std::size_t c, std::vector<ClosestPoint>& closest)
+  {
+    if (!this->Locator)
+    {
+      this->Locator.emplace(this->Mesh);
+    }
+    const Polyline& polyline = this->Polylines[c];
+    Indices off;
+    double farthest = 0.0;
+    const std::vector<SheetLocator::Place> places = this->Locator->along(polyline.points);
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      const ClosestPoint& point = places[i].closest;
+      closest.push_back(point);
+      if (point.triangle == none || point.distance > this->Reach)
+      {
+        off.push_back(pointId(polyline, i));
+        farthest = std::max(farthest, point.distance);
+      }
+      Index& vertex = this->Vertices[this->First[c] + i];
+      const Indices& sheet = places[i].sheet;
+      const bool elsewhere =
+        !sheet.empty() && std::none_of(sheet.begin(), sheet.end(), [&](Index t) {
+          const Triangle& corners = this->Mesh.triangle(t);
+          return std::find(corners.begin(), corners.end(), vertex) != corners.end();
+        });
+      vertex = elsewhere ? none : vertex;
+    }
+    if (off.empty())
+    {
+      return {};
+    }
+    SuggestedRemedies remedies{ Remedy::ProjectPoints };
+    if (const double fraction = roundedUp(farthest / this->Diagonal); fraction <= nearby)
+    {
+      remedies.push_back({ Remedy::RaiseImprintTolerance, shortNumber(fraction) });
+    }
+    return { StatusCode::CurvePointOffSurface,
+      curveName(polyline, c) + ": points " + listIds(off) + " lie up to " + shortNumber(farthest) +
+        " off the surface, more than the tolerance of " + shortNumber(this->Reach) +
+        ", both in the unit of the surface" +
+        (farthest > nearby * this->Diagonal
+            ? ", as where curve and surface differ in unit, axes or place"
+            : ""),
+      { ElementKind::CurvePoints, off }, std::move(remedies) };
+  }
+
   /// A polyline whose points are vertices joined by edges, the case that changes nothing.
   Status followEdges(std::size_t c, Route& route)
   {
@@ -359,7 +309,7 @@ private:
     Indices off;
     for (std::size_t i = 0; i < polyline.points.size(); ++i)
     {
-      const Index vertex = this->Placement.vertex(c, i);
+      const Index vertex = this->vertex(c, i);
       if (vertex == none)
       {
         off.push_back(pointId(polyline, i));
@@ -406,7 +356,7 @@ private:
     if (!this->Options.split)
     {
       std::vector<ClosestPoint> closest;
-      Status status = this->Placement.locate(c, closest);
+      Status status = this->locate(c, closest);
       if (!status.ok())
       {
         return status;
@@ -423,10 +373,11 @@ private:
     std::vector<std::vector<ClosestPoint>> located(this->Polylines.size());
     for (std::size_t c = 0; c < this->Polylines.size(); ++c)
     {
-      Status status = alongEdges[c] ? Status() : this->Placement.locate(c, located[c]);
+      Status status = alongEdges[c] ? Status() : this->locate(c, located[c]);
       if (!status.ok())
       {
-        return refuse(std::move(status), c);
+        status.curve = static_cast<Index>(c);
+        return refuse(std::move(status));
       }
     }
     // Rounding alone asks for some distance.
@@ -443,7 +394,8 @@ private:
                                       : this->trace(c, located[c], snap, routes[c], paths);
         if (!status.ok())
         {
-          return refuse(std::move(status), c);
+          status.curve = static_cast<Index>(c);
+          return refuse(std::move(status));
         }
       }
       SplitSurface surface = splitSurface(this->Mesh, snap, paths);
@@ -491,7 +443,7 @@ private:
       {
         return { StatusCode::Cancelled, "cancelled", {} };
       }
-      const Index vertex = this->Placement.vertex(c, i);
+      const Index vertex = this->vertex(c, i);
       const SurfacePoint here =
         vertex != none ? vertexPoint(this->Mesh, vertex) : snapToMesh(this->Mesh, snap, located[i]);
       if (i > 0 && !samePlace(here, last))
@@ -584,7 +536,12 @@ private:
   const std::vector<Polyline>& Polylines;
   const ImprintOptions& Options;
   const Execution& Execute;
-  CurvePlacement Placement;
+  double Diagonal;
+  double Reach;          ///< greatest distance of a point from the surface
+  SnapDistance AtVertex; ///< greatest distance of a point from the vertex that it is
+  std::vector<std::size_t> First;
+  Indices Vertices; ///< per point of all polylines
+  std::optional<SheetLocator> Locator;
 };
 }
 
