@@ -125,120 +125,110 @@ class MirrorRoles
 {
 public:
   /// The piece must outlive it. \param pairs whether cuts may come in pairs
-  MirrorRoles(const SearchedPiece& piece, bool pairs);
+  MirrorRoles(const SearchedPiece& piece, bool pairs)
+    : Piece(piece)
+    , Pairs(pairs)
+    , Margin(clearOfPlane * piece.size())
+  {
+  }
 
   /// On which side of the plane; 0 in it. \pre there is one
-  int side(const Point3& point) const;
+  int side(const Point3& point) const
+  {
+    const double distance = this->Piece.mirror()->side(point);
+    return distance > this->Margin ? 1 : distance < -this->Margin ? -1 : 0;
+  }
+
   /// The boundary vertex nearest to a boundary vertex' image. \pre there is a plane
-  Index mirroredBase(Index base) const;
-  /// The role of a cut from one point to another; false where it can have none.
-  bool take(const Point3& from, const Point3& to, CutPlan& plan) const;
+  Index mirroredBase(Index base) const
+  {
+    return this->Piece.ruler().vertex(this->Piece.mirrored(this->Piece.ruler().placeOf(base)));
+  }
+
+  /// The role of a cut from one point to another; false where it can have none. Moves the ends of
+  /// one that lies along the plane into it.
+  bool take(const Point3& from, const Point3& to, CutPlan& plan) const
+  {
+    if (!this->Piece.mirror())
+    {
+      return true;
+    }
+    const int a = this->side(from);
+    const int b = this->side(to);
+    if (a == 0 && b == 0)
+    {
+      plan.role = MirrorRole::Along;
+      this->bringIntoPlane(plan);
+      return true;
+    }
+    plan.role = MirrorRole::Pair;
+    return a * b > 0 && this->Pairs;
+  }
+
   /// The same of a seam by its `via`, which it moves into the plane where that is near. \pre there
   /// is one
-  bool takeOver(Index base, Index end, CutPlan& plan) const;
-  /// Moves the ends of a plan that lies along the plane into it.
-  void bringIntoPlane(CutPlan& plan) const;
+  bool takeOver(Index base, Index end, CutPlan& plan) const
+  {
+    const int top = this->side(*plan.via);
+    if (top == 0)
+    {
+      plan.via = this->Piece.onto(*plan.via, true);
+      if (end == this->mirroredBase(base))
+      {
+        plan.role = MirrorRole::Across;
+        return true;
+      }
+    }
+    const Point3& from = this->Piece.mesh().point(base);
+    return this->take(from, this->Piece.mesh().point(end), plan) && this->side(from) == top;
+  }
 
 private:
-  BoundaryPlace inPlane(BoundaryPlace place) const;
+  void bringIntoPlane(CutPlan& plan) const
+  {
+    if (plan.start)
+    {
+      plan.start = this->Piece.onto(*plan.start, true);
+    }
+    else
+    {
+      plan.base = this->inPlane(plan.base);
+    }
+    if (plan.type == CurveType::Seam)
+    {
+      plan.end = this->inPlane(plan.end);
+    }
+    else
+    {
+      plan.tip = this->Piece.onto(plan.tip, true);
+    }
+  }
+
+  /// Where the boundary crosses the plane near a place.
+  BoundaryPlace inPlane(BoundaryPlace place) const
+  {
+    const BoundaryRuler& ruler = this->Piece.ruler();
+    const SurfaceMirror& plane = *this->Piece.mirror();
+    double low = -2.0 * this->Margin;
+    double high = 2.0 * this->Margin;
+    const auto at = [&](double by) { return plane.side(ruler.point(ruler.moved(place, by))); };
+    if (at(low) * at(high) > 0.0)
+    {
+      return place;
+    }
+    const bool rising = at(high) > 0.0;
+    for (int halving = 0; halving < 60; ++halving)
+    {
+      const double middle = 0.5 * (low + high);
+      ((at(middle) > 0.0) == rising ? high : low) = middle;
+    }
+    return ruler.moved(place, 0.5 * (low + high));
+  }
 
   const SearchedPiece& Piece;
   bool Pairs;
   double Margin;
 };
-
-MirrorRoles::MirrorRoles(const SearchedPiece& piece, bool pairs)
-  : Piece(piece)
-  , Pairs(pairs)
-  , Margin(clearOfPlane * piece.size())
-{
-}
-
-int MirrorRoles::side(const Point3& point) const
-{
-  const double distance = this->Piece.mirror()->side(point);
-  return distance > this->Margin ? 1 : distance < -this->Margin ? -1 : 0;
-}
-
-bool MirrorRoles::takeOver(Index base, Index end, CutPlan& plan) const
-{
-  const int top = this->side(*plan.via);
-  if (top == 0)
-  {
-    plan.via = this->Piece.onto(*plan.via, true);
-    if (end == this->mirroredBase(base))
-    {
-      plan.role = MirrorRole::Across;
-      return true;
-    }
-  }
-  if (!this->take(this->Piece.mesh().point(base), this->Piece.mesh().point(end), plan) ||
-    this->side(this->Piece.mesh().point(base)) != top)
-  {
-    return false;
-  }
-  if (plan.role == MirrorRole::Along)
-  {
-    this->bringIntoPlane(plan);
-  }
-  return true;
-}
-
-Index MirrorRoles::mirroredBase(Index base) const
-{
-  return this->Piece.ruler().vertex(this->Piece.mirrored(this->Piece.ruler().placeOf(base)));
-}
-
-bool MirrorRoles::take(const Point3& from, const Point3& to, CutPlan& plan) const
-{
-  if (!this->Piece.mirror())
-  {
-    return true;
-  }
-  const int a = this->side(from);
-  const int b = this->side(to);
-  if (a == 0 && b == 0)
-  {
-    plan.role = MirrorRole::Along;
-    return true;
-  }
-  plan.role = MirrorRole::Pair;
-  return a * b > 0 && this->Pairs;
-}
-
-void MirrorRoles::bringIntoPlane(CutPlan& plan) const
-{
-  plan.base = this->inPlane(plan.base);
-  if (plan.type == CurveType::Seam)
-  {
-    plan.end = this->inPlane(plan.end);
-  }
-  else
-  {
-    plan.tip = this->Piece.onto(plan.tip, true);
-  }
-}
-
-/// Where the boundary crosses the plane near a place.
-BoundaryPlace MirrorRoles::inPlane(BoundaryPlace place) const
-{
-  const BoundaryRuler& ruler = this->Piece.ruler();
-  const SurfaceMirror& plane = *this->Piece.mirror();
-  double low = -2.0 * this->Margin;
-  double high = 2.0 * this->Margin;
-  const auto at = [&](double by) { return plane.side(ruler.point(ruler.moved(place, by))); };
-  if (at(low) * at(high) > 0.0)
-  {
-    return place;
-  }
-  const bool rising = at(high) > 0.0;
-  for (int halving = 0; halving < 60; ++halving)
-  {
-    const double middle = 0.5 * (low + high);
-    ((at(middle) > 0.0) == rising ? high : low) = middle;
-  }
-  return ruler.moved(place, 0.5 * (low + high));
-}
 
 class Planning
 {
@@ -288,13 +278,10 @@ public:
     const auto sites = static_cast<Index>(this->Places.sites.size());
     const auto peaks = static_cast<Index>(this->Peaks.size());
     std::vector<std::vector<CutPlan>> parts(bases + sites + peaks);
-    execution.parallelFor(static_cast<Index>(parts.size()), [&](Index begin, Index end) {
-      for (Index k = begin; k < end; ++k)
-      {
-        parts[k] = k < bases  ? this->plansFrom(k)
-          : k < bases + sites ? this->plansInside(k - bases)
-                              : this->plansOver(this->Peaks[k - bases - sites]);
-      }
+    execution.forEachTask(static_cast<Index>(parts.size()), [&](Index k) {
+      parts[k] = k < bases  ? this->plansFrom(k)
+        : k < bases + sites ? this->plansInside(k - bases)
+                            : this->plansOver(this->Peaks[k - bases - sites]);
     });
     std::vector<CutPlan> plans;
     for (const std::vector<CutPlan>& part : parts)
@@ -361,11 +348,6 @@ private:
         !this->Roles.take(*plan.start, plan.tip, plan))
       {
         continue;
-      }
-      if (plan.role == MirrorRole::Along)
-      {
-        plan.start = this->Piece.onto(*plan.start, true);
-        plan.tip = this->Piece.onto(plan.tip, true);
       }
       this->add(paths.path(tip), plan, plans);
     }
@@ -451,10 +433,6 @@ private:
     {
       return;
     }
-    if (plan.role == MirrorRole::Along)
-    {
-      this->Roles.bringIntoPlane(plan);
-    }
     this->add(paths.path(tip), plan, plans);
   }
 
@@ -478,10 +456,6 @@ private:
     else if (!this->Roles.take(this->Mesh.point(base), this->Mesh.point(end), plan))
     {
       return;
-    }
-    if (plan.role == MirrorRole::Along)
-    {
-      this->Roles.bringIntoPlane(plan);
     }
     this->add(paths.path(end), plan, plans);
   }
