@@ -132,11 +132,8 @@ private:
     sortUnique(distinct);
     std::vector<KeyTrial> tried(distinct.size());
     const Execution inner = this->Run.nestedExecution();
-    this->Run.parallelFor(static_cast<Index>(distinct.size()), [&](Index begin, Index end) {
-      for (Index k = begin; k < end && !inner.cancelled(); ++k)
-      {
-        tried[k] = trialOf(this->flattened(distinct[k], inner));
-      }
+    this->Run.forEachTask(static_cast<Index>(distinct.size()), [&](Index k) {
+      tried[k] = inner.cancelled() ? KeyTrial() : trialOf(this->flattened(distinct[k], inner));
     });
     std::vector<KeyTrial> trials;
     for (const Indices& keys : kept)

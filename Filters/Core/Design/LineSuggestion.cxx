@@ -22,24 +22,6 @@ namespace flattening
 {
 namespace
 {
-/// Lines that a designer draws on a surface, as sections with planes, piece by piece, from edge to
-/// edge or closed:
-///
-/// - "centre line", a straight key curve: the section with a piece's own mirror plane;
-/// - "grain line", a straight key curve, for pieces without one: through the centre of area, along
-///   the piece's longest axis and across its mean normal;
-/// - "girth", accessory curves: across the longest axis of the whole surface (in its mirror plane,
-///   where it has one; x, y or z where it is within 20 degrees of that), where its sections are
-///   longer or shorter than all near them, as at bust, waist and hip; the three that stand out
-///   most;
-/// - "style line", accessory curves: beside the centre or grain line, where a piece is farthest
-///   from lying flat (by ScaleFactor), as a princess line goes over the bust.
-///
-/// Pieces with a key curve get no centre or grain line. Where a plane comes within 20 degrees of
-/// touching the surface no line is drawn.
-std::vector<SuggestedCurve> designLines(const CutSurface& cut,
-  const std::vector<FeatureCurve>& curves, bool symmetric, const Execution& execution = {});
-
 /// How many sections are looked at for girths; those at both ends are none.
 constexpr int levels = 64;
 constexpr int endLevels = 4;
@@ -76,27 +58,6 @@ struct PieceFrame
   bool hasKey = false;
 };
 
-double extremum(const TriangleMesh& mesh, const Point3& axis, bool greatest)
-{
-  double found = axis.dot(mesh.point(0));
-  for (const Point3& p : mesh.points())
-  {
-    found = greatest ? std::max(found, axis.dot(p)) : std::min(found, axis.dot(p));
-  }
-  return found;
-}
-
-/// The length of all of a section.
-double sectionLength(const TriangleMesh& mesh, const Plane& plane)
-{
-  double length = 0.0;
-  for (const PlaneSection& section : planeSections(mesh, plane.point, plane.normal))
-  {
-    length += section.length;
-  }
-  return length;
-}
-
 /// How far a value stands out from those on both sides, up to where they are beyond it.
 double prominence(const std::vector<double>& values, std::size_t k)
 {
@@ -117,6 +78,21 @@ double prominence(const std::vector<double>& values, std::size_t k)
   return std::min(drop(-1), drop(1));
 }
 
+/// Lines that a designer draws on a surface, as sections with planes, piece by piece, from edge to
+/// edge or closed:
+///
+/// - "centre line", a straight key curve: the section with a piece's own mirror plane;
+/// - "grain line", a straight key curve, for pieces without one: through the centre of area, along
+///   the piece's longest axis and across its mean normal;
+/// - "girth", accessory curves: across the longest axis of the whole surface (in its mirror plane,
+///   where it has one; x, y or z where it is within 20 degrees of that), where its sections are
+///   longer or shorter than all near them, as at bust, waist and hip; the three that stand out
+///   most;
+/// - "style line", accessory curves: beside the centre or grain line, where a piece is farthest
+///   from lying flat (by ScaleFactor), as a princess line goes over the bust.
+///
+/// Pieces with a key curve get no centre or grain line. Where a plane comes within 20 degrees of
+/// touching the surface no line is drawn.
 class Drawing
 {
 public:
@@ -252,21 +228,28 @@ private:
 
   void drawGirths()
   {
-    const double low = extremum(this->Surface, this->Axis, false);
-    const double high = extremum(this->Surface, this->Axis, true);
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const Point3& p : this->Surface.points())
+    {
+      low = std::min(low, this->Axis.dot(p));
+      high = std::max(high, this->Axis.dot(p));
+    }
     std::vector<Plane> planes;
     std::vector<double> lengths;
+    std::vector<double> shorter;
     for (int k = 0; k < levels; ++k)
     {
       const double height = low + (high - low) * (k + 0.5) / levels;
       planes.push_back(
         { this->Center + (height - this->Axis.dot(this->Center)) * this->Axis, this->Axis });
-      lengths.push_back(sectionLength(this->Surface, planes.back()));
-    }
-    std::vector<double> shorter;
-    for (const double length : lengths)
-    {
-      shorter.push_back(-length);
+      lengths.push_back(0.0);
+      for (const PlaneSection& section :
+        planeSections(this->Surface, planes.back().point, this->Axis))
+      {
+        lengths.back() += section.length;
+      }
+      shorter.push_back(-lengths.back());
     }
     const double least = minProminence * *std::max_element(lengths.begin(), lengths.end());
     std::vector<std::pair<double, std::size_t>> found;
@@ -347,13 +330,6 @@ private:
   std::vector<SuggestedCurve> Lines;
 };
 
-std::vector<SuggestedCurve> designLines(const CutSurface& cut,
-  const std::vector<FeatureCurve>& curves, bool symmetric, const Execution& execution)
-{
-  return cut.mesh.triangleCount() == 0 ? std::vector<SuggestedCurve>{}
-                                       : Drawing(cut, curves, symmetric, execution).run();
-}
-
 /// An accessory curve may raise the rigid energy by this share.
 constexpr double littleCost = 0.05;
 /// Mean squared distances from a rotation below this are rounding.
@@ -368,11 +344,8 @@ public:
     , Curves(curves)
     , Options(options)
     , Run(execution)
+    , Area(mesh.area())
   {
-    for (Index t = 0; t < mesh.triangleCount(); ++t)
-    {
-      this->Area += mesh.area(t);
-    }
   }
 
   CurveSuggestions run()
@@ -390,7 +363,7 @@ public:
     {
       const CutSurface cut = cutSurface(surface.mesh, surface.curves);
       std::vector<SuggestedCurve> lines =
-        designLines(cut, surface.curves, this->Options.search.symmetric != "off", this->Run);
+        Drawing(cut, surface.curves, this->Options.search.symmetric != "off", this->Run).run();
       this->name(lines);
       for (std::size_t k = 0; k < lines.size() && !this->Run.cancelled(); ++k)
       {
@@ -471,7 +444,7 @@ private:
   const std::vector<Polyline>& Curves;
   const SuggestionOptions& Options;
   const Execution& Run;
-  double Area = 0.0;
+  double Area;
   CurveSuggestions Result;
 };
 }

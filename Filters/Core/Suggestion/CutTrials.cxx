@@ -43,27 +43,17 @@ double strainOf(const TriangleQuality& quality)
     std::max(std::abs(std::log(quality.smallStretch)), std::abs(std::log(quality.largeStretch))));
 }
 
-/// By piece, the integral of the strain's fourth power. \param counted area of each triangle
-std::vector<double> peakStrains(const FlatteningResult& flat, const std::vector<double>& counted)
+/// By piece, the integral of a measure of triangles. \param counted area of each triangle
+template <typename Measure>
+std::vector<double> integrals(
+  const FlatteningResult& flat, const std::vector<double>& counted, const Measure& measure)
 {
-  std::vector<double> peaks(flat.pieces.size(), 0.0);
+  std::vector<double> sums(flat.pieces.size(), 0.0);
   for (Index t = 0; t < flat.cut->mesh.triangleCount(); ++t)
   {
-    peaks[flat.cut->pieceOfTriangle[t]] += counted[t] * std::pow(strainOf(flat.triangles[t]), 4.0);
+    sums[flat.cut->pieceOfTriangle[t]] += counted[t] * measure(flat.triangles[t]);
   }
-  return peaks;
-}
-
-/// By piece, the integral of the change of area. \param counted area of each triangle
-std::vector<double> areaChanges(const FlatteningResult& flat, const std::vector<double>& counted)
-{
-  std::vector<double> changes(flat.pieces.size(), 0.0);
-  for (Index t = 0; t < flat.cut->mesh.triangleCount(); ++t)
-  {
-    changes[flat.cut->pieceOfTriangle[t]] +=
-      counted[t] * std::abs(flat.triangles[t].areaRatio - 1.0);
-  }
-  return changes;
+  return sums;
 }
 
 /// The middle of the triangle that is strained most of those that count.
@@ -269,7 +259,9 @@ CutTrials::Trial CutTrials::tried(
       : fromStart                     ? startShare * this->MostSteps
                                       : this->MostSteps;
     limit = std::min(most, static_cast<double>(factorized) + factorizationWork(triangles) * steps);
-    trial.flat = this->flattened(trial.surface, fromStart, counting);
+    FlatteningOptions options = this->Flattening;
+    options.start = fromStart ? this->startOf(trial.surface) : std::vector<FlatCorners>();
+    trial.flat = flattenSurface(trial.surface.mesh, trial.surface.curves, options, counting);
     if (!trial.flat.status.refused())
     {
       trial.outcome = this->measured(trial.surface, trial.flat);
@@ -302,24 +294,10 @@ TrialOutcome CutTrials::startUncut(TrialBudget& budget, const Execution& executi
   return std::move(trial.outcome);
 }
 
-FlatteningResult CutTrials::flattened(
-  const ImprintedSurface& surface, bool fromStart, const Execution& execution) const
-{
-  FlatteningOptions options = this->Flattening;
-  options.start = fromStart ? this->startOf(surface) : std::vector<FlatCorners>();
-  Execution silent = execution; // how far a trial is says nothing of how far the search is
-  silent.progress = nullptr;
-  return flattenSurface(surface.mesh, surface.curves, options, silent);
-}
-
 /// By triangle of the surface with cuts, its corners in the triangle that it is a part of.
 std::vector<FlatCorners> CutTrials::startOf(const ImprintedSurface& surface) const
 {
   std::vector<FlatCorners> start;
-  if (this->Start.empty())
-  {
-    return start;
-  }
   for (Index t = 0; t < surface.mesh.triangleCount(); ++t)
   {
     const Index before = surface.originalTriangle[t];
@@ -430,11 +408,13 @@ void CutTrials::measure(
   outcome.minPiece = *std::min_element(areas.begin(), areas.end()) / total;
   if (this->Goal == SearchGoal::Strain)
   {
-    outcome.pieceGoals = peakStrains(flat, counted);
+    outcome.pieceGoals = integrals(flat, counted,
+      [](const TriangleQuality& triangle) { return std::pow(strainOf(triangle), 4.0); });
   }
   else if (this->Goal == SearchGoal::Area)
   {
-    outcome.pieceGoals = areaChanges(flat, counted);
+    outcome.pieceGoals = integrals(flat, counted,
+      [](const TriangleQuality& triangle) { return std::abs(triangle.areaRatio - 1.0); });
   }
   outcome.goal = std::accumulate(outcome.pieceGoals.begin(), outcome.pieceGoals.end(), 0.0);
 }
@@ -449,15 +429,12 @@ std::vector<TrialOutcome> CutTrials::runAll(const std::vector<std::vector<Polyli
   {
     const Index last = std::min(count, first + triedTogether);
     std::vector<double> work(last - first, 0.0);
-    execution.parallelFor(last - first, [&](Index begin, Index end) {
-      for (Index k = begin; k < end && !inner.cancelled(); ++k)
+    execution.forEachTask(last - first, [&](Index k) {
+      if (!inner.cancelled() && !cuts[first + k].empty())
       {
-        if (!cuts[first + k].empty())
-        {
-          Trial trial = this->tried(cuts[first + k], budget.left(), inner);
-          outcomes[first + k] = std::move(trial.outcome);
-          work[k] = trial.work;
-        }
+        Trial trial = this->tried(cuts[first + k], budget.left(), inner);
+        outcomes[first + k] = std::move(trial.outcome);
+        work[k] = trial.work;
       }
     });
     for (double one : work)

@@ -171,8 +171,6 @@ public:
 
 private:
   Trial tried(const std::vector<Polyline>& cuts, double most, const Execution& execution) const;
-  FlatteningResult flattened(
-    const ImprintedSurface& surface, bool fromStart, const Execution& execution) const;
   TrialOutcome measured(const ImprintedSurface& surface, const FlatteningResult& flat) const;
   std::vector<FlatCorners> startOf(const ImprintedSurface& surface) const;
   ImprintedSurface imprinted(const std::vector<Polyline>& cuts) const;
