@@ -60,12 +60,6 @@ constexpr int maxStrippings = 3;
 /// Of the width allowed, that of strips: they are flattened anew and may come out a little wider.
 constexpr std::array<double, 3> stripShares{ 1.0, 0.97, 0.9 };
 
-bool isPaired(const std::vector<SuggestedCurve>& cuts)
-{
-  return std::any_of(
-    cuts.begin(), cuts.end(), [](const SuggestedCurve& cut) { return cut.mirrorOf != none; });
-}
-
 class Suggesting
 {
 public:
@@ -88,16 +82,16 @@ public:
 
   CurveSuggestions run()
   {
-    const ImprintedSurface surface = imprintCurves(this->Mesh, this->Curves, this->Options.imprint);
-    if (!surface.status.ok())
+    this->Surface = imprintCurves(this->Mesh, this->Curves, this->Options.imprint);
+    if (!this->Surface.status.ok())
     {
-      return refusal(surface.status);
+      return refusal(this->Surface.status);
     }
     if (this->Options.search.pieces > 0 && this->hasKeys())
     {
-      return refusal({ StatusCode::InvalidOption,
+      return refusal(
         "a number of pieces is asked for, and key curves, across which no seam may run, are there",
-        {}, { { Remedy::Give, "no number of pieces, or no key curve" } } });
+        "no number of pieces, or no key curve");
     }
     const Status mirror = findMirror(this->Mesh, this->Curves, this->Options.search, this->Weights,
       this->Run, this->Result.mirror);
@@ -105,6 +99,9 @@ public:
     {
       return refusal(mirror);
     }
+    this->Cut = cutSurface(this->Surface.mesh, this->Surface.curves);
+    this->Pieces = extractPieces(this->Cut);
+    this->Marks = markVertices(this->Surface, this->Options.search);
     CutSet uncut;
     TrialBudget uncutBudget(shareOfUncut * this->Budget.left(), this->Budget);
     uncut.outcome = this->Whole.run({}, uncutBudget, this->Run);
@@ -114,41 +111,41 @@ public:
     }
     this->MostMeasuring = std::min(shareOfMeasuring * this->Budget.left(),
       stepsOfMeasuring * this->Mesh.triangleCount() * maxMeasuredCuts);
-    const CutSet best = this->narrowSet(surface, uncut);
+    const CutSet best = this->narrowSet(uncut);
     const Index most = this->Options.search.maximumCuts;
     if (!best.outcome.valid && most > 0 && !this->Run.cancelled())
     {
-      const auto needed = static_cast<Index>(this->neededCuts(surface).size());
+      const auto needed = static_cast<Index>(this->neededCuts().size());
       if (needed > most)
       {
-        return refusal({ StatusCode::InvalidOption,
-          "the greatest number of cuts is " + std::to_string(most) +
+        return refusal("the greatest number of cuts is " + std::to_string(most) +
             ", and to open the surface takes " + std::to_string(needed) + " seams",
-          {}, { { Remedy::Give, "a number from " + std::to_string(needed) } } });
+          "a number from " + std::to_string(needed));
       }
     }
     if (this->Options.search.cuts == SuggestedCuts::Gores && best.cuts.empty() &&
       !this->isFlat(best))
     {
-      return refusal({ StatusCode::InvalidOption,
-        this->Curves.empty() ? "half planes through no axis of the surface part it into gores"
-                             : "gores are of surfaces without other curves",
-        {}, { { Remedy::Give, "another kind of cuts" } } });
+      return refusal(this->Curves.empty()
+          ? "half planes through no axis of the surface part it into gores"
+          : "gores are of surfaces without other curves",
+        "another kind of cuts");
     }
     this->Result.curves = best.cuts;
-    if (!isPaired(best.cuts))
+    if (std::all_of(best.cuts.begin(), best.cuts.end(),
+          [](const SuggestedCurve& cut) { return cut.mirrorOf == none; }))
     {
       this->Result.mirror.reset();
     }
     this->nameCuts();
     measureCuts(this->Whole, uncut.outcome, best.outcome, this->Area, this->Result.curves,
       this->Budget, this->Run);
-    const auto stateOf = [this](const TrialOutcome& outcome, double& strain, double& energy) {
-      strain = outcome.valueOrNaN(outcome.strainP95);
-      energy = outcome.valueOrNaN(outcome.energy / this->Area);
-    };
-    stateOf(uncut.outcome, this->Result.strainBefore, this->Result.rigidEnergyBefore);
-    stateOf(best.outcome, this->Result.strainAfter, this->Result.rigidEnergyAfter);
+    const TrialOutcome& before = uncut.outcome;
+    const TrialOutcome& after = best.outcome;
+    this->Result.strainBefore = before.valueOrNaN(before.strainP95);
+    this->Result.strainAfter = after.valueOrNaN(after.strainP95);
+    this->Result.rigidEnergyBefore = before.valueOrNaN(before.energy / this->Area);
+    this->Result.rigidEnergyAfter = after.valueOrNaN(after.energy / this->Area);
     this->Result.boundMet = this->isFlat(best) && !this->tooWide();
     this->Result.worstPlace = best.outcome.worstPlace;
     this->Result.trials = this->Budget.trials();
@@ -162,6 +159,10 @@ private:
     CurveSuggestions refused;
     refused.status = std::move(status);
     return refused;
+  }
+  static CurveSuggestions refusal(const std::string& defect, const std::string& wanted)
+  {
+    return refusal({ StatusCode::InvalidOption, defect, {}, { { Remedy::Give, wanted } } });
   }
 
   /// Whether one set is before another: what has a flattening before what has none; then what meets
@@ -190,6 +191,12 @@ private:
     return merit(a) < merit(b);
   }
 
+  const CutSet& bestOf(const std::vector<CutSet>& sets) const
+  {
+    return *std::min_element(sets.begin(), sets.end(),
+      [this](const CutSet& a, const CutSet& b) { return this->better(a, b); });
+  }
+
   bool tooWide() const
   {
     const double most = this->Options.search.maximumWidth;
@@ -206,7 +213,7 @@ private:
 
   /// The best set whose pieces are no wider than allowed: strips of the uncut surface, as of a
   /// sail, where cuts in these meet the bound; otherwise the best set in strips.
-  CutSet narrowSet(const ImprintedSurface& surface, const CutSet& uncut)
+  CutSet narrowSet(const CutSet& uncut)
   {
     const SearchOptions& wanted = this->Options.search;
     const bool limited = wanted.maximumWidth > 0.0;
@@ -222,7 +229,7 @@ private:
         return strips;
       }
     }
-    CutSet best = this->bestSet(surface, uncut);
+    CutSet best = this->bestSet(uncut);
     return limited ? this->withStrips(std::move(best)) : best;
   }
 
@@ -261,7 +268,7 @@ private:
   }
 
   /// The best set that is found, which is never worse than no cuts.
-  CutSet bestSet(const ImprintedSurface& surface, const CutSet& uncut)
+  CutSet bestSet(const CutSet& uncut)
   {
     const SearchOptions& wanted = this->Options.search;
     if (this->isFlat(uncut) &&
@@ -277,9 +284,9 @@ private:
     const bool strained = wanted.pieces > 0 || !uncut.outcome.valid ||
       uncut.outcome.strainP95 > chartStrain * wanted.bound;
     bool creased = false;
-    for (Index h = 0; h < surface.mesh.halfedgeCount(); ++h)
+    for (Index h = 0; h < this->Surface.mesh.halfedgeCount(); ++h)
     {
-      creased = creased || isCrease(surface.mesh, h);
+      creased = creased || isCrease(this->Surface.mesh, h);
     }
     const std::optional<SurfaceMirror>& mirror = this->Result.mirror;
     const bool round = strained && this->Curves.empty() && wanted.bound > 0.0 &&
@@ -296,7 +303,7 @@ private:
     // sew.
     const bool alone = !creased && (flat || (gores.equal && usable && wanted.pieces > 0));
     this->Result.end = SearchEnd::NothingHelps;
-    CutSet set = alone ? gores.set : this->searchedSet(surface, uncut, strained, creased);
+    CutSet set = alone ? gores.set : this->searchedSet(uncut, strained, creased);
     if (alone || (usable && !this->better(set, gores.set)))
     {
       this->Result.end = flat ? SearchEnd::BoundMet : this->Result.end;
@@ -321,8 +328,7 @@ private:
   }
 
   /// The best of charts and of cuts one by one.
-  CutSet searchedSet(
-    const ImprintedSurface& surface, const CutSet& uncut, bool strained, bool creased)
+  CutSet searchedSet(const CutSet& uncut, bool strained, bool creased)
   {
     const SearchOptions& wanted = this->Options.search;
     const Index pieces = wanted.pieces;
@@ -335,7 +341,7 @@ private:
     std::vector<CutSet> found;
     const bool tailored =
       charts && strained && pieces == 0 && wanted.bound > 0.0 && this->Curves.empty();
-    CutSet sides = tailored ? this->sideSet(surface) : CutSet();
+    CutSet sides = tailored ? this->sideSet() : CutSet();
     if (this->isFlat(sides))
     {
       this->Result.end = SearchEnd::BoundMet;
@@ -344,61 +350,57 @@ private:
     sides = this->parted(std::move(sides));
     if (charts && chartsFirst)
     {
-      found.push_back(this->chartSet(surface, uncut));
+      found.push_back(this->chartSet(uncut));
     }
     const bool few = uncut.outcome.valid && !parting && !found.empty() &&
       static_cast<Index>(found.front().cuts.size()) <= maxAdded;
     if (found.empty() || (pieces == 0 && (few || !this->isFlat(found.front()))))
     {
-      this->addSets(found, this->neededCuts(surface));
+      this->addSets(found, this->neededCuts());
     }
     if (!sides.cuts.empty() && sides.outcome.overlaps == 0)
     {
       found.push_back(std::move(sides));
     }
-    const auto better = [this](const CutSet& a, const CutSet& b) { return this->better(a, b); };
     if (charts && !chartsFirst && found.front().end != SearchEnd::GivenUp &&
       std::none_of(
         found.begin(), found.end(), [this](const CutSet& set) { return this->isFlat(set); }))
     {
-      found.push_back(this->chartSet(surface, uncut));
+      found.push_back(this->chartSet(uncut));
     }
     if (found.empty())
     {
       this->Result.end = this->Run.cancelled() ? SearchEnd::Interrupted : SearchEnd::CutsUsedUp;
       return uncut;
     }
-    const auto best = std::min_element(found.begin(), found.end(), better);
+    const CutSet& best = this->bestOf(found);
     const bool limited = std::any_of(found.begin(), found.end(),
       [](const CutSet& one) { return one.end == SearchEnd::WorkUsedUp; });
-    const bool givenUp = found.front().end == SearchEnd::GivenUp && !this->isFlat(*best);
+    const bool givenUp = found.front().end == SearchEnd::GivenUp && !this->isFlat(best);
     this->Result.end = this->Run.cancelled() ? SearchEnd::Interrupted
       : givenUp                              ? SearchEnd::GivenUp
-      : limited && !this->isFlat(*best)      ? SearchEnd::WorkUsedUp
-                                             : best->end;
-    this->Result.cutsNeeded = givenUp ? found.front().cutsNeeded : best->cutsNeeded;
-    const TrialOutcome& with = best->outcome;
+      : limited && !this->isFlat(best)       ? SearchEnd::WorkUsedUp
+                                             : best.end;
+    this->Result.cutsNeeded = givenUp ? found.front().cutsNeeded : best.cutsNeeded;
+    const TrialOutcome& with = best.outcome;
     const bool worse = wanted.bound > 0.0 ? with.strainP95 > uncut.outcome.strainP95
                                           : with.energy > uncut.outcome.energy;
-    return uncut.outcome.valid && (worse || !with.valid) ? uncut : *best;
+    return uncut.outcome.valid && (worse || !with.valid) ? uncut : best;
   }
 
   /// Seams between a front and a back of each part, as a tailor lays them, with single cuts in what
   /// they part. Where the seams that open the surface are enough, these. No cuts where no part has
   /// two openings.
-  CutSet sideSet(const ImprintedSurface& surface)
+  CutSet sideSet()
   {
-    const CutSurface cut = cutSurface(surface.mesh, surface.curves);
-    const std::vector<Piece> pieces = extractPieces(cut);
-    const VertexMarks marks = markVertices(surface, this->Options.search);
     CutSet set;
     bool sides = false;
-    for (const Piece& piece : pieces)
+    for (const Piece& piece : this->Pieces)
     {
       std::vector<SuggestedCurve> seams =
-        sideSeams(piece.mesh, pieces.size() == 1 ? this->Result.mirror : std::nullopt);
+        sideSeams(piece.mesh, this->Pieces.size() == 1 ? this->Result.mirror : std::nullopt);
       sides = sides || !seams.empty();
-      seams = seams.empty() ? this->opened(piece, cut, marks) : std::move(seams);
+      seams = seams.empty() ? this->opened(piece) : std::move(seams);
       set.cuts.insert(set.cuts.end(), seams.begin(), seams.end());
     }
     if (!sides)
@@ -406,7 +408,7 @@ private:
       return {};
     }
     CutSet opened;
-    opened.cuts = this->neededCuts(surface);
+    opened.cuts = this->neededCuts();
     opened.outcome = this->Whole.run(linesOf(opened.cuts), this->Budget, this->Run);
     if (this->isFlat(opened) && this->allowed(opened))
     {
@@ -431,7 +433,7 @@ private:
 
   /// Charts in all pieces that do not keep the bound, with what it takes to keep it where the
   /// surface is only nearly like the version that they were found on.
-  CutSet chartSet(const ImprintedSurface& surface, const CutSet& uncut)
+  CutSet chartSet(const CutSet& uncut)
   {
     const SearchOptions& wanted = this->Options.search;
     CutSet set;
@@ -440,14 +442,14 @@ private:
     double bound = wanted.bound > 0.0 ? wanted.bound : SearchOptions().bound;
     const double most = wanted.maximumCuts > 0
       ? farTooManyCuts * static_cast<double>(wanted.maximumCuts)
-      : maxChartCuts * cutSurface(surface.mesh, surface.curves).pieceCount;
+      : maxChartCuts * this->Cut.pieceCount;
     const double noise = uncut.outcome.valid ? noiseShare * uncut.outcome.strainP95 : 1.0;
     bool tooMany = false;
     for (int k = 0; k < maxLooser; ++k)
     {
       TrialBudget budget(shareOfCharts * this->Budget.left(), this->Budget);
       set = {};
-      set.cuts = this->chartsOf(surface, uncut, bound, most, budget);
+      set.cuts = this->chartsOf(uncut, bound, most, budget);
       set.cutsNeeded = static_cast<double>(set.cuts.size());
       needed = k == 0 ? set.cutsNeeded : needed;
       spent = budget.spent();
@@ -456,7 +458,7 @@ private:
       const double looser = bound * std::max(looserBound, excess * excess);
       if (excess > 1.0 && (looser > noise || k + 1 == maxLooser))
       {
-        return rejected(SearchEnd::GivenUp, needed); // it is no nearer to flat with as many cuts
+        return { {}, {}, SearchEnd::GivenUp, needed }; // it is no nearer to flat with as many cuts
       }
       if (excess <= 1.0)
       {
@@ -474,11 +476,11 @@ private:
       set.outcome.strainP95 >
         std::max(chartStrain * wanted.bound, noiseShare * uncut.outcome.strainP95))
     {
-      return rejected(SearchEnd::GivenUp, needed); // noise is hardly nearer to flat with few cuts
+      return { {}, {}, SearchEnd::GivenUp, needed }; // noise is hardly nearer to flat with few cuts
     }
     if (!set.outcome.valid || !this->allowed(set))
     {
-      return rejected(spent ? SearchEnd::WorkUsedUp : SearchEnd::CutsUsedUp, set.cutsNeeded);
+      return { {}, {}, spent ? SearchEnd::WorkUsedUp : SearchEnd::CutsUsedUp, set.cutsNeeded };
     }
     set.end = this->isFlat(set) ? SearchEnd::BoundMet
       : tooMany                 ? SearchEnd::CutsUsedUp
@@ -539,15 +541,6 @@ private:
       std::move(set), budget, this->Run);
   }
 
-  /// No cuts, and why.
-  static CutSet rejected(SearchEnd end, double needed)
-  {
-    CutSet set;
-    set.end = end;
-    set.cutsNeeded = needed;
-    return set;
-  }
-
   bool allowed(const CutSet& set) const
   {
     const SearchOptions& wanted = this->Options.search;
@@ -568,18 +561,17 @@ private:
     return options;
   }
 
-  std::vector<SuggestedCurve> chartsOf(const ImprintedSurface& surface, const CutSet& uncut,
-    double bound, double most, TrialBudget& budget) const
+  std::vector<SuggestedCurve> chartsOf(
+    const CutSet& uncut, double bound, double most, TrialBudget& budget) const
   {
     ChartOptions options = this->chartOptions(bound);
     options.maxCuts = most;
-    const CutSurface cut = cutSurface(surface.mesh, surface.curves);
-    const std::vector<Piece> pieces = extractPieces(cut);
+    const std::vector<Piece>& pieces = this->Pieces;
     const bool known = uncut.outcome.pieceStrains.size() == pieces.size();
     const std::optional<SurfaceMirror>& mirror = this->Result.mirror;
     const bool plane = mirror && mirror->plane() && pieces.size() == 1;
     const Indices images =
-      pieceImages(pieceSurfaces(surface, cut), mirror, std::sqrt(this->Area / pi));
+      pieceImages(pieceSurfaces(this->Surface, this->Cut), mirror, std::sqrt(this->Area / pi));
     std::vector<char> done(pieces.size(), 0);
     double area = 0.0;
     for (std::size_t p = 0; p < pieces.size(); ++p)
@@ -590,7 +582,6 @@ private:
     }
     const Index wanted =
       std::max<Index>(0, options.pieces - std::count(done.begin(), done.end(), 1));
-    const VertexMarks marks = markVertices(surface, this->Options.search);
     std::vector<SuggestedCurve> cuts;
     for (std::size_t p = 0; p < pieces.size(); ++p)
     {
@@ -614,7 +605,7 @@ private:
         pieces[p].mesh, plane ? mirror->plane() : std::nullopt, options, share, this->Run);
       if (here.empty() && findDefect(pieces[p]))
       {
-        here = this->opened(pieces[p], cut, marks);
+        here = this->opened(pieces[p]);
       }
       for (SuggestedCurve& one : here)
       {
@@ -631,14 +622,12 @@ private:
   }
 
   /// Cuts without which a piece cannot be laid flat at all.
-  std::vector<SuggestedCurve> neededCuts(const ImprintedSurface& surface) const
+  std::vector<SuggestedCurve> neededCuts() const
   {
     std::vector<SuggestedCurve> cuts;
-    const CutSurface cutAlready = cutSurface(surface.mesh, surface.curves);
-    const VertexMarks marks = markVertices(surface, this->Options.search);
-    for (const Piece& piece : extractPieces(cutAlready))
+    for (const Piece& piece : this->Pieces)
     {
-      for (SuggestedCurve& cut : this->opened(piece, cutAlready, marks))
+      for (SuggestedCurve& cut : this->opened(piece))
       {
         cuts.push_back(std::move(cut));
       }
@@ -647,13 +636,12 @@ private:
   }
 
   /// Cuts without which one piece cannot be laid flat.
-  std::vector<SuggestedCurve> opened(
-    const Piece& piece, const CutSurface& surface, const VertexMarks& marks) const
+  std::vector<SuggestedCurve> opened(const Piece& piece) const
   {
     std::vector<char> barred;
     for (Index v : piece.vertices)
     {
-      barred.push_back(marks.barred[surface.originalVertex[v]]);
+      barred.push_back(this->Marks.barred[this->Cut.originalVertex[v]]);
     }
     const bool plane = this->Result.mirror && this->Result.mirror->plane();
     std::vector<SuggestedCurve> cuts;
@@ -673,7 +661,6 @@ private:
   void addSets(std::vector<CutSet>& found, const std::vector<SuggestedCurve>& first)
   {
     const SearchOptions& wanted = this->Options.search;
-    const auto better = [this](const CutSet& a, const CutSet& b) { return this->better(a, b); };
     const std::vector<SearchStrategy> strategies = searchStrategies(wanted);
     const auto needed = static_cast<Index>(first.size());
     if (wanted.maximumCuts > 0 && needed > wanted.maximumCuts)
@@ -692,7 +679,7 @@ private:
         searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
                      options, this->Result.mirror, this->Weights, strategies[k].goal },
           this->start(first, strategies[k].goal, budget), budget, this->Run));
-      const bool met = this->isFlat(*std::min_element(found.begin(), found.end(), better));
+      const bool met = this->isFlat(this->bestOf(found));
       if ((met && (found.back().cuts.size() == first.size() || k > 0)) ||
         found.back().end == SearchEnd::GivenUp || found.front().end == SearchEnd::GivenUp ||
         this->Budget.left() <= this->MostMeasuring)
@@ -713,14 +700,14 @@ private:
   const CutSet& start(
     const std::vector<SuggestedCurve>& first, SearchGoal goal, TrialBudget& budget)
   {
-    std::optional<CutSet>& set = this->Start[goal];
-    if (!set)
+    const auto [start, isNew] = this->Start.emplace(goal, CutSet());
+    CutSet& set = start->second;
+    if (isNew)
     {
-      set.emplace();
-      set->cuts = first;
-      set->outcome = this->flattened(first, goal, budget);
+      set.cuts = first;
+      set.outcome = this->flattened(first, goal, budget);
     }
-    return *set;
+    return set;
   }
 
   /// Numbers darts and seams in their order, beside the names that there are.
@@ -744,8 +731,12 @@ private:
   Execution Run;         ///< silent
   RegionWeights Weights; ///< relative ones
   CutTrials Whole;
+  ImprintedSurface Surface; ///< with the curves
+  CutSurface Cut;           ///< along them
+  std::vector<Piece> Pieces;
+  VertexMarks Marks;
   double Area;
-  std::map<SearchGoal, std::optional<CutSet>> Start; ///< the cuts that are needed anyway
+  std::map<SearchGoal, CutSet> Start; ///< the cuts that are needed anyway
   TrialBudget Budget;
   double MostMeasuring = 0.0; ///< of the budget
   CurveSuggestions Result;
