@@ -21,7 +21,7 @@ BoundaryRuler::BoundaryRuler(const TriangleMesh& mesh)
   : Mesh(mesh)
   , Places(mesh.vertexCount())
 {
-  for (const Indices& halfedges : mesh.boundaryLoops())
+  for (Indices& halfedges : mesh.boundaryLoops())
   {
     Loop loop;
     double arc = 0.0;
@@ -29,15 +29,14 @@ BoundaryRuler::BoundaryRuler(const TriangleMesh& mesh)
     {
       const Index v = mesh.from(h);
       this->Places[v] = { static_cast<Index>(this->Loops.size()), arc };
-      loop.vertices.push_back(v);
-      loop.halfedges.push_back(h);
-      loop.arcs.push_back(arc);
-      arc += mesh.length(h);
       if (pi - angleSum(mesh, v) > cornerTurn)
       {
-        loop.corners.push_back(loop.arcs.back());
+        loop.corners.push_back(arc);
       }
+      loop.arcs.push_back(arc);
+      arc += mesh.length(h);
     }
+    loop.halfedges = std::move(halfedges);
     loop.arcs.push_back(arc);
     this->Loops.push_back(std::move(loop));
   }
@@ -63,14 +62,10 @@ SurfacePoint BoundaryRuler::surfacePoint(const BoundaryPlace& place) const
   const std::size_t k = this->edgeAt(place);
   const double length = loop.arcs[k + 1] - loop.arcs[k];
   const double fraction = std::clamp((place.arc - loop.arcs[k]) / length, 0.0, 1.0);
-  const double snapped =
-    std::min(fraction, 1.0 - fraction) < snapFraction ? std::round(fraction) : fraction;
-  if (snapped == 0.0 || snapped == 1.0)
-  {
-    const std::size_t end = snapped == 0.0 ? k : (k + 1) % loop.vertices.size();
-    return vertexPoint(this->Mesh, loop.vertices[end]);
-  }
-  return edgePoint(this->Mesh, loop.halfedges[k], snapped);
+  const Index h = loop.halfedges[k];
+  return std::min(fraction, 1.0 - fraction) < snapFraction
+    ? vertexPoint(this->Mesh, fraction < 0.5 ? this->Mesh.from(h) : this->Mesh.to(h))
+    : edgePoint(this->Mesh, h, fraction);
 }
 
 Point3 BoundaryRuler::point(const BoundaryPlace& place) const
@@ -88,7 +83,7 @@ Index BoundaryRuler::vertex(const BoundaryPlace& place) const
   const Loop& loop = this->Loops[place.loop];
   const std::size_t k = this->edgeAt(place);
   const bool first = place.arc - loop.arcs[k] <= loop.arcs[k + 1] - place.arc;
-  return loop.vertices[first ? k : (k + 1) % loop.vertices.size()];
+  return first ? this->Mesh.from(loop.halfedges[k]) : this->Mesh.to(loop.halfedges[k]);
 }
 
 BoundaryPlace BoundaryRuler::nearest(const Point3& point, const Point3& inside) const
@@ -100,24 +95,21 @@ BoundaryPlace BoundaryRuler::nearest(const Point3& point, const Point3& inside) 
   {
     const Loop& loop = this->Loops[l];
     const double equal = equallyNear * this->length(l) * this->length(l);
-    for (std::size_t k = 0; k < loop.vertices.size(); ++k)
+    for (std::size_t k = 0; k < loop.halfedges.size(); ++k)
     {
-      const Point3& a = this->Mesh.point(loop.vertices[k]);
-      const Point3 along = this->Mesh.point(loop.vertices[(k + 1) % loop.vertices.size()]) - a;
-      const double square = along.squaredNorm();
-      const double fraction =
-        square > 0.0 ? std::clamp(along.dot(point - a) / square, 0.0, 1.0) : 0.0;
-      const double distance = (a + fraction * along - point).squaredNorm();
+      const Index h = loop.halfedges[k];
+      const Point3& a = this->Mesh.point(this->Mesh.from(h));
+      const Point3& b = this->Mesh.point(this->Mesh.to(h));
+      const double fraction = fractionAlong(a, b, point);
+      const double distance = (a + fraction * (b - a) - point).squaredNorm();
       if (distance > least + equal)
       {
         continue;
       }
-      const BoundaryPlace place{ l, loop.arcs[k] + fraction * (loop.arcs[k + 1] - loop.arcs[k]) };
-      const double miss =
-        (this->inside({ l, 0.5 * (loop.arcs[k] + loop.arcs[k + 1]) }) - inside).squaredNorm();
+      const double miss = (this->Mesh.centroid(h / 3) - inside).squaredNorm();
       if (distance < least - equal || miss < leastMiss)
       {
-        best = place;
+        best = { l, loop.arcs[k] + fraction * (loop.arcs[k + 1] - loop.arcs[k]) };
         least = std::min(least, distance);
         leastMiss = miss;
       }
@@ -143,7 +135,7 @@ Indices BoundaryRuler::spread(double spacing, double clear) const
   {
     const Loop& loop = this->Loops[l];
     double next = 0.0;
-    for (std::size_t k = 0; k < loop.vertices.size(); ++k)
+    for (std::size_t k = 0; k < loop.halfedges.size(); ++k)
     {
       const BoundaryPlace here{ l, loop.arcs[k] };
       const bool nearCorner =
@@ -152,7 +144,7 @@ Indices BoundaryRuler::spread(double spacing, double clear) const
         });
       if (!nearCorner && loop.arcs[k] >= next)
       {
-        result.push_back(loop.vertices[k]);
+        result.push_back(this->Mesh.from(loop.halfedges[k]));
         next = loop.arcs[k] + spacing;
       }
     }

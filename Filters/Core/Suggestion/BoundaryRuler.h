@@ -40,8 +40,7 @@ public:
 private:
   struct Loop
   {
-    Indices vertices;
-    Indices halfedges;        ///< from each vertex
+    Indices halfedges;
     std::vector<double> arcs; ///< one more: the length
     std::vector<double> corners;
   };

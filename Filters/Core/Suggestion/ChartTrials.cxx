@@ -63,35 +63,28 @@ std::vector<ChartTrials::Result> ChartTrials::run(
   {
     const std::size_t last = std::min(sets.size(), first + triedTogether);
     std::vector<std::vector<std::pair<Key, Result>>> fresh(last - first);
-    execution.parallelFor(static_cast<Index>(last - first), [&](Index begin, Index end) {
-      for (Index k = begin; k < end; ++k)
+    execution.forEachTask(static_cast<Index>(last - first), [&](Index k) {
+      Result all{ true, 0.0, 0.0, 0.0 };
+      for (const TriangleMesh& chart : sets[first + k])
       {
-        Result all{ true, 0.0, 0.0, 0.0 };
-        for (const TriangleMesh& chart : sets[first + k])
+        const Key key = keyOf(chart);
+        const auto known = this->Known.find(key);
+        const bool isKnown = known != this->Known.end();
+        const Result one = isKnown ? known->second : this->flattened(chart, inner);
+        if (!isKnown)
         {
-          const Key key = keyOf(chart);
-          const auto known = this->Known.find(key);
-          Result one;
-          if (known == this->Known.end())
-          {
-            one = this->flattened(chart, inner);
-            fresh[k].emplace_back(key, one);
-            all.work += one.work;
-          }
-          else
-          {
-            one = known->second;
-          }
-          all.sound = all.sound && one.sound;
-          all.strain = std::max(all.strain, one.strain);
-          all.waste += one.waste;
-          if (!all.keeps(bound))
-          {
-            break;
-          }
+          fresh[k].emplace_back(key, one);
+          all.work += one.work;
         }
-        results[first + k] = all;
+        all.sound = all.sound && one.sound;
+        all.strain = std::max(all.strain, one.strain);
+        all.waste += one.waste;
+        if (!all.keeps(bound))
+        {
+          break;
+        }
       }
+      results[first + k] = all;
     });
     for (std::size_t k = first; k < last && !execution.cancelled(); ++k)
     {
