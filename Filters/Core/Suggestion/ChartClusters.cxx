@@ -33,7 +33,6 @@ public:
   Clustering(const TriangleMesh& mesh, double bound)
     : Mesh(mesh)
     , Bound(bound)
-    , HoleOf(mesh.vertexCount(), none)
     , NoCuts(mesh.halfedgeCount(), 0)
     , Area(mesh.area())
   {
@@ -41,13 +40,7 @@ public:
 
   Indices run(const std::vector<Indices>& loops, const std::vector<char>& holes)
   {
-    for (std::size_t l = 0; l < loops.size(); ++l)
-    {
-      for (Index h : holes[l] ? loops[l] : Indices{})
-      {
-        this->HoleOf[this->Mesh.from(h)] = static_cast<Index>(l);
-      }
-    }
+    this->HoleOf = holesByVertex(this->Mesh, loops, holes);
     this->start();
     while (!this->Queue.empty())
     {
@@ -240,6 +233,20 @@ private:
 };
 }
 
+Indices holesByVertex(
+  const TriangleMesh& mesh, const std::vector<Indices>& loops, const std::vector<char>& holes)
+{
+  Indices holeOf(mesh.vertexCount(), none);
+  for (std::size_t l = 0; l < loops.size(); ++l)
+  {
+    for (Index h : holes[l] ? loops[l] : Indices{})
+    {
+      holeOf[mesh.from(h)] = static_cast<Index>(l);
+    }
+  }
+  return holeOf;
+}
+
 OpenedPart openedPart(
   const TriangleMesh& mesh, const Indices& triangles, const std::vector<char>& cut)
 {
@@ -330,11 +337,8 @@ double forecastStrain(const TriangleMesh& piece)
   SparseMatrix laplacian(count, count);
   laplacian.setFromTriplets(entries.begin(), entries.end());
   LinearSolver solver;
-  if (!solver.factorize(laplacian))
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  const Eigen::MatrixXd factor = solver.solve(defect);
+  const Eigen::MatrixXd factor =
+    solver.factorize(laplacian) ? solver.solve(defect) : Eigen::MatrixXd();
   if (factor.rows() != count)
   {
     return std::numeric_limits<double>::infinity();

@@ -12,6 +12,10 @@ struct OpenedPart
   Indices vertices; ///< per vertex its id in the mesh before
 };
 
+/// By vertex the boundary loop that it is on, where that is a hole; else none.
+Indices holesByVertex(
+  const TriangleMesh& mesh, const std::vector<Indices>& loops, const std::vector<char>& holes);
+
 /// \param cut per half-edge of the mesh, whether it is open; both sides agree
 OpenedPart openedPart(
   const TriangleMesh& mesh, const Indices& triangles, const std::vector<char>& cut);

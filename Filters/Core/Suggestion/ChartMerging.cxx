@@ -63,22 +63,14 @@ Charts::Charts(const TriangleMesh& mesh, std::vector<char> cut, Indices images,
   , Fewest(std::max<Index>(1, options.pieces))
   , Size(size)
   , Trials(trials)
-  , HoleOf(mesh.vertexCount(), none)
 {
   const std::vector<char> creases = creasesOf(mesh, sharpCosine);
   for (Index h = 0; h < mesh.halfedgeCount(); ++h)
   {
     this->Prices.push_back((creases[h] ? creaseShare : 1.0) * mesh.length(h));
   }
-  const std::vector<Indices> loops = mesh.boundaryLoops();
-  const std::vector<char> holes = findHoles(mesh, loops);
-  for (std::size_t l = 0; l < loops.size() && options.holes; ++l)
-  {
-    for (Index h : holes[l] ? loops[l] : Indices{})
-    {
-      this->HoleOf[mesh.from(h)] = static_cast<Index>(l);
-    }
-  }
+  const std::vector<Indices> loops = options.holes ? mesh.boundaryLoops() : std::vector<Indices>{};
+  this->HoleOf = holesByVertex(mesh, loops, findHoles(mesh, loops));
 }
 
 void Charts::divide(TrialBudget& budget, const Execution& execution)
@@ -348,12 +340,8 @@ void Charts::eliminate(
         fresh.push_back(order.back());
       }
     }
-    execution.parallelFor(static_cast<Index>(fresh.size()), [&](Index begin, Index end) {
-      for (Index k = begin; k < end; ++k)
-      {
-        fresh[k]->cost = this->forecastCost(fresh[k]->removal);
-      }
-    });
+    execution.forEachTask(static_cast<Index>(fresh.size()),
+      [&](Index k) { fresh[k]->cost = this->forecastCost(fresh[k]->removal); });
     for (const Candidate* one : fresh)
     {
       for (Index chart : one->removal.charts)
@@ -427,28 +415,7 @@ bool Charts::worthIt(
   return removal.saved > wastePrice * (waste - wasted) / (pi * this->Size * this->Size);
 }
 
-void Charts::remove(const Removal& removal)
-{
-  std::vector<char> changed(this->Mesh.triangleCount(), 0);
-  for (const Indices* edges : { &removal.edges, &removal.opened })
-  {
-    for (Index h : *edges)
-    {
-      this->Cut[h] = this->Cut[this->Mesh.twin(h)] = edges == &removal.opened ? 1 : 0;
-      for (Index side : { h, this->Mesh.twin(h) })
-      {
-        for (Index t : this->All[this->ChartOf[side / 3]].triangles)
-        {
-          changed[t] = 1;
-        }
-      }
-    }
-  }
-  this->group(changed);
-}
-
-/// What becomes of the charts.
-std::vector<OpenedPart> Charts::without(const Removal& removal) const
+std::vector<char> Charts::cutAfter(const Removal& removal) const
 {
   std::vector<char> cut = this->Cut;
   for (const Indices* edges : { &removal.edges, &removal.opened })
@@ -458,6 +425,33 @@ std::vector<OpenedPart> Charts::without(const Removal& removal) const
       cut[h] = cut[this->Mesh.twin(h)] = edges == &removal.opened ? 1 : 0;
     }
   }
+  return cut;
+}
+
+void Charts::remove(const Removal& removal)
+{
+  std::vector<char> cut = this->cutAfter(removal);
+  std::vector<char> touched(this->All.size(), 0);
+  for (const Indices* edges : { &removal.edges, &removal.opened })
+  {
+    for (Index h : *edges)
+    {
+      touched[this->ChartOf[h / 3]] = touched[this->ChartOf[this->Mesh.twin(h) / 3]] = 1;
+    }
+  }
+  std::vector<char> changed;
+  for (Index chart : this->ChartOf)
+  {
+    changed.push_back(touched[chart]);
+  }
+  this->Cut = std::move(cut);
+  this->group(changed);
+}
+
+/// What becomes of the charts.
+std::vector<OpenedPart> Charts::without(const Removal& removal) const
+{
+  const std::vector<char> cut = this->cutAfter(removal);
   std::vector<char> wanted(this->Mesh.triangleCount(), 0);
   for (Index chart : removal.charts)
   {
@@ -582,7 +576,7 @@ Charts::Removal Charts::removalOf(Indices edges, double fixedPrice) const
 /// \param owner per triangle, where it is in the chart, who gets it
 Indices Charts::receivers(Index chart, std::vector<Index>& owner) const
 {
-  const Index image = this->ChartOf[this->imageOf(this->All[chart].triangles.front())];
+  const Index image = this->chartImage(chart);
   using Step = std::tuple<double, Index, Index>;
   std::priority_queue<Step, std::vector<Step>, std::greater<>> queue;
   for (Index t : this->All[chart].triangles)
@@ -622,18 +616,15 @@ Indices Charts::receivers(Index chart, std::vector<Index>& owner) const
   for (Index t : this->All[chart].triangles)
   {
     const Index mirrored = this->imageOf(t);
-    const auto chartImage = [this](Index c) {
-      return this->ChartOf[this->imageOf(this->All[c].triangles.front())];
-    };
     if (owner[t] == none)
     {
       return {};
     }
     if (mirrored < t && chart == image)
     {
-      owner[t] = chartImage(owner[mirrored]);
+      owner[t] = this->chartImage(owner[mirrored]);
     }
-    owner[mirrored] = chart == image ? owner[mirrored] : chartImage(owner[t]);
+    owner[mirrored] = chart == image ? owner[mirrored] : this->chartImage(owner[t]);
     all.push_back(owner[t]);
   }
   sortUnique(all);
@@ -644,8 +635,7 @@ Indices Charts::receivers(Index chart, std::vector<Index>& owner) const
 Charts::Removal Charts::sharedOut(Index chart) const
 {
   Removal removal;
-  const Indices& triangles = this->All[chart].triangles;
-  const Index image = this->ChartOf[this->imageOf(triangles.front())];
+  const Index image = this->chartImage(chart);
   if (image < chart)
   {
     return removal;
@@ -659,7 +649,7 @@ Charts::Removal Charts::sharedOut(Index chart) const
   Indices images;
   for (Index c : removal.charts)
   {
-    images.push_back(this->ChartOf[this->imageOf(this->All[c].triangles.front())]);
+    images.push_back(this->chartImage(c));
   }
   const bool both = image != chart && std::any_of(images.begin(), images.end(), [&](Index c) {
     return std::find(removal.charts.begin(), removal.charts.end(), c) != removal.charts.end();

@@ -94,6 +94,7 @@ private:
     TrialBudget& budget, const Execution& execution);
   bool removeFirst(
     const std::vector<Candidate*>& order, TrialBudget& budget, const Execution& execution);
+  std::vector<char> cutAfter(const Removal& removal) const;
   void remove(const Removal& removal);
   std::vector<OpenedPart> without(const Removal& removal) const;
   bool worthIt(
@@ -104,6 +105,10 @@ private:
   Removal sharedOut(Index chart) const;
   Indices receivers(Index chart, std::vector<Index>& owner) const;
   Index imageOf(Index triangle) const { return this->Images[3 * triangle] / 3; }
+  Index chartImage(Index chart) const
+  {
+    return this->ChartOf[this->imageOf(this->All[chart].triangles.front())];
+  }
   Indices keyOf(const Removal& removal) const;
   Indices cutEdges(Index v) const;
   std::size_t degree(Index v) const;
