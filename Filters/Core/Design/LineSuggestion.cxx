@@ -8,6 +8,7 @@
 #include "Paths/PlaneSection.h"
 #include "Quality/ScaleFactor.h"
 #include "Suggestion/CurveSuggestions.h"
+#include "Suggestion/CutThinning.h"
 #include "Suggestion/CutTrials.h"
 #include "Suggestion/SymmetryPlane.h"
 #include "Surface/SurfacePoint.h"
@@ -388,11 +389,7 @@ private:
   /// The surface with its curves, those proposed and perhaps one more.
   TrialOutcome tried(const SuggestedCurve* more = nullptr)
   {
-    std::vector<Polyline> all = this->Curves;
-    for (const SuggestedCurve& line : this->Result.curves)
-    {
-      all.push_back(line.curve);
-    }
+    std::vector<Polyline> all = withLines(this->Curves, linesOf(this->Result.curves));
     if (more)
     {
       all.push_back(more->curve);

@@ -33,21 +33,13 @@ constexpr std::size_t maxAttempts = 4;
 /// Up to this many cuts are searched for once.
 constexpr Index singleSearch = 2;
 
-/// Of the strain, with which a goal goes.
-double powerOf(SearchGoal goal)
-{
-  return goal == SearchGoal::Strain ? 4.0 : goal == SearchGoal::Energy ? 2.0 : 1.0;
-}
-
 /// The lines of a plan as they are proposed: by the points where they cross the surface's edges
 /// beside some other cuts, the two of a pair exact images on a piece that is its own, and equally
 /// long darts on another. Empty where they cannot be made.
 std::vector<Polyline> settledCuts(const CutTrials& trials, const std::vector<Polyline>& others,
   const std::vector<Polyline>& lines, const SearchedPiece& piece)
 {
-  std::vector<Polyline> all = others;
-  all.insert(all.end(), lines.begin(), lines.end());
-  const std::vector<Points3> paths = trials.paths(all);
+  const std::vector<Points3> paths = trials.paths(withLines(others, lines));
   if (paths.empty())
   {
     return {};
@@ -102,7 +94,11 @@ public:
     if (this->met())
     {
       this->Result.end = SearchEnd::BoundMet;
-      this->thin();
+      if (this->FirstCount == 0)
+      {
+        thinCuts(this->Whole, this->Search.bound, minCutLength * this->Size, this->Result.cuts,
+          this->now(), this->Budget, this->Run);
+      }
     }
     if (this->Budget.spent() && this->Result.end != SearchEnd::BoundMet)
     {
@@ -136,7 +132,10 @@ private:
     {
       return false;
     }
-    const double power = powerOf(this->Subject.goal);
+    // Of the strain, with which the goal goes.
+    const double power = this->Subject.goal == SearchGoal::Strain ? 4.0
+      : this->Subject.goal == SearchGoal::Energy                  ? 2.0
+                                                                  : 1.0;
     const double done = std::log(this->First.goal / this->now().goal) / made;
     const double left = power * std::log(this->now().strainP95 / this->Search.bound);
     const double needed = done > 0.0 ? made + left / done : std::numeric_limits<double>::infinity();
@@ -155,15 +154,6 @@ private:
   {
     while (!this->finished() && this->addCut())
     {
-    }
-  }
-
-  void thin()
-  {
-    if (this->FirstCount == 0)
-    {
-      thinCuts(this->Whole, this->Search.bound, minCutLength * this->Size, this->Result.cuts,
-        this->now(), this->Budget, this->Run);
     }
   }
 
@@ -217,19 +207,10 @@ private:
 
   std::vector<Polyline> chosen() const { return linesOf(this->Result.cuts); }
 
-  /// The curves that the surface has anyway, and the cuts chosen so far.
-  std::vector<Polyline> withChosen() const
-  {
-    std::vector<Polyline> all = this->Subject.curves;
-    const std::vector<Polyline> cuts = this->chosen();
-    all.insert(all.end(), cuts.begin(), cuts.end());
-    return all;
-  }
-
-  double lengthLeft() const
+  double lengthLeft(const std::vector<SuggestedCurve>& cuts) const
   {
     double left = this->Search.cutLengthLimit();
-    for (const SuggestedCurve& cut : this->Result.cuts)
+    for (const SuggestedCurve& cut : cuts)
     {
       left -= cut.length;
     }
@@ -239,8 +220,8 @@ private:
   /// One round. False where no piece has a cut that is worth it.
   bool addCut()
   {
-    const ImprintedSurface surface =
-      imprintCurves(this->Subject.mesh, this->withChosen(), this->Subject.imprint);
+    const ImprintedSurface surface = imprintCurves(
+      this->Subject.mesh, withLines(this->Subject.curves, this->chosen()), this->Subject.imprint);
     const CutSurface cut = cutSurface(surface.mesh, surface.curves);
     const std::vector<PieceSurface> pieces = pieceSurfaces(surface, cut, this->Subject.weights);
     const VertexMarks marks = markVertices(surface, this->Search);
@@ -298,7 +279,7 @@ private:
       return false;
     }
     const std::vector<TriedCut> best =
-      found.run(this->lengthLeft() / copies, this->Budget, this->Run);
+      found.run(this->lengthLeft(this->Result.cuts) / copies, this->Budget, this->Run);
     for (std::size_t k = 0; k < std::min(best.size(), maxAttempts) && this->worthIt(best[k]); ++k)
     {
       if (this->accept(best[k], found, twice))
@@ -341,13 +322,11 @@ private:
     {
       return false;
     }
-    double left = this->Search.cutLengthLimit();
     for (std::size_t k = 0; k < cuts.size(); ++k)
     {
       cuts[k].length = after.lengths[k];
-      left -= after.lengths[k];
     }
-    if (left < 0.0)
+    if (this->lengthLeft(cuts) < 0.0)
     {
       return false;
     }

@@ -184,6 +184,12 @@ double lengthOf(const Points3& line)
   return length;
 }
 
+std::vector<Polyline> withLines(std::vector<Polyline> lines, const std::vector<Polyline>& more)
+{
+  lines.insert(lines.end(), more.begin(), more.end());
+  return lines;
+}
+
 FlatteningOptions roughly(FlatteningOptions options)
 {
   options.isometric.tolerance = std::max(options.isometric.tolerance, enoughToCompare);
@@ -216,9 +222,8 @@ CutTrials::CutTrials(const TriangleMesh& mesh, std::vector<Polyline> curves,
 /// The surface with its curves and the cuts; refused where a cut cannot be made.
 ImprintedSurface CutTrials::imprinted(const std::vector<Polyline>& cuts) const
 {
-  std::vector<Polyline> polylines = this->Curves;
-  polylines.insert(polylines.end(), cuts.begin(), cuts.end());
-  ImprintedSurface surface = imprintCurves(this->Mesh, polylines, this->Imprint);
+  ImprintedSurface surface =
+    imprintCurves(this->Mesh, withLines(this->Curves, cuts), this->Imprint);
   const std::size_t first = this->Curves.size();
   if (surface.status.ok() &&
     (touchesKey(surface, first) || crossesItself(surface, first) || dartsDivide(surface, first)))

@@ -132,6 +132,9 @@ struct TrialOutcome
 /// Of a line by its points.
 double lengthOf(const Points3& line);
 
+/// Lines and more of them.
+std::vector<Polyline> withLines(std::vector<Polyline> lines, const std::vector<Polyline>& more);
+
 /// Options of flattenings that are only compared with each other: energies are known to five digits
 /// long before the last iterations, and the legs of darts are free.
 FlatteningOptions roughly(FlatteningOptions options);

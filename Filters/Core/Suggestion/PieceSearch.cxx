@@ -178,6 +178,12 @@ std::vector<CutPlan> movedPlans(const SearchedPiece& piece, const CutPlan& plan,
   }
   return plans;
 }
+
+void sortByScore(std::vector<TriedCut>& cuts)
+{
+  std::stable_sort(cuts.begin(), cuts.end(),
+    [](const TriedCut& a, const TriedCut& b) { return a.score > b.score; });
+}
 }
 
 VertexMarks markVertices(const ImprintedSurface& surface, const SearchOptions& options)
@@ -258,8 +264,7 @@ std::vector<TriedCut> PieceSearch::run(
   {
     tried[k] = this->polished(std::move(tried[k]), longest, budget, execution);
   }
-  std::stable_sort(
-    tried.begin(), tried.end(), [](const TriedCut& a, const TriedCut& b) { return a.better(b); });
+  sortByScore(tried);
   return tried;
 }
 
@@ -267,18 +272,14 @@ std::vector<TriedCut> PieceSearch::tryAll(const std::vector<CutPlan>& plans, dou
   TrialBudget& budget, const Execution& execution) const
 {
   std::vector<std::vector<Polyline>> cuts(plans.size());
-  execution.parallelFor(static_cast<Index>(plans.size()), [&](Index begin, Index end) {
-    for (Index k = begin; k < end; ++k)
-    {
-      cuts[k] = this->Searched->polylines(plans[k]);
-    }
-  });
+  execution.forEachTask(static_cast<Index>(plans.size()),
+    [&](Index k) { cuts[k] = this->Searched->polylines(plans[k]); });
   std::vector<TrialOutcome> outcomes = this->Trials.runAll(cuts, budget, execution);
   const double least = minCutLength * this->Searched->size();
   std::vector<TriedCut> tried;
   for (std::size_t k = 0; k < plans.size(); ++k)
   {
-    TriedCut cut{ plans[k], std::move(outcomes[k]), 0.0, 0.0 };
+    TriedCut cut{ plans[k], std::move(outcomes[k]), 0.0 };
     const double length = cut.outcome.cutLength();
     const bool seam = cut.plan.type == CurveType::Seam;
     if (!cut.outcome.soundAfter(this->Before) || length > longest ||
@@ -287,17 +288,16 @@ std::vector<TriedCut> PieceSearch::tryAll(const std::vector<CutPlan>& plans, dou
     {
       continue;
     }
-    cut.gain = this->Before.goal - cut.outcome.goal;
+    const double gain = this->Before.goal - cut.outcome.goal;
     cut.plan.length = length;
     cut.plan.price = this->Searched->price(cut.plan, length, this->Options);
-    cut.score = cut.gain / cut.plan.price;
-    if (cut.gain > 0.0)
+    cut.score = gain / cut.plan.price;
+    if (gain > 0.0)
     {
       tried.push_back(std::move(cut));
     }
   }
-  std::stable_sort(
-    tried.begin(), tried.end(), [](const TriedCut& a, const TriedCut& b) { return a.better(b); });
+  sortByScore(tried);
   return tried;
 }
 
@@ -307,12 +307,8 @@ TriedCut PieceSearch::polished(
   const SearchedPiece& piece = *this->Searched;
   double step = baseSpacing * piece.size();
   std::vector<CutPlan> before{ cut.plan };
-  while (step >= lastStep * piece.size())
+  while (step >= lastStep * piece.size() && !budget.spent() && !execution.cancelled())
   {
-    if (budget.spent() || execution.cancelled())
-    {
-      break;
-    }
     std::vector<CutPlan> plans = movedPlans(piece, cut.plan, step);
     const auto tried = [&](const CutPlan& plan) {
       return std::any_of(before.begin(), before.end(), [&](const CutPlan& other) {

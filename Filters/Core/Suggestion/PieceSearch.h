@@ -38,10 +38,7 @@ struct TriedCut
 {
   CutPlan plan;
   TrialOutcome outcome;
-  double gain = 0.0;  ///< drop of the goal
-  double score = 0.0; ///< gain per price
-
-  bool better(const TriedCut& other) const { return this->score > other.score; }
+  double score = 0.0; ///< drop of the goal per price
 };
 
 /// Searches one piece for its best next cut, on a version with few triangles, of which a flattening

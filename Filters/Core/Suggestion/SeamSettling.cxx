@@ -283,12 +283,7 @@ private:
 void openDividingDarts(const TriangleMesh& mesh, const std::vector<Polyline>& curves,
   const ImprintOptions& imprint, std::vector<SuggestedCurve>& cuts)
 {
-  std::vector<Polyline> all = curves;
-  for (const Polyline& line : linesOf(cuts))
-  {
-    all.push_back(line);
-  }
-  const ImprintedSurface surface = imprintCurves(mesh, all, imprint);
+  const ImprintedSurface surface = imprintCurves(mesh, withLines(curves, linesOf(cuts)), imprint);
   if (surface.status.ok())
   {
     for (const Indices& dart : dividingDarts(
