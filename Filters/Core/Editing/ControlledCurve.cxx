@@ -13,16 +13,11 @@ namespace flattening
 {
 namespace
 {
-bool allFinite(const Points3& points)
-{
-  return std::all_of(
-    points.begin(), points.end(), [](const Point3& point) { return isFinite(point); });
-}
-
 /// Nodes of a curve at its control points, each once where several in a row mean the same point.
 Status placeNodes(const DrawingSurface& surface, const Points3& points, EditedCurve& curve)
 {
-  if (!allFinite(points))
+  if (!std::all_of(
+        points.begin(), points.end(), [](const Point3& point) { return isFinite(point); }))
   {
     return { StatusCode::NonFinitePoint, "a control point has a coordinate that is not finite", {},
       { Remedy::MendPoints } };

@@ -16,60 +16,6 @@
 
 namespace flattening
 {
-void CurveHistory::push(CurveSet next)
-{
-  if (this->Grouped != Group::Pushed)
-  {
-    this->Past.push_back(this->Present);
-  }
-  if (this->Grouped == Group::Begun)
-  {
-    this->Grouped = Group::Pushed;
-  }
-  this->Future.clear();
-  this->Present = std::move(next);
-}
-
-void CurveHistory::undo()
-{
-  if (this->canUndo())
-  {
-    this->endGroup();
-    this->Future.push_back(this->Present);
-    this->Present = std::move(this->Past.back());
-    this->Past.pop_back();
-  }
-}
-
-void CurveHistory::redo()
-{
-  if (this->canRedo())
-  {
-    this->endGroup();
-    this->Past.push_back(this->Present);
-    this->Present = std::move(this->Future.back());
-    this->Future.pop_back();
-  }
-}
-
-void CurveHistory::beginGroup()
-{
-  this->Grouped = Group::Begun;
-}
-
-void CurveHistory::joinSince(std::size_t depth)
-{
-  this->endGroup();
-  if (depth < this->Past.size())
-  {
-    this->Past.resize(depth + 1);
-    if (identical(this->Past.back(), this->Present))
-    {
-      this->Past.pop_back();
-    }
-  }
-}
-
 namespace
 {
 template <typename Value>
@@ -297,6 +243,56 @@ CurveEditor::CurveEditor(std::shared_ptr<const DrawingSurface> surface)
 }
 
 //------------------------------------------------------------------------------
+void CurveEditor::push(CurveSet next)
+{
+  if (this->Grouped != Group::Pushed)
+  {
+    this->Past.push_back(this->Present);
+  }
+  if (this->Grouped == Group::Begun)
+  {
+    this->Grouped = Group::Pushed;
+  }
+  this->Future.clear();
+  this->Present = std::move(next);
+}
+
+void CurveEditor::undo()
+{
+  if (this->canUndo())
+  {
+    this->endGroup();
+    this->Future.push_back(this->Present);
+    this->Present = std::move(this->Past.back());
+    this->Past.pop_back();
+  }
+}
+
+void CurveEditor::redo()
+{
+  if (this->canRedo())
+  {
+    this->endGroup();
+    this->Past.push_back(this->Present);
+    this->Present = std::move(this->Future.back());
+    this->Future.pop_back();
+  }
+}
+
+void CurveEditor::joinSince(std::size_t count)
+{
+  this->endGroup();
+  if (count < this->Past.size())
+  {
+    this->Past.resize(count + 1);
+    if (identical(this->Past.back(), this->Present))
+    {
+      this->Past.pop_back();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 Status CurveEditor::checkCurve(std::size_t c) const
 {
   return c < this->curveCount() ? Status()
@@ -329,7 +325,7 @@ void CurveEditor::put(std::size_t c, EditedCurve drawn)
 {
   CurveSet next = this->state();
   next.curves[c] = std::make_shared<const EditedCurve>(std::move(drawn));
-  this->History.push(std::move(next));
+  this->push(std::move(next));
 }
 
 //------------------------------------------------------------------------------
@@ -338,9 +334,7 @@ Status CurveEditor::restart(
 {
   return guarded({}, [&] {
     CurveEditor fresh(this->Surface);
-    CurveSet set;
-    set.mirror = mirror;
-    fresh.History = CurveHistory(set);
+    fresh.Present.mirror = mirror;
     for (EditedCurve curve : curves)
     {
       Status status = fresh.add(std::move(curve));
@@ -349,7 +343,8 @@ Status CurveEditor::restart(
         return status;
       }
     }
-    this->History = CurveHistory(fresh.state());
+    fresh.Past.clear();
+    *this = std::move(fresh);
     return Status();
   });
 }
@@ -386,7 +381,7 @@ Status CurveEditor::addAll(std::vector<EditedCurve> curves)
       status = own.ok() ? status : own;
       next.curves.push_back(std::make_shared<const EditedCurve>(std::move(curve)));
     }
-    this->History.push(std::move(next));
+    this->push(std::move(next));
     return status;
   });
 }
@@ -396,7 +391,7 @@ Status CurveEditor::remove(std::size_t c)
   return guarded(this->checkCurve(c), [&] {
     CurveSet next = this->state();
     next.curves.erase(at(next.curves, c));
-    this->History.push(std::move(next));
+    this->push(std::move(next));
     return Status();
   });
 }
@@ -503,7 +498,7 @@ Status CurveEditor::setMirror(const std::optional<MirrorPlane>& mirror)
       }
       next.curves.push_back(std::make_shared<const EditedCurve>(std::move(changed)));
     }
-    this->History.push(std::move(next));
+    this->push(std::move(next));
     return Status();
   });
 }
@@ -535,7 +530,7 @@ Status CurveEditor::split(std::size_t c, std::size_t node)
     CurveSet next = this->state();
     next.curves[c] = std::make_shared<const EditedCurve>(std::move(first));
     next.curves.push_back(std::make_shared<const EditedCurve>(std::move(second)));
-    this->History.push(std::move(next));
+    this->push(std::move(next));
     return status;
   });
 }
@@ -563,7 +558,7 @@ Status CurveEditor::join(std::size_t first, std::size_t second)
       CurveSet next = this->state();
       next.curves[first] = std::make_shared<const EditedCurve>(std::move(whole));
       next.curves.erase(at(next.curves, second));
-      this->History.push(std::move(next));
+      this->push(std::move(next));
     }
     return status;
   });

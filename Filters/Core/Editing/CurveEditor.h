@@ -8,51 +8,12 @@
 
 namespace flattening
 {
-/// The states of a set of curves, with no bound to how far back they go. A state shares the curves
-/// that an edit leaves as they are with the one before.
-class CurveHistory
-{
-public:
-  explicit CurveHistory(CurveSet first = {})
-    : Present(std::move(first))
-  {
-  }
-
-  const CurveSet& present() const { return this->Present; }
-  bool canUndo() const { return !this->Past.empty(); }
-  bool canRedo() const { return !this->Future.empty(); }
-
-  /// The next state; what was undone is forgotten. Within a group it takes the place of the
-  /// group's last.
-  void push(CurveSet next);
-  void undo();
-  void redo();
-  /// Until the end of the group all edits are undone as one, such as the moves of a drag.
-  void beginGroup();
-  void endGroup() { this->Grouped = Group::None; }
-  /// How many edits undo() can take back.
-  std::size_t depth() const { return this->Past.size(); }
-  /// Makes all that was pushed above this depth one step of undo, or none where nothing changed.
-  void joinSince(std::size_t depth);
-
-private:
-  enum class Group
-  {
-    None,
-    Begun,  ///< nothing was pushed yet
-    Pushed, ///< the next state takes the present one's place
-  };
-
-  std::vector<CurveSet> Past;
-  CurveSet Present;
-  std::vector<CurveSet> Future; ///< the next one last
-  Group Grouped = Group::None;
-};
-
 /// Draws and changes curves on a surface, command by command, each of which can be undone.
 ///
 /// A command that is refused changes nothing. Curves and nodes are counted from 0; a curve whose
-/// last node goes, goes. Curves keep their order, and a new one is the last.
+/// last node goes, goes. Curves keep their order, and a new one is the last. There is no bound to
+/// how far back undo() goes; a state shares the curves that an edit leaves as they are with the one
+/// before.
 ///
 /// Errors of all commands: InvalidOption (no such curve, node or segment, or a value out of range);
 /// those of drawSegment(); OutOfMemory.
@@ -62,7 +23,7 @@ public:
   explicit CurveEditor(std::shared_ptr<const DrawingSurface> surface);
 
   const DrawingSurface& surface() const { return *this->Surface; }
-  const CurveSet& state() const { return this->History.present(); }
+  const CurveSet& state() const { return this->Present; }
   std::size_t curveCount() const { return this->state().curves.size(); }
   const EditedCurve& curve(std::size_t c) const { return *this->state().curves[c]; }
 
@@ -104,19 +65,31 @@ public:
   /// The plane of mirrored curves; without one they have no image.
   Status setMirror(const std::optional<MirrorPlane>& mirror);
 
-  bool canUndo() const { return this->History.canUndo(); }
-  bool canRedo() const { return this->History.canRedo(); }
-  void undo() { this->History.undo(); }
-  void redo() { this->History.redo(); }
-  /// Until the end of the group all commands are undone as one.
-  void beginGroup() { this->History.beginGroup(); }
-  void endGroup() { this->History.endGroup(); }
-  /// As CurveHistory has them: for a group that is known as one only when it ends, such as the
-  /// nodes of a curve, which are undone one by one while it is drawn.
-  std::size_t commandCount() const { return this->History.depth(); }
-  void joinSince(std::size_t count) { this->History.joinSince(count); }
+  bool canUndo() const { return !this->Past.empty(); }
+  bool canRedo() const { return !this->Future.empty(); }
+  void undo();
+  void redo();
+  /// Until the end of the group all commands are undone as one, such as the moves of a drag.
+  void beginGroup() { this->Grouped = Group::Begun; }
+  void endGroup() { this->Grouped = Group::None; }
+  /// How many commands undo() can take back.
+  std::size_t commandCount() const { return this->Past.size(); }
+  /// Makes all commands after so many one step of undo, or none where nothing changed: for a group
+  /// that is known as one only when it ends, such as the nodes of a curve, which are undone one by
+  /// one while it is drawn.
+  void joinSince(std::size_t count);
 
 private:
+  enum class Group
+  {
+    None,
+    Begun,  ///< nothing was pushed yet
+    Pushed, ///< the next state takes the present one's place
+  };
+
+  /// The next state; what was undone is forgotten. Within a group it takes the place of the
+  /// group's last.
+  void push(CurveSet next);
   Status replace(std::size_t c, EditedCurve changed);
   void put(std::size_t c, EditedCurve drawn);
   Status checkCurve(std::size_t c) const;
@@ -124,6 +97,9 @@ private:
   Status addDerived(DerivedCurves derived);
 
   std::shared_ptr<const DrawingSurface> Surface;
-  CurveHistory History;
+  std::vector<CurveSet> Past;
+  CurveSet Present;
+  std::vector<CurveSet> Future; ///< the next one last
+  Group Grouped = Group::None;
 };
 }

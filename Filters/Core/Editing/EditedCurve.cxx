@@ -2,7 +2,7 @@
 #include "Editing/EditedCurve.h"
 
 #include "Base/Types.h"
-#include "Paths/StraightPath.h"
+#include "Paths/PathPoints.h"
 
 #include <algorithm>
 
@@ -101,11 +101,11 @@ SurfacePath wholePath(const EditedCurve& curve)
   SurfacePath whole;
   for (const SurfacePath& segment : curve.segments)
   {
-    const std::size_t first = whole.points.empty() ? 0 : 1;
-    whole.points.insert(whole.points.end(),
-      segment.points.begin() + static_cast<std::ptrdiff_t>(first), segment.points.end());
-    whole.triangles.insert(
-      whole.triangles.end(), segment.triangles.begin(), segment.triangles.end());
+    if (whole.points.empty())
+    {
+      whole.points = { segment.points.front() };
+    }
+    append(whole, segment);
   }
   whole.arrived = !whole.triangles.empty();
   return whole;
