@@ -38,123 +38,99 @@ KeyTrial trialOf(const FlatteningResult& flat)
   return trial;
 }
 
-class Pricing
+/// The flattening that keeps the shapes of some keys alone.
+FlatteningResult flattened(const TriangleMesh& mesh, std::vector<FeatureCurve> curves,
+  const Indices& kept, const FlatteningOptions& options, const Execution& execution)
 {
-public:
-  Pricing(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
-    const FlatteningOptions& options, const Execution& execution)
-    : Mesh(mesh)
-    , Curves(curves)
-    , Options(options)
-    , Run(execution)
+  for (std::size_t c = 0; c < curves.size(); ++c)
   {
-    this->Options.arrange = false;
-    this->Options.tryReleases = false;
-    for (std::size_t c = 0; c < curves.size(); ++c)
+    if (curves[c].type == CurveType::Key &&
+      std::find(kept.begin(), kept.end(), static_cast<Index>(c)) == kept.end())
     {
-      if (curves[c].type == CurveType::Key)
-      {
-        this->Keys.push_back(static_cast<Index>(c));
-      }
+      curves[c].type = CurveType::Accessory;
+      curves[c].keyShape = KeyShape::Surface;
+      curves[c].planarShape.clear();
     }
   }
+  return flattenSurface(mesh, curves, options, execution);
+}
 
-  KeyPrices run()
+KeyPrices pricesOf(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
+  FlatteningOptions options, const Execution& execution)
+{
+  KeyPrices prices;
+  options.arrange = false;
+  options.tryReleases = false;
+  Indices keys;
+  for (std::size_t c = 0; c < curves.size(); ++c)
   {
-    KeyPrices prices;
-    if (this->Keys.empty())
+    if (curves[c].type == CurveType::Key)
     {
-      prices.status = { StatusCode::InvalidCurve, "there is no key curve that could have a price",
-        {}, { { Remedy::Give, "at least one curve of type key" } } };
-      return prices;
+      keys.push_back(static_cast<Index>(c));
     }
-    const FlatteningResult whole = this->flattened(this->Keys, this->Run.part(0.0, 0.1));
-    if (whole.status.refused())
-    {
-      prices.status = whole.status;
-      return prices;
-    }
-    prices.all = trialOf(whole);
-    // Without each, each alone, none.
-    std::vector<Indices> kept;
-    for (const Index key : this->Keys)
-    {
-      kept.push_back(this->Keys);
-      kept.back().erase(std::find(kept.back().begin(), kept.back().end(), key));
-    }
-    for (const Index key : this->Keys)
-    {
-      kept.push_back({ key });
-    }
-    kept.emplace_back();
-    const std::vector<KeyTrial> trials = this->tryAll(kept);
-    if (this->Run.cancelled())
-    {
-      prices.status = { StatusCode::Cancelled, "cancelled while trying key curves" };
-      return prices;
-    }
-    const std::size_t count = this->Keys.size();
-    for (std::size_t k = 0; k < count; ++k)
-    {
-      prices.keys.push_back({ this->Keys[k], prices.all.areaError - trials[k].areaError, trials[k],
-        trials[count + k] });
-    }
-    prices.none = trials.back();
-    std::stable_sort(
-      prices.keys.begin(), prices.keys.end(), [](const KeyPrice& a, const KeyPrice& b) {
-        const std::size_t first = a.without.released.size();
-        const std::size_t second = b.without.released.size();
-        return first != second ? first < second : a.price > b.price;
-      });
+  }
+  if (keys.empty())
+  {
+    prices.status = { StatusCode::InvalidCurve, "there is no key curve that could have a price", {},
+      { { Remedy::Give, "at least one curve of type key" } } };
     return prices;
   }
-
-private:
-  FlatteningResult flattened(const Indices& kept, const Execution& execution) const
+  const FlatteningResult whole = flattened(mesh, curves, keys, options, execution.part(0.0, 0.1));
+  if (whole.status.refused())
   {
-    std::vector<FeatureCurve> curves = this->Curves;
-    for (const Index key : this->Keys)
-    {
-      if (std::find(kept.begin(), kept.end(), key) == kept.end())
-      {
-        curves[key].type = CurveType::Accessory;
-        curves[key].keyShape = KeyShape::Surface;
-        curves[key].planarShape.clear();
-      }
-    }
-    return flattenSurface(this->Mesh, curves, this->Options, execution);
+    prices.status = whole.status;
+    return prices;
   }
-
-  /// With two keys "without A" is "B alone".
-  std::vector<KeyTrial> tryAll(const std::vector<Indices>& kept) const
+  prices.all = trialOf(whole);
+  // Without each, each alone, none.
+  std::vector<Indices> kept;
+  for (const Index key : keys)
   {
-    std::vector<Indices> distinct = kept;
-    sortUnique(distinct);
-    std::vector<KeyTrial> tried(distinct.size());
-    const Execution inner = this->Run.nestedExecution();
-    this->Run.forEachTask(static_cast<Index>(distinct.size()), [&](Index k) {
-      tried[k] = inner.cancelled() ? KeyTrial() : trialOf(this->flattened(distinct[k], inner));
+    kept.push_back(keys);
+    kept.back().erase(std::find(kept.back().begin(), kept.back().end(), key));
+  }
+  for (const Index key : keys)
+  {
+    kept.push_back({ key });
+  }
+  kept.emplace_back();
+  // With two keys "without A" is "B alone".
+  std::vector<Indices> distinct = kept;
+  sortUnique(distinct);
+  std::vector<KeyTrial> tried(distinct.size());
+  const Execution inner = execution.nestedExecution();
+  execution.forEachTask(static_cast<Index>(distinct.size()), [&](Index k) {
+    tried[k] = inner.cancelled() ? KeyTrial()
+                                 : trialOf(flattened(mesh, curves, distinct[k], options, inner));
+  });
+  if (execution.cancelled())
+  {
+    prices.status = { StatusCode::Cancelled, "cancelled while trying key curves" };
+    return prices;
+  }
+  const auto trialWith = [&](const Indices& some) {
+    return tried[std::lower_bound(distinct.begin(), distinct.end(), some) - distinct.begin()];
+  };
+  for (std::size_t k = 0; k < keys.size(); ++k)
+  {
+    const KeyTrial without = trialWith(kept[k]);
+    prices.keys.push_back({ keys[k], prices.all.areaError - without.areaError, without,
+      trialWith(kept[keys.size() + k]) });
+  }
+  prices.none = trialWith(kept.back());
+  std::stable_sort(
+    prices.keys.begin(), prices.keys.end(), [](const KeyPrice& a, const KeyPrice& b) {
+      const std::size_t first = a.without.released.size();
+      const std::size_t second = b.without.released.size();
+      return first != second ? first < second : a.price > b.price;
     });
-    std::vector<KeyTrial> trials;
-    for (const Indices& keys : kept)
-    {
-      const auto at = std::lower_bound(distinct.begin(), distinct.end(), keys);
-      trials.push_back(tried[static_cast<std::size_t>(at - distinct.begin())]);
-    }
-    return trials;
-  }
-
-  const TriangleMesh& Mesh;
-  const std::vector<FeatureCurve>& Curves;
-  FlatteningOptions Options;
-  const Execution& Run;
-  Indices Keys;
-};
+  return prices;
+}
 }
 
 KeyPrices priceKeys(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
   const FlatteningOptions& options, const Execution& execution)
 {
-  return withinMemory([&] { return Pricing(mesh, curves, options, execution).run(); });
+  return withinMemory([&] { return pricesOf(mesh, curves, options, execution); });
 }
 }

@@ -16,11 +16,6 @@ namespace flattening
 {
 namespace
 {
-Index firstVertex(const TriangleMesh& mesh)
-{
-  return mesh.triangle(0)[0];
-}
-
 Polyline seamAlong(const SurfacePath& path)
 {
   Polyline line;
@@ -51,113 +46,100 @@ Edge edgeBetween(Index a, Index b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-class HandleLoops
+/// Edges in no tree.
+Indices generators(const TriangleMesh& mesh, const EdgePaths& paths)
 {
-public:
-  explicit HandleLoops(const TriangleMesh& mesh)
-    : Mesh(mesh)
-    , Paths(mesh, { firstVertex(mesh) }, {}, EdgePaths::Through::Boundary)
+  std::set<Edge> inTree;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
   {
-  }
-
-  std::vector<Polyline> run()
-  {
-    std::set<Edge> used;
-    std::vector<Polyline> lines;
-    for (Index h : this->generators())
+    if (paths.reaches(v) && paths.before(v) != v)
     {
-      Indices ring = this->Paths.path(this->Mesh.from(h));
-      const Indices back = this->Paths.path(this->Mesh.to(h));
-      ring.insert(ring.end(), back.rbegin(), back.rend());
-      this->addUnused(ring, used, lines);
-    }
-    return lines;
-  }
-
-private:
-  /// Edges in no tree.
-  Indices generators()
-  {
-    std::set<Edge> inTree;
-    for (Index v = 0; v < this->Mesh.vertexCount(); ++v)
-    {
-      if (this->Paths.reaches(v) && this->Paths.before(v) != v)
-      {
-        inTree.insert(edgeBetween(v, this->Paths.before(v)));
-      }
-    }
-    // A boundary loop counts as one more triangle.
-    Index count = this->Mesh.triangleCount();
-    std::vector<Index> outside(this->Mesh.halfedgeCount(), none);
-    for (const Indices& loop : this->Mesh.boundaryLoops())
-    {
-      for (Index h : loop)
-      {
-        outside[h] = count;
-      }
-      ++count;
-    }
-    Indices edges;
-    for (Index h = 0; h < this->Mesh.halfedgeCount(); ++h)
-    {
-      if (this->Mesh.twin(h) == none || h < this->Mesh.twin(h))
-      {
-        edges.push_back(h);
-      }
-    }
-    // Those that would close the longest loops first, so that the short ones are left.
-    const auto around = [this](Index h) {
-      return this->Paths.distance(this->Mesh.from(h)) + this->Paths.distance(this->Mesh.to(h)) +
-        this->Mesh.length(h);
-    };
-    std::stable_sort(
-      edges.begin(), edges.end(), [&](Index a, Index b) { return around(a) > around(b); });
-    JoinedSets faces(count);
-    Indices left;
-    for (Index h : edges)
-    {
-      const Index twin = this->Mesh.twin(h);
-      const Index outer = twin == none ? outside[h] : twin / 3;
-      if (inTree.count(edgeBetween(this->Mesh.from(h), this->Mesh.to(h))) == 0)
-      {
-        if (faces.find(h / 3) == faces.find(outer))
-        {
-          left.push_back(h);
-        }
-        faces.join(h / 3, outer);
-      }
-    }
-    return left;
-  }
-
-  /// The parts of a way whose edges no cut has yet, boundary edges apart.
-  void addUnused(const Indices& way, std::set<Edge>& used, std::vector<Polyline>& lines) const
-  {
-    bool open = false;
-    for (std::size_t k = 1; k < way.size(); ++k)
-    {
-      const Index a = way[k - 1];
-      const Index b = way[k];
-      const bool inside = this->Mesh.find(a, b) != none && this->Mesh.find(b, a) != none;
-      if (!inside || !used.insert(edgeBetween(a, b)).second)
-      {
-        open = false;
-        continue;
-      }
-      if (!open)
-      {
-        lines.emplace_back();
-        lines.back().type = CurveType::Seam;
-        lines.back().points.push_back(this->Mesh.point(a));
-      }
-      open = true;
-      lines.back().points.push_back(this->Mesh.point(b));
+      inTree.insert(edgeBetween(v, paths.before(v)));
     }
   }
+  // A boundary loop counts as one more triangle.
+  Index count = mesh.triangleCount();
+  std::vector<Index> outside(mesh.halfedgeCount(), none);
+  for (const Indices& loop : mesh.boundaryLoops())
+  {
+    for (Index h : loop)
+    {
+      outside[h] = count;
+    }
+    ++count;
+  }
+  Indices edges;
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    if (mesh.twin(h) == none || h < mesh.twin(h))
+    {
+      edges.push_back(h);
+    }
+  }
+  // Those that would close the longest loops first, so that the short ones are left.
+  const auto around = [&](Index h) {
+    return paths.distance(mesh.from(h)) + paths.distance(mesh.to(h)) + mesh.length(h);
+  };
+  std::stable_sort(
+    edges.begin(), edges.end(), [&](Index a, Index b) { return around(a) > around(b); });
+  JoinedSets faces(count);
+  Indices left;
+  for (Index h : edges)
+  {
+    const Index twin = mesh.twin(h);
+    const Index outer = twin == none ? outside[h] : twin / 3;
+    if (inTree.count(edgeBetween(mesh.from(h), mesh.to(h))) == 0)
+    {
+      if (faces.find(h / 3) == faces.find(outer))
+      {
+        left.push_back(h);
+      }
+      faces.join(h / 3, outer);
+    }
+  }
+  return left;
+}
 
-  const TriangleMesh& Mesh;
-  EdgePaths Paths;
-};
+/// The parts of a way whose edges no cut has yet, boundary edges apart.
+void addUnused(
+  const TriangleMesh& mesh, const Indices& way, std::set<Edge>& used, std::vector<Polyline>& lines)
+{
+  bool open = false;
+  for (std::size_t k = 1; k < way.size(); ++k)
+  {
+    const Index a = way[k - 1];
+    const Index b = way[k];
+    const bool inside = mesh.find(a, b) != none && mesh.find(b, a) != none;
+    if (!inside || !used.insert(edgeBetween(a, b)).second)
+    {
+      open = false;
+      continue;
+    }
+    if (!open)
+    {
+      lines.emplace_back();
+      lines.back().type = CurveType::Seam;
+      lines.back().points.push_back(mesh.point(a));
+    }
+    open = true;
+    lines.back().points.push_back(mesh.point(b));
+  }
+}
+
+std::vector<Polyline> handleLoops(const TriangleMesh& mesh)
+{
+  const EdgePaths paths(mesh, { mesh.triangle(0)[0] }, {}, EdgePaths::Through::Boundary);
+  std::set<Edge> used;
+  std::vector<Polyline> lines;
+  for (Index h : generators(mesh, paths))
+  {
+    Indices ring = paths.path(mesh.from(h));
+    const Indices back = paths.path(mesh.to(h));
+    ring.insert(ring.end(), back.rbegin(), back.rend());
+    addUnused(mesh, ring, used, lines);
+  }
+  return lines;
+}
 
 /// Joins loops that are no mere holes to the longest one, each by the shortest way to what is
 /// joined already, as long as there is one that meets no barred vertex.
@@ -191,7 +173,7 @@ std::vector<Polyline> openingCuts(const TriangleMesh& mesh,
   const Index handles = (2 - loops - eulerCharacteristic(mesh)) / 2;
   if (handles > 0)
   {
-    return HandleLoops(mesh).run();
+    return handleLoops(mesh);
   }
   return loops == 0 ? sectionLoops(mesh, mirror ? *mirror : flattestPlane(mesh))
                     : joinLoops(mesh, barred);

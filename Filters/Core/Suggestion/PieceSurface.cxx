@@ -11,96 +11,60 @@ namespace
 /// surface, and how much areas may differ.
 constexpr double sameMiddle = 1e-5;
 
-/// Collects the stretches of curves on one piece.
-class StretchFinder
+/// The stretches of curves with a piece on their left, or of those with none on their left on their
+/// right.
+std::vector<FeatureCurve> stretchesOn(const ImprintedSurface& surface, const Piece& piece)
 {
-public:
-  StretchFinder(const ImprintedSurface& surface, const Piece& piece)
-    : Surface(surface)
-    , Subject(piece)
-    , Local(surface.mesh.triangleCount(), none)
+  Indices local(surface.mesh.triangleCount(), none);
+  for (std::size_t t = 0; t < piece.triangles.size(); ++t)
   {
-    for (std::size_t t = 0; t < piece.triangles.size(); ++t)
-    {
-      this->Local[piece.triangles[t]] = static_cast<Index>(t);
-    }
+    local[piece.triangles[t]] = static_cast<Index>(t);
   }
-
-  std::vector<FeatureCurve> run()
-  {
-    for (const FeatureCurve& curve : this->Surface.curves)
-    {
-      for (bool forward : { true, false })
-      {
-        this->follow(curve, forward);
-      }
-    }
-    return std::move(this->Found);
-  }
-
-private:
-  /// The piece's half-edge, none where the triangle is another piece's.
-  Index local(Index h) const
-  {
-    const Index t = h == none ? none : this->Local[h / 3];
+  // None where there is no such edge, or the triangle is another piece's.
+  const auto halfedge = [&](Index from, Index to) {
+    const Index h = surface.mesh.find(from, to);
+    const Index t = h == none ? none : local[h / 3];
     return t == none ? none : 3 * t + h % 3;
-  }
-
-  /// Stretches with the piece on their left, or of those with none on their left on their right.
-  void follow(const FeatureCurve& curve, bool forward)
-  {
+  };
+  std::vector<FeatureCurve> found;
+  const auto add = [&found](const FeatureCurve& curve, std::size_t k, Index vertex) {
+    found.back().vertices.push_back(vertex);
+    if (k < curve.planarShape.size())
+    {
+      found.back().planarShape.push_back(curve.planarShape[k]);
+    }
+  };
+  const auto follow = [&](const FeatureCurve& curve, bool forward) {
     Index last = none;
     for (std::size_t k = 1; k < curve.vertices.size(); ++k)
     {
-      const Index a = curve.vertices[k - 1];
-      const Index b = curve.vertices[k];
-      const Index left = this->local(this->Surface.mesh.find(a, b));
-      const Index right = this->local(this->Surface.mesh.find(b, a));
-      const Index h = forward ? left : right;
-      const bool bounds = h != none && this->Subject.mesh.twin(h) == none;
+      const Index h = forward ? halfedge(curve.vertices[k - 1], curve.vertices[k])
+                              : halfedge(curve.vertices[k], curve.vertices[k - 1]);
+      const bool bounds = h != none && piece.mesh.twin(h) == none;
       if (h == none || (!forward && !bounds) || (curve.opens() && bounds && curve.tolerance == 0.0))
       {
         last = none;
         continue;
       }
-      const Index from = forward ? this->Subject.mesh.from(h) : this->Subject.mesh.to(h);
-      const Index to = forward ? this->Subject.mesh.to(h) : this->Subject.mesh.from(h);
-      const bool side = curve.opens() && bounds;
-      const CurveType type = side ? CurveType::Accessory : curve.type;
-      if (last != from || this->Found.back().type != type)
+      const Index from = forward ? piece.mesh.from(h) : piece.mesh.to(h);
+      const Index to = forward ? piece.mesh.to(h) : piece.mesh.from(h);
+      const CurveType type = curve.opens() && bounds ? CurveType::Accessory : curve.type;
+      if (last != from || found.back().type != type)
       {
-        this->begin(curve, type, k - 1, from);
+        found.push_back({ curve.name, type, curve.keyShape, curve.tolerance, {}, {}, {} });
+        add(curve, k - 1, from);
       }
-      this->add(curve, k, to);
+      add(curve, k, to);
       last = to;
     }
-  }
-
-  void begin(const FeatureCurve& curve, CurveType type, std::size_t k, Index vertex)
+  };
+  for (const FeatureCurve& curve : surface.curves)
   {
-    FeatureCurve stretch;
-    stretch.name = curve.name;
-    stretch.type = type;
-    stretch.keyShape = curve.keyShape;
-    stretch.tolerance = curve.tolerance;
-    this->Found.push_back(std::move(stretch));
-    this->add(curve, k, vertex);
+    follow(curve, true);
+    follow(curve, false);
   }
-
-  void add(const FeatureCurve& curve, std::size_t k, Index vertex)
-  {
-    this->Found.back().vertices.push_back(vertex);
-    if (k < curve.planarShape.size())
-    {
-      this->Found.back().planarShape.push_back(curve.planarShape[k]);
-    }
-  }
-
-  const ImprintedSurface& Surface;
-  const Piece& Subject;
-  Indices Local;
-  std::vector<FeatureCurve> Found;
-};
+  return found;
+}
 }
 
 std::vector<Polyline> PieceSurface::polylines() const
@@ -142,7 +106,7 @@ std::vector<PieceSurface> pieceSurfaces(
   for (Piece& piece : extractPieces(opened))
   {
     PieceSurface one;
-    one.curves = StretchFinder(surface, piece).run();
+    one.curves = stretchesOn(surface, piece);
     for (Index v : piece.vertices)
     {
       one.vertices.push_back(opened.originalVertex[v]);
