@@ -336,114 +336,85 @@ constexpr double littleCost = 0.05;
 /// Mean squared distances from a rotation below this are rounding.
 constexpr double flatEnergy = 1e-12;
 
-class Proposing
+/// Numbers lines of each kind, beside the names that there are.
+void numberLines(const std::vector<Polyline>& curves, std::vector<SuggestedCurve>& lines)
 {
-public:
-  Proposing(const TriangleMesh& mesh, const std::vector<Polyline>& curves,
-    const SuggestionOptions& options, const Execution& execution)
-    : Mesh(mesh)
-    , Curves(curves)
-    , Options(options)
-    , Run(execution)
-    , Area(mesh.area())
+  std::map<std::string, int> numbers;
+  for (SuggestedCurve& line : lines)
   {
+    const std::string kind = line.curve.name;
+    do
+    {
+      line.curve.name = kind + " " + std::to_string(++numbers[kind]);
+    } while (std::any_of(curves.begin(), curves.end(),
+      [&](const Polyline& curve) { return curve.name == line.curve.name; }));
   }
+}
 
-  CurveSuggestions run()
-  {
-    const ImprintedSurface surface = imprintCurves(this->Mesh, this->Curves, this->Options.imprint);
-    this->Result.status = surface.status;
-    if (!surface.status.ok())
-    {
-      return std::move(this->Result);
-    }
-    TrialOutcome now = this->tried();
-    this->Result.strainBefore = now.valueOrNaN(now.strainP95);
-    this->Result.rigidEnergyBefore = now.valueOrNaN(now.energy / this->Area);
-    if (now.valid)
-    {
-      const CutSurface cut = cutSurface(surface.mesh, surface.curves);
-      std::vector<SuggestedCurve> lines =
-        Drawing(cut, surface.curves, this->Options.search.symmetric != "off", this->Run).run();
-      this->name(lines);
-      for (std::size_t k = 0; k < lines.size() && !this->Run.cancelled(); ++k)
-      {
-        this->propose(std::move(lines[k]), now);
-        this->Run.report(
-          static_cast<double>(k + 1) / static_cast<double>(lines.size()), "Trying lines");
-      }
-    }
-    if (this->Run.cancelled())
-    {
-      CurveSuggestions cancelled;
-      cancelled.status = { StatusCode::Cancelled, "cancelled while trying lines" };
-      return cancelled;
-    }
-    this->Result.strainAfter = now.valueOrNaN(now.strainP95);
-    this->Result.rigidEnergyAfter = now.valueOrNaN(now.energy / this->Area);
-    this->Result.boundMet = now.valid && now.strainP95 <= this->Options.search.bound;
-    return std::move(this->Result);
-  }
-
-private:
-  /// The surface with its curves, those proposed and perhaps one more.
-  TrialOutcome tried(const SuggestedCurve* more = nullptr)
-  {
-    std::vector<Polyline> all = withLines(this->Curves, linesOf(this->Result.curves));
-    if (more)
-    {
-      all.push_back(more->curve);
-    }
-    ++this->Result.trials;
+CurveSuggestions proposed(const TriangleMesh& mesh, const std::vector<Polyline>& curves,
+  const SuggestionOptions& options, const Execution& execution)
+{
+  CurveSuggestions result;
+  const double area = mesh.area();
+  // With the lines proposed so far and perhaps one more.
+  const auto tried = [&](const std::vector<Polyline>& more) {
+    ++result.trials;
     TrialBudget unlimited(std::numeric_limits<double>::infinity());
-    return CutTrials(this->Mesh, std::move(all), this->Options.imprint, this->Options.flattening)
-      .run({}, unlimited, this->Run);
-  }
-
-  void propose(SuggestedCurve line, TrialOutcome& now)
+    return CutTrials(mesh, withLines(withLines(curves, linesOf(result.curves)), more),
+      options.imprint, options.flattening)
+      .run({}, unlimited, execution);
+  };
+  const ImprintedSurface surface = imprintCurves(mesh, curves, options.imprint);
+  result.status = surface.status;
+  if (!surface.status.ok())
   {
-    TrialOutcome after = this->tried(&line);
+    return result;
+  }
+  TrialOutcome now = tried({});
+  result.strainBefore = now.valueOrNaN(now.strainP95);
+  result.rigidEnergyBefore = now.valueOrNaN(now.energy / area);
+  std::vector<SuggestedCurve> lines;
+  if (now.valid)
+  {
+    const CutSurface cut = cutSurface(surface.mesh, surface.curves);
+    lines = Drawing(cut, surface.curves, options.search.symmetric != "off", execution).run();
+    numberLines(curves, lines);
+  }
+  for (std::size_t k = 0; k < lines.size() && !execution.cancelled(); ++k)
+  {
+    SuggestedCurve& line = lines[k];
+    TrialOutcome after = tried({ line.curve });
     line.strainBefore = now.strainP95;
     line.strainAfter = after.valueOrNaN(after.strainP95);
     line.areaErrorBefore = now.areaError;
     line.areaErrorAfter = after.valueOrNaN(after.areaError);
-    line.gain = (now.energy - after.valueOrNaN(after.energy)) / this->Area;
+    line.gain = (now.energy - after.valueOrNaN(after.energy)) / area;
     const bool cheap = line.curve.type == CurveType::Key ||
-      after.energy <= (1.0 + littleCost) * now.energy + flatEnergy * this->Area;
-    if (after.soundAfter(now) && cheap)
+      after.energy <= (1.0 + littleCost) * now.energy + flatEnergy * area;
+    const bool sound = after.soundAfter(now);
+    if (sound && cheap)
     {
       now = std::move(after);
-      this->Result.curves.push_back(std::move(line));
     }
     else
     {
-      line.sound = after.soundAfter(now);
-      this->Result.leftOut.push_back(std::move(line));
+      line.sound = sound;
     }
+    (sound && cheap ? result.curves : result.leftOut).push_back(std::move(line));
+    execution.report(
+      static_cast<double>(k + 1) / static_cast<double>(lines.size()), "Trying lines");
   }
-
-  /// Numbers lines of each kind, beside the names that there are.
-  void name(std::vector<SuggestedCurve>& lines) const
+  if (execution.cancelled())
   {
-    std::map<std::string, int> numbers;
-    for (SuggestedCurve& line : lines)
-    {
-      const std::string kind = line.curve.name;
-      do
-      {
-        line.curve.name = kind + " " + std::to_string(++numbers[kind]);
-      } while (std::any_of(this->Curves.begin(), this->Curves.end(),
-        [&](const Polyline& curve) { return curve.name == line.curve.name; }));
-    }
+    CurveSuggestions cancelled;
+    cancelled.status = { StatusCode::Cancelled, "cancelled while trying lines" };
+    return cancelled;
   }
-
-  const TriangleMesh& Mesh;
-  const std::vector<Polyline>& Curves;
-  const SuggestionOptions& Options;
-  const Execution& Run;
-  double Area;
-  CurveSuggestions Result;
-};
+  result.strainAfter = now.valueOrNaN(now.strainP95);
+  result.rigidEnergyAfter = now.valueOrNaN(now.energy / area);
+  result.boundMet = now.valid && now.strainP95 <= options.search.bound;
+  return result;
+}
 }
 
 CurveSuggestions suggestLines(const TriangleMesh& mesh, const std::vector<Polyline>& curves,
@@ -455,6 +426,6 @@ CurveSuggestions suggestLines(const TriangleMesh& mesh, const std::vector<Polyli
   {
     return refused;
   }
-  return withinMemory([&] { return Proposing(mesh, curves, options, execution).run(); });
+  return withinMemory([&] { return proposed(mesh, curves, options, execution); });
 }
 }
