@@ -135,40 +135,38 @@ bool isOfWhole(const WholeCurve& whole, const EditedCurve& curve, std::size_t s)
   return !whole.path.triangles.empty() && (!spline || curve.kinds[s] == SegmentKind::Spline);
 }
 
-Status drawImage(
-  const DrawingSurface& surface, const CurveSet& curves, const EditedCurve* own, EditedCurve& curve)
+/// Draws the segments of a curve between other nodes, or its own. \param before what is as in it is
+/// taken over; may be null \param hintOf gives where segment s may run near, or an empty path
+template <typename HintOf>
+Status drawSegments(const DrawingSurface& surface, const EditedCurve& curve,
+  const std::vector<SurfacePoint>& nodes, const EditedCurve* before, const HintOf& hintOf,
+  std::vector<SurfacePath>& segments)
 {
-  std::vector<SurfacePoint> nodes;
-  for (const SurfacePoint& node : curve.nodes)
-  {
-    nodes.push_back(imageOf(surface, curves, own, node));
-  }
   const WholeCurve whole = drawWhole(surface, curve, nodes);
   if (whole.status.refused())
   {
     return whole.status;
   }
-  for (std::size_t s = 0; s < curve.segments.size(); ++s)
+  for (std::size_t s = 0; s < segmentCount(nodes.size(), curve.closed); ++s)
   {
     if (isOfWhole(whole, curve, s))
     {
-      curve.image.push_back(partOf(whole.path, whole.stations[s], whole.stations[s + 1]));
+      segments.push_back(partOf(whole.path, whole.stations[s], whole.stations[s + 1]));
       continue;
     }
-    // Near the image of the segment, so that both sides go round a bump alike.
-    Points3 points = pointsAlong({ curve.segments[s] });
-    for (Point3& point : points)
+    if (const SurfacePath* kept = before ? keptSegment(*before, curve, s) : nullptr)
     {
-      point = curves.mirror->image(point);
+      segments.push_back(*kept);
+      continue;
     }
-    const SurfacePath hint = surface.pathThrough(points);
+    const SurfacePath hint = hintOf(s);
     DrawnSegment drawn = drawSegment(surface, curve.kinds[s], nodes[s],
-      nodes[(s + 1) % nodes.size()], hint.arrived ? &hint : nullptr);
+      nodes[(s + 1) % nodes.size()], hint.points.empty() ? nullptr : &hint);
     if (drawn.status.refused())
     {
       return drawn.status;
     }
-    curve.image.push_back(std::move(drawn.path));
+    segments.push_back(std::move(drawn.path));
   }
   return {};
 }
@@ -228,40 +226,35 @@ DrawnSegment drawSegment(const DrawingSurface& surface, SegmentKind kind, const 
 Status drawCurve(const DrawingSurface& surface, const CurveSet& curves, const EditedCurve* before,
   EditedCurve& curve)
 {
-  const std::size_t count = segmentCount(curve.nodes.size(), curve.closed);
   std::vector<SurfacePath> hints = std::exchange(curve.segments, {});
+  const std::size_t count = segmentCount(curve.nodes.size(), curve.closed);
   if (hints.size() != count)
   {
     hints.assign(count, SurfacePath());
   }
   curve.image.clear();
-  const WholeCurve whole = drawWhole(surface, curve, curve.nodes);
-  if (whole.status.refused())
+  const auto hintOf = [&hints](std::size_t s) { return hints[s]; };
+  Status status = drawSegments(surface, curve, curve.nodes, before, hintOf, curve.segments);
+  if (status.refused() || !curve.traits.mirrored || !curves.mirror)
   {
-    return whole.status;
+    return status;
   }
-  for (std::size_t s = 0; s < count; ++s)
+  std::vector<SurfacePoint> nodes;
+  for (const SurfacePoint& node : curve.nodes)
   {
-    if (isOfWhole(whole, curve, s))
-    {
-      curve.segments.push_back(partOf(whole.path, whole.stations[s], whole.stations[s + 1]));
-      continue;
-    }
-    if (const SurfacePath* kept = before ? keptSegment(*before, curve, s) : nullptr)
-    {
-      curve.segments.push_back(*kept);
-      continue;
-    }
-    DrawnSegment drawn = drawSegment(surface, curve.kinds[s], curve.nodes[s],
-      curve.nodes[(s + 1) % curve.nodes.size()], hints[s].points.empty() ? nullptr : &hints[s]);
-    if (drawn.status.refused())
-    {
-      return drawn.status;
-    }
-    curve.segments.push_back(std::move(drawn.path));
+    nodes.push_back(imageOf(surface, curves, before, node));
   }
-  return curve.traits.mirrored && curves.mirror ? drawImage(surface, curves, before, curve)
-                                                : Status();
+  // Near the image of the segment, so that both sides go round a bump alike.
+  const auto imageOfSegment = [&](std::size_t s) {
+    Points3 points = pointsAlong({ curve.segments[s] });
+    for (Point3& point : points)
+    {
+      point = curves.mirror->image(point);
+    }
+    const SurfacePath hint = surface.pathThrough(points);
+    return hint.arrived ? hint : SurfacePath();
+  };
+  return drawSegments(surface, curve, nodes, nullptr, imageOfSegment, curve.image);
 }
 
 SegmentPreview::SegmentPreview(std::shared_ptr<const DrawingSurface> surface)

@@ -171,33 +171,34 @@ Status checkSuggestion(
   const auto refusal = [](const std::string& message, const std::string& wanted) {
     return Status{ StatusCode::InvalidOption, message, {}, { { Remedy::Give, wanted } } };
   };
-  if (!std::isfinite(options.bound) || options.bound < 0.0 || options.bound >= 1.0)
+  struct Check
   {
-    return refusal(
-      "the bound of the strain is " + shortNumber(options.bound), "a number from 0 to below 1");
-  }
-  if (std::isnan(options.maximumCutLength) || options.maximumCutLength < 0.0)
+    bool holds;
+    std::string defect;
+    const char* wanted;
+  };
+  const Check checks[] = {
+    { options.bound >= 0.0 && options.bound < 1.0,
+      "the bound of the strain is " + shortNumber(options.bound), "a number from 0 to below 1" },
+    { options.maximumCutLength >= 0.0,
+      "the greatest length of cuts is " + shortNumber(options.maximumCutLength),
+      "a length from 0, 0 for no limit" },
+    { options.maximumWidth >= 0.0,
+      "the greatest width of pieces is " + shortNumber(options.maximumWidth),
+      "a width from 0, 0 for any" },
+    { options.maximumCuts >= 0, "the greatest number of cuts is below 0",
+      "a number from 0, 0 for no limit" },
+    { options.pieces >= 0, "the number of pieces is below 0",
+      "a number from 0, 0 for as few as possible" },
+    { std::isfinite(options.maximumWork) && options.maximumWork >= 0.0,
+      "the limit of work is " + shortNumber(options.maximumWork), "a number from 0, 0 for none" },
+  };
+  for (const Check& check : checks)
   {
-    return refusal("the greatest length of cuts is " + shortNumber(options.maximumCutLength),
-      "a length from 0, 0 for no limit");
-  }
-  if (std::isnan(options.maximumWidth) || options.maximumWidth < 0.0)
-  {
-    return refusal("the greatest width of pieces is " + shortNumber(options.maximumWidth),
-      "a width from 0, 0 for any");
-  }
-  if (options.maximumCuts < 0)
-  {
-    return refusal("the greatest number of cuts is below 0", "a number from 0, 0 for no limit");
-  }
-  if (options.pieces < 0)
-  {
-    return refusal("the number of pieces is below 0", "a number from 0, 0 for as few as possible");
-  }
-  if (!std::isfinite(options.maximumWork) || options.maximumWork < 0.0)
-  {
-    return refusal(
-      "the limit of work is " + shortNumber(options.maximumWork), "a number from 0, 0 for none");
+    if (!check.holds)
+    {
+      return refusal(check.defect, check.wanted);
+    }
   }
   for (const SearchOptions::Preference& preference : options.preferences)
   {

@@ -134,39 +134,28 @@ Points3 SearchedPiece::straightLine(
 
 std::vector<Polyline> SearchedPiece::polylines(const CutPlan& plan) const
 {
-  const bool dart = plan.type == CurveType::Dart;
   const BoundaryPlace end = plan.role == MirrorRole::Across ? this->mirrored(plan.base) : plan.end;
-  const std::optional<SurfacePoint> nowhere;
-  const std::optional<SurfacePoint> via = plan.via ? this->surfacePoint(*plan.via) : nowhere;
-  Polyline line;
-  line.type = plan.type;
-  line.points = this->straightLine(
-    plan.start ? this->surfacePoint(*plan.start) : this->Ruler.surfacePoint(plan.base), via,
-    dart ? this->surfacePoint(plan.tip) : this->Ruler.surfacePoint(end));
-  if (line.points.size() < 2)
+  std::vector<Polyline> lines(plan.role == MirrorRole::Pair ? 2 : 1);
+  for (std::size_t k = 0; k < lines.size(); ++k)
   {
-    return {};
+    const auto inside = [&](const Point3& point) {
+      return this->surfacePoint(k == 0 ? point : this->Mirror->mirrored(point));
+    };
+    const auto onEdge = [&](const BoundaryPlace& place) {
+      return this->Ruler.surfacePoint(k == 0 ? place : this->mirrored(place));
+    };
+    lines[k].type = plan.type;
+    lines[k].points = k > 0 && this->mirrorIsExact()
+      ? this->Mirror->mirrored(lines[0].points)
+      : this->straightLine(plan.start ? inside(*plan.start) : onEdge(plan.base),
+          plan.via ? std::optional(inside(*plan.via)) : std::nullopt,
+          plan.type == CurveType::Dart ? inside(plan.tip) : onEdge(end));
+    if (lines[k].points.size() < 2)
+    {
+      return {};
+    }
   }
-  std::vector<Polyline> lines{ line };
-  if (plan.role != MirrorRole::Pair)
-  {
-    return lines;
-  }
-  if (this->mirrorIsExact())
-  {
-    line.points = this->Mirror->mirrored(std::move(line.points));
-  }
-  else
-  {
-    line.points =
-      this->straightLine(plan.start ? this->surfacePoint(this->Mirror->mirrored(*plan.start))
-                                    : this->Ruler.surfacePoint(this->mirrored(plan.base)),
-        plan.via ? this->surfacePoint(this->Mirror->mirrored(*plan.via)) : nowhere,
-        dart ? this->surfacePoint(this->Mirror->mirrored(plan.tip))
-             : this->Ruler.surfacePoint(this->mirrored(plan.end)));
-  }
-  lines.push_back(line);
-  return line.points.size() < 2 ? std::vector<Polyline>{} : lines;
+  return lines;
 }
 
 /// 1 for a dart across its edge, more where it runs along that: legs that meet it at unequal angles
