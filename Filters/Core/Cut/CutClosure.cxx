@@ -99,17 +99,26 @@ public:
   /// \return false where there is nothing more to join, or to close
   bool advance(const Points2* positions)
   {
+    const auto all = [](const CutSides&, std::size_t) { return true; };
     if (!positions)
     {
       // A piece that cannot be flattened with its cuts closed in part may be with whole ones.
-      return this->join(this->wholeCuts());
+      return this->join(this->pairsWhere(all));
     }
     this->Crossing = this->crossingVertices(*positions);
     this->Closed =
       std::find(this->Crossing.begin(), this->Crossing.end(), 1) == this->Crossing.end();
+    // The pairs that lie on the wrong side of each other.
+    const auto crossed = [&](const CutSides& cut, std::size_t k) {
+      return this->gap(*positions, cut, k) < 0.0;
+    };
+    // Those at the ends of edges that cross although no pair is on the wrong side.
+    const auto crossing = [&](const CutSides& cut, std::size_t k) {
+      return this->Crossing[cut.pairs[k][0]] || this->Crossing[cut.pairs[k][1]];
+    };
     return !this->Closed &&
-      (this->join(this->crossedPairs(*positions)) || this->join(this->crossingPairs()) ||
-        this->join(this->wholeCuts()));
+      (this->join(this->pairsWhere(crossed)) || this->join(this->pairsWhere(crossing)) ||
+        this->join(this->pairsWhere(all)));
   }
 
   const Indices& joined() const { return this->Joined; }
@@ -173,47 +182,24 @@ private:
         [&](const auto& pair) { return this->Crossing[pair[0]] || this->Crossing[pair[1]]; });
   }
 
-  /// In cuts that take part in a crossing, the pairs that lie on the wrong side of each other.
-  Pairs crossedPairs(const Points2& positions) const
+  /// Of cuts that take part in a crossing the pairs that a test of a cut and a place in its list
+  /// holds of.
+  template <typename Test>
+  Pairs pairsWhere(const Test& test) const
   {
-    Pairs crossed;
+    Pairs found;
     for (const CutSides& cut : this->Cuts)
     {
-      for (std::size_t k = 0; this->takesPart(cut) && k < cut.pairs.size(); ++k)
+      const std::size_t count = this->takesPart(cut) ? cut.pairs.size() : 0;
+      for (std::size_t k = 0; k < count; ++k)
       {
-        if (this->gap(positions, cut, k) < 0.0)
+        if (test(cut, k))
         {
-          crossed.push_back(cut.pairs[k]);
+          found.push_back(cut.pairs[k]);
         }
       }
     }
-    return crossed;
-  }
-
-  /// The pairs at the ends of edges that cross although no pair is on the wrong side.
-  Pairs crossingPairs() const
-  {
-    Pairs ends;
-    for (const CutSides& cut : this->Cuts)
-    {
-      std::copy_if(cut.pairs.begin(), cut.pairs.end(), std::back_inserter(ends),
-        [&](const auto& pair) { return this->Crossing[pair[0]] || this->Crossing[pair[1]]; });
-    }
-    return ends;
-  }
-
-  /// All pairs of the cuts that take part in a crossing.
-  Pairs wholeCuts() const
-  {
-    Pairs all;
-    for (const CutSides& cut : this->Cuts)
-    {
-      if (this->takesPart(cut))
-      {
-        all.insert(all.end(), cut.pairs.begin(), cut.pairs.end());
-      }
-    }
-    return all;
+    return found;
   }
 
   bool joinPair(const std::array<Index, 2>& pair)

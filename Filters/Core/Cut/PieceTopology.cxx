@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cut/PieceTopology.h"
 
+#include <algorithm>
+
 namespace flattening
 {
 namespace
@@ -50,12 +52,8 @@ std::optional<PieceDefect> findDefect(const Piece& piece)
 
 std::vector<std::optional<PieceDefect>> findDefects(const std::vector<Piece>& pieces)
 {
-  std::vector<std::optional<PieceDefect>> defects;
-  defects.reserve(pieces.size());
-  for (const Piece& piece : pieces)
-  {
-    defects.push_back(findDefect(piece));
-  }
+  std::vector<std::optional<PieceDefect>> defects(pieces.size());
+  std::transform(pieces.begin(), pieces.end(), defects.begin(), findDefect);
   return defects;
 }
 

@@ -361,9 +361,9 @@ private:
     for (const FaceTask& task : this->Tasks)
     {
       const Point3 normal = triangleNormal(this->Mesh, task.triangle);
-      bool first = true;
       bool good = true;
-      for (const Triangle& cell : task.triangulation->triangles())
+      const Triangles& cells = task.triangulation->triangles();
+      for (const Triangle& cell : cells)
       {
         Triangle corners;
         std::array<Point3, 3> p;
@@ -373,16 +373,15 @@ private:
           p[k] = this->position(result.vertexSource[corners[k]]);
         }
         good = good && hasArea(p, normal);
-        if (first)
+        if (&cell == &cells.front())
         {
           this->Cells[task.triangle] = corners;
-          first = false;
           continue;
         }
         this->Cells.push_back(corners);
         result.originalTriangle.push_back(task.triangle);
       }
-      if (!good && task.triangulation->triangles().size() > 1)
+      if (!good && cells.size() > 1)
       {
         result.failed.push_back(task.triangle);
       }

@@ -420,25 +420,20 @@ private:
   Indices Bent;
   double First;
 };
-
-Status checkLoop(const TriangleMesh& mesh, const SurfacePath& loop)
-{
-  if (!liesOn(mesh, loop) || loop.points.size() < 3 ||
-    !samePlace(loop.points.front(), loop.points.back()))
-  {
-    return { StatusCode::InvalidCurve, "a loop is not a closed path over the surface", {},
-      { Remedy::RedrawCurve } };
-  }
-  return {};
-}
 }
 
 StraightPath straightLoop(const PathGraph& graph, const SurfacePath& loop)
 {
   return withinMemory([&] {
-    StraightPath result;
-    result.status = checkLoop(graph.mesh(), loop);
-    return result.status.ok() ? RubberBand(graph.mesh(), loop).run() : result;
+    if (liesOn(graph.mesh(), loop) && loop.points.size() > 2 &&
+      samePlace(loop.points.front(), loop.points.back()))
+    {
+      return RubberBand(graph.mesh(), loop).run();
+    }
+    StraightPath refused;
+    refused.status = { StatusCode::InvalidCurve, "a loop is not a closed path over the surface", {},
+      { Remedy::RedrawCurve } };
+    return refused;
   });
 }
 }

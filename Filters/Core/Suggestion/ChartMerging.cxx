@@ -235,13 +235,9 @@ std::vector<Charts::Arc> Charts::arcs(bool opened) const
   std::vector<Arc> arcs;
   for (Arc& arc : all)
   {
-    if (arc.vertices.front() == arc.vertices.back())
+    const bool closed = arc.vertices.front() == arc.vertices.back();
+    if (closed && opened)
     {
-      if (!opened)
-      {
-        arcs.push_back(std::move(arc));
-        continue;
-      }
       const auto half = static_cast<std::ptrdiff_t>(arc.edges.size() / 2);
       arcs.push_back({ Indices(arc.edges.begin(), arc.edges.begin() + half),
         Indices(arc.vertices.begin(), arc.vertices.begin() + half + 1) });
@@ -249,15 +245,16 @@ std::vector<Charts::Arc> Charts::arcs(bool opened) const
         Indices(arc.vertices.begin() + half, arc.vertices.end()) });
       continue;
     }
-    if (this->degree(arc.vertices.front()) == 1 && this->degree(arc.vertices.back()) != 1)
+    if (!closed && this->degree(arc.vertices.front()) == 1 &&
+      this->degree(arc.vertices.back()) != 1)
     {
       std::reverse(arc.vertices.begin(), arc.vertices.end());
       std::reverse(arc.edges.begin(), arc.edges.end());
       std::transform(arc.edges.begin(), arc.edges.end(), arc.edges.begin(),
         [this](Index h) { return this->Mesh.twin(h); });
     }
-    arc.dart =
-      !this->Mesh.onBoundary(arc.vertices.back()) && this->degree(arc.vertices.back()) == 1;
+    arc.dart = !closed && !this->Mesh.onBoundary(arc.vertices.back()) &&
+      this->degree(arc.vertices.back()) == 1;
     arcs.push_back(std::move(arc));
   }
   return arcs;
@@ -747,12 +744,6 @@ bool Charts::ownImage(const Arc& arc) const
   });
 }
 
-double Charts::length(const Indices& edges) const
-{
-  return std::accumulate(edges.begin(), edges.end(), 0.0,
-    [this](double sum, Index h) { return sum + this->Mesh.length(h); });
-}
-
 double Charts::priceOf(const Indices& edges) const
 {
   return std::accumulate(
@@ -762,7 +753,8 @@ double Charts::priceOf(const Indices& edges) const
 /// The edges of an arc from an end on, about a share of it. None where no dart is left.
 Indices Charts::partOf(const Arc& arc, bool front, double share) const
 {
-  const double whole = this->length(arc.edges);
+  const double whole = std::accumulate(arc.edges.begin(), arc.edges.end(), 0.0,
+    [this](double length, Index h) { return length + this->Mesh.length(h); });
   Indices part;
   double sum = 0.0;
   for (std::size_t k = 0; k < arc.edges.size(); ++k)

@@ -114,7 +114,6 @@ private:
   std::size_t degree(Index v) const;
   bool isNode(Index v) const;
   bool ownImage(const Arc& arc) const;
-  double length(const Indices& edges) const;
   double priceOf(const Indices& edges) const;
   Indices partOf(const Arc& arc, bool front, double share) const;
   Arc follow(Index first, std::vector<char>& used) const;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace flattening
 {
@@ -84,11 +85,7 @@ std::vector<double> smoothed(const TurningLoop& loop)
 /// By the sum of the arcs of a point and its image, in samples, the correlation of both sides.
 std::vector<double> correlations(const std::vector<double>& turning)
 {
-  double own = 0.0;
-  for (double value : turning)
-  {
-    own += value * value;
-  }
+  const double own = std::inner_product(turning.begin(), turning.end(), turning.begin(), 0.0);
   std::vector<double> result(samples, 0.0);
   for (Index sum = 0; sum < samples && own > 0.0; ++sum)
   {
@@ -216,11 +213,7 @@ std::shared_ptr<const IntrinsicMirror> IntrinsicMirror::find(
     return nullptr;
   }
   const std::vector<double> turns = boundaryAxes(mesh);
-  if (turns.empty())
-  {
-    return nullptr;
-  }
-  const Points2 flat = embedConvexly(mesh, execution);
+  const Points2 flat = turns.empty() ? Points2() : embedConvexly(mesh, execution);
   if (flat.empty())
   {
     return nullptr;
