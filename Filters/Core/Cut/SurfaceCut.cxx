@@ -10,23 +10,6 @@ namespace flattening
 {
 namespace
 {
-/// Which of two curves an edge belongs to: the higher rank.
-int rank(CurveType type)
-{
-  switch (type)
-  {
-    case CurveType::Seam:
-      return 4;
-    case CurveType::Dart:
-      return 3;
-    case CurveType::Key:
-      return 2;
-    case CurveType::Accessory:
-      return 1;
-  }
-  return 0;
-}
-
 std::string curveName(const FeatureCurve& curve, std::size_t id)
 {
   return curve.name.empty() ? "curve " + std::to_string(id) : "curve \"" + curve.name + "\"";
@@ -119,7 +102,8 @@ Status followCurves(
           continue;
         }
         Index& label = curveOfHalfedge[h];
-        if (label == none || rank(curves[c].type) > rank(curves[label].type))
+        // By the order of types: seam before dart, key and accessory.
+        if (label == none || curves[c].type > curves[label].type)
         {
           label = static_cast<Index>(c);
         }

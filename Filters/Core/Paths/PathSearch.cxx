@@ -127,17 +127,6 @@ Index PathSearch::lastVertex(const SurfacePoint& target)
   return last;
 }
 
-Indices PathSearch::chainTo(Index vertex)
-{
-  Indices chain;
-  for (Index v = vertex; v != none; v = this->States[v].before)
-  {
-    chain.push_back(v);
-  }
-  std::reverse(chain.begin(), chain.end());
-  return chain;
-}
-
 Index PathSearch::crossedBetween(Index from, Index to) const
 {
   const PathGraph::Arc* best = nullptr;
@@ -165,8 +154,14 @@ GeodesicPath PathSearch::geodesicTo(const SurfacePoint& target)
   const auto append = [&](const SurfacePoint& vertex, const Indices& crossed) {
     geodesic.append(shortestInStrip(mesh, geodesic.vertices.back(), crossed, vertex));
   };
+  Indices chain;
+  for (Index v = last; v != none; v = this->States[v].before)
+  {
+    chain.push_back(v);
+  }
+  std::reverse(chain.begin(), chain.end());
   Index before = none;
-  for (const Index v : this->chainTo(last))
+  for (const Index v : chain)
   {
     if (before != none || this->Source.type != SurfacePointType::Vertex)
     {

@@ -54,7 +54,6 @@ private:
   /// is none.
   Index lastVertex(const SurfacePoint& target);
   void followArcs(Index vertex, const Point3& target);
-  Indices chainTo(Index vertex);
   Index crossedBetween(Index from, Index to) const;
 
   const PathGraph& Graph;

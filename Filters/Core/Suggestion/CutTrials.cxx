@@ -86,12 +86,10 @@ bool touchesKey(const ImprintedSurface& surface, std::size_t first)
   }
   for (std::size_t c = first; c < surface.curves.size(); ++c)
   {
-    for (Index v : surface.curves[c].vertices)
+    const Indices& vertices = surface.curves[c].vertices;
+    if (std::any_of(vertices.begin(), vertices.end(), [&](Index v) { return onKey[v] != 0; }))
     {
-      if (onKey[v])
-      {
-        return true;
-      }
+      return true;
     }
   }
   return false;
