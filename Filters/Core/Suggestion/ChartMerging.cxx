@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/ChartMerging.h"
 
-#include "Base/CompressedRows.h"
 #include "Suggestion/CurveSuggestions.h"
 #include "Suggestion/OpeningCuts.h"
 #include "Suggestion/SeamDrawing.h"
@@ -263,30 +262,17 @@ std::vector<Charts::Arc> Charts::arcs(bool opened) const
 /// Finds the charts. Those without a triangle that changed are as before.
 void Charts::group(const std::vector<char>& changed)
 {
-  JoinedSets sets(this->Mesh.triangleCount());
-  for (Index h = 0; h < this->Mesh.halfedgeCount(); ++h)
-  {
-    if (this->Mesh.twin(h) != none && !this->Cut[h])
-    {
-      sets.join(h / 3, this->Mesh.twin(h) / 3);
-    }
-  }
   const std::vector<Chart> before = std::move(this->All);
   const Indices chartBefore = std::move(this->ChartOf);
-  Indices number(this->Mesh.triangleCount(), none);
-  this->ChartOf.clear();
-  this->All.clear();
+  this->All.assign(connectedParts(this->Mesh, this->Cut, this->ChartOf), {});
   for (Index t = 0; t < this->Mesh.triangleCount(); ++t)
   {
-    const Index first = sets.find(t);
-    if (number[first] == none)
+    Chart& chart = this->All[this->ChartOf[t]];
+    if (chart.triangles.empty())
     {
-      number[first] = static_cast<Index>(this->All.size());
-      this->All.emplace_back();
-      this->All.back().version = changed[t] ? this->Versions++ : before[chartBefore[t]].version;
+      chart.version = changed[t] ? this->Versions++ : before[chartBefore[t]].version;
     }
-    this->ChartOf.push_back(number[first]);
-    this->All[number[first]].triangles.push_back(t);
+    chart.triangles.push_back(t);
   }
 }
 

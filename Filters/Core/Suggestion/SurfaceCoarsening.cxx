@@ -150,9 +150,7 @@ private:
       const Index x = cell[(k + j) % 3];
       return this->Mesh.point(x == v ? w : x);
     };
-    const Point3 a = point(1) - point(0);
-    const Point3 b = point(2) - point(0);
-    return std::atan2(a.cross(b).norm(), a.dot(b));
+    return angleBetween(point(1) - point(0), point(2) - point(0));
   }
 
   Indices neighbours(Index v) const
