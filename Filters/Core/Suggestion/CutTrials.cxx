@@ -332,48 +332,28 @@ TrialOutcome CutTrials::measured(
   const ImprintedSurface& surface, const FlatteningResult& flat) const
 {
   TrialOutcome outcome;
+  outcome.valid = true;
+  outcome.severity = severity(flat.status.code);
   for (const Points3& path : pathsOf(surface, this->Curves.size()))
   {
     outcome.lengths.push_back(lengthOf(path));
   }
-  outcome.valid = true;
-  outcome.severity = severity(flat.status.code);
-  const std::vector<double> counted = this->countedAreas(surface, flat);
-  outcome.worstPlace = worstPlace(flat, counted);
-  this->measure(flat, counted, outcome);
-  return outcome;
-}
-
-/// By triangle of the flattening, its area on the surface times its weight.
-std::vector<double> CutTrials::countedAreas(
-  const ImprintedSurface& surface, const FlatteningResult& flat) const
-{
-  std::vector<double> counted;
+  std::vector<double> counted; // by triangle, its area on the surface times its weight
+  std::vector<double> areas(flat.pieces.size(), 0.0);
+  std::vector<double> countedAreas(flat.pieces.size(), 0.0);
   for (Index t = 0; t < flat.cut->mesh.triangleCount(); ++t)
   {
     const double weight = this->Weights.empty()
       ? 1.0
       : this->Weights[surface.originalTriangle[flat.cut->originalTriangle(t)]];
-    counted.push_back(weight * flat.cut->mesh.area(t));
+    const double area = flat.cut->mesh.area(t);
+    counted.push_back(weight * area);
+    areas[flat.cut->pieceOfTriangle[t]] += area;
+    countedAreas[flat.cut->pieceOfTriangle[t]] += counted.back();
   }
-  return counted;
-}
-
-void CutTrials::measure(
-  const FlatteningResult& flat, const std::vector<double>& counted, TrialOutcome& outcome) const
-{
-  std::vector<double> areas(flat.pieces.size(), 0.0);
-  std::vector<double> countedAreas(flat.pieces.size(), 0.0);
-  for (Index t = 0; t < flat.cut->mesh.triangleCount(); ++t)
-  {
-    areas[flat.cut->pieceOfTriangle[t]] += flat.cut->mesh.area(t);
-    countedAreas[flat.cut->pieceOfTriangle[t]] += counted[t];
-  }
-  std::vector<StrainMeasures> strains;
-  if (!this->Weights.empty())
-  {
-    strains = strainMeasures(flat, counted);
-  }
+  outcome.worstPlace = worstPlace(flat, counted);
+  const std::vector<StrainMeasures> strains =
+    this->Weights.empty() ? std::vector<StrainMeasures>{} : strainMeasures(flat, counted);
   double total = 0.0;
   for (std::size_t p = 0; p < flat.pieces.size(); ++p)
   {
@@ -420,6 +400,7 @@ void CutTrials::measure(
       [](const TriangleQuality& triangle) { return std::abs(triangle.areaRatio - 1.0); });
   }
   outcome.goal = std::accumulate(outcome.pieceGoals.begin(), outcome.pieceGoals.end(), 0.0);
+  return outcome;
 }
 
 std::vector<TrialOutcome> CutTrials::runAll(const std::vector<std::vector<Polyline>>& cuts,

@@ -177,10 +177,6 @@ private:
   TrialOutcome measured(const ImprintedSurface& surface, const FlatteningResult& flat) const;
   std::vector<FlatCorners> startOf(const ImprintedSurface& surface) const;
   ImprintedSurface imprinted(const std::vector<Polyline>& cuts) const;
-  std::vector<double> countedAreas(
-    const ImprintedSurface& surface, const FlatteningResult& flat) const;
-  void measure(
-    const FlatteningResult& flat, const std::vector<double>& counted, TrialOutcome& outcome) const;
 
   const TriangleMesh& Mesh;
   std::vector<Polyline> Curves;
