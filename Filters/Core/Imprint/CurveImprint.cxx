@@ -398,16 +398,12 @@ private:
           return refuse(std::move(status));
         }
       }
-      SplitSurface surface = splitSurface(this->Mesh, snap, paths);
-      failed = std::move(surface.failed);
+      SplitSurface split = splitSurface(this->Mesh, snap, paths);
+      failed = std::move(split.failed);
       if (failed.empty())
       {
-        this->fillRoutes(surface, routes);
-        ImprintedSurface result;
-        result.mesh = std::move(surface.mesh);
-        result.vertexSource = std::move(surface.vertexSource);
-        result.originalTriangle = std::move(surface.originalTriangle);
-        return this->collect(std::move(result), std::move(routes));
+        fillRoutes(split.chains, routes);
+        return this->collect(std::move(split.surface), std::move(routes));
       }
       for (Index t : failed)
       {
@@ -507,7 +503,7 @@ private:
       { ElementKind::CurvePoints, ids }, std::move(remedies) };
   }
 
-  void fillRoutes(const SplitSurface& surface, std::vector<Route>& routes) const
+  static void fillRoutes(const std::vector<Indices>& chains, std::vector<Route>& routes)
   {
     std::size_t next = 0;
     for (Route& route : routes)
@@ -515,7 +511,7 @@ private:
       route.stretches.clear();
       for (std::size_t i = 0; i < route.points.size(); ++i)
       {
-        route.stretches.push_back(surface.chains[next++]);
+        route.stretches.push_back(chains[next++]);
       }
       route.start = route.stretches.empty() ? none : route.stretches[0][0];
     }

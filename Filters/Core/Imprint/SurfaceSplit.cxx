@@ -247,17 +247,17 @@ public:
         result.failed.push_back(task.triangle);
       }
     }
-    result.vertexSource = this->Nodes.numberVertices();
+    result.surface.vertexSource = this->Nodes.numberVertices();
     this->collectTriangles(result);
     if (result.failed.empty())
     {
       this->collectChains(result);
       Points3 points = this->Mesh.points();
-      for (std::size_t v = points.size(); v < result.vertexSource.size(); ++v)
+      for (std::size_t v = points.size(); v < result.surface.vertexSource.size(); ++v)
       {
-        points.push_back(this->position(result.vertexSource[v]));
+        points.push_back(this->position(result.surface.vertexSource[v]));
       }
-      result.mesh = TriangleMesh(std::move(points), std::move(this->Cells));
+      result.surface.mesh = TriangleMesh(std::move(points), std::move(this->Cells));
     }
     return result;
   }
@@ -356,8 +356,8 @@ private:
   void collectTriangles(SplitSurface& result)
   {
     this->Cells = this->Mesh.triangles();
-    result.originalTriangle.resize(this->Cells.size());
-    std::iota(result.originalTriangle.begin(), result.originalTriangle.end(), 0);
+    result.surface.originalTriangle.resize(this->Cells.size());
+    std::iota(result.surface.originalTriangle.begin(), result.surface.originalTriangle.end(), 0);
     for (const FaceTask& task : this->Tasks)
     {
       const Point3 normal = triangleNormal(this->Mesh, task.triangle);
@@ -370,7 +370,7 @@ private:
         for (int k = 0; k < 3; ++k)
         {
           corners[k] = this->Nodes.vertex(task.nodeOfVertex[cell[k]]);
-          p[k] = this->position(result.vertexSource[corners[k]]);
+          p[k] = this->position(result.surface.vertexSource[corners[k]]);
         }
         good = good && hasArea(p, normal);
         if (&cell == &cells.front())
@@ -379,7 +379,7 @@ private:
           continue;
         }
         this->Cells.push_back(corners);
-        result.originalTriangle.push_back(task.triangle);
+        result.surface.originalTriangle.push_back(task.triangle);
       }
       if (!good && cells.size() > 1)
       {

@@ -9,9 +9,7 @@ namespace flattening
 /// A surface whose triangles were split along paths.
 struct SplitSurface
 {
-  TriangleMesh mesh;
-  std::vector<VertexSource> vertexSource;
-  Indices originalTriangle;
+  ImprintedSurface surface; ///< without curves
   /// Per path the vertices along it, from its first to its last point; one where all points met.
   std::vector<Indices> chains;
   /// Triangles whose parts would have no area, or that could not be split: a larger snap distance
