@@ -133,53 +133,35 @@ public:
 
   std::vector<StripCorner> Corners;
 
-  Index addLeft(const StripCorner& corner)
+  /// Adds the next corner of one side; what holds of the left side holds mirrored of the right.
+  Index add(const StripCorner& corner, bool onLeft)
   {
-    this->Corners.push_back(corner);
-    const Complex p = corner.place;
-    while (this->Left < this->Apex && this->side(this->Left + 1, this->Left, p) <= 0.0)
+    std::size_t& end = onLeft ? this->Left : this->Right;
+    const std::size_t opposite = onLeft ? this->Right : this->Left;
+    const int outwards = onLeft ? -1 : 1;
+    const auto side = [&](std::size_t a, std::size_t b) {
+      return outwards * this->side(a, b, corner.place);
+    };
+    while (end != this->Apex && side(end - outwards, end) >= 0.0)
     {
-      ++this->Left;
+      end -= outwards;
     }
-    if (this->Left == this->Apex)
+    if (end == this->Apex)
     {
-      while (this->Apex < this->Right && this->side(this->Apex, this->Apex + 1, p) < 0.0)
+      while (this->Apex != opposite && side(this->Apex, this->Apex - outwards) > 0.0)
       {
-        ++this->Apex;
+        this->Apex -= outwards;
       }
-      this->Left = this->Apex;
+      end = this->Apex;
     }
-    return this->append(this->Left, -1);
-  }
-
-  Index addRight(const StripCorner& corner)
-  {
     this->Corners.push_back(corner);
-    const Complex p = corner.place;
-    while (this->Right > this->Apex && this->side(this->Right - 1, this->Right, p) >= 0.0)
-    {
-      --this->Right;
-    }
-    if (this->Right == this->Apex)
-    {
-      while (this->Apex > this->Left && this->side(this->Apex, this->Apex - 1, p) > 0.0)
-      {
-        --this->Apex;
-      }
-      this->Right = this->Apex;
-    }
-    return this->append(this->Right, 1);
+    this->Corners.back().before = this->Chain[end];
+    end += outwards;
+    this->Chain[end] = static_cast<Index>(this->Corners.size()) - 1;
+    return this->Chain[end];
   }
 
 private:
-  Index append(std::size_t& end, int step)
-  {
-    const Index corner = static_cast<Index>(this->Corners.size()) - 1;
-    this->Corners.back().before = this->Chain[end];
-    end += step;
-    this->Chain[end] = corner;
-    return corner;
-  }
   /// Positive where p lies on the left of the line through two places of the chain.
   double side(std::size_t a, std::size_t b, Complex p) const
   {
@@ -205,16 +187,16 @@ std::vector<StripCorner> tightString(const TriangleMesh& mesh, const UnfoldedStr
     const Index h = strip[i].halfedge;
     if (i == 0 || mesh.to(h) != funnel.Corners[left].vertex)
     {
-      left = funnel.addLeft({ strip[i].left, mesh.to(h), i, i, none });
+      left = funnel.add({ strip[i].left, mesh.to(h), i, i, none }, true);
     }
     if (i == 0 || mesh.from(h) != funnel.Corners[right].vertex)
     {
-      right = funnel.addRight({ strip[i].right, mesh.from(h), i, i, none });
+      right = funnel.add({ strip[i].right, mesh.from(h), i, i, none }, false);
     }
     funnel.Corners[left].last = i;
     funnel.Corners[right].last = i;
   }
-  funnel.addLeft({ strip.end(), none, count, count, none });
+  funnel.add({ strip.end(), none, count, count, none }, true);
   std::vector<StripCorner> string;
   for (auto c = static_cast<Index>(funnel.Corners.size()) - 1; c != none;
        c = funnel.Corners[c].before)
