@@ -53,21 +53,6 @@ PathSearch::PathSearch(const PathGraph& graph, const SurfacePoint& source, PathA
   }
 }
 
-void PathSearch::aimAt(const Point3& target)
-{
-  std::vector<Entry> open;
-  for (const Entry& entry : this->Open)
-  {
-    const State& here = this->States[entry.vertex];
-    if (!here.settled)
-    {
-      open.push_back({ here.distance + this->Graph.straight(entry.vertex, target), entry.vertex });
-    }
-  }
-  this->Open = std::move(open);
-  std::make_heap(this->Open.begin(), this->Open.end());
-}
-
 void PathSearch::followArcs(Index vertex, const Point3& target)
 {
   const double distance = this->States[vertex].distance;
@@ -95,7 +80,15 @@ void PathSearch::followArcs(Index vertex, const Point3& target)
 Index PathSearch::lastVertex(const SurfacePoint& target)
 {
   const Indices goals = cornersAround(this->Graph.mesh(), target);
-  this->aimAt(target.position);
+  this->Open.erase(std::remove_if(this->Open.begin(), this->Open.end(),
+                     [this](const Entry& entry) { return this->States[entry.vertex].settled; }),
+    this->Open.end());
+  for (Entry& entry : this->Open)
+  {
+    entry.bound =
+      this->States[entry.vertex].distance + this->Graph.straight(entry.vertex, target.position);
+  }
+  std::make_heap(this->Open.begin(), this->Open.end());
   Index last = none;
   double best = std::numeric_limits<double>::infinity();
   const auto offer = [&](Index vertex) {

@@ -49,7 +49,6 @@ private:
     bool operator<(const Entry& other) const { return this->bound > other.bound; }
   };
 
-  void aimAt(const Point3& target);
   /// The corner of the triangles around a target by which the shortest path comes; none where there
   /// is none.
   Index lastVertex(const SurfacePoint& target);

@@ -11,13 +11,6 @@ namespace
 /// What is tried to be left of a cut, first by much, and once none of that holds by less.
 constexpr std::array<std::array<double, 3>, 3> keptShares{ { { 0.0, 1.0 / 3.0, 2.0 / 3.0 },
   { 0.8, 0.9, 0.95 }, { 0.97, 0.98, 0.99 } } };
-
-/// Cuts a line back to a share of its length, from its end.
-void trim(SuggestedCurve& cut, double share)
-{
-  cut.length *= share;
-  cut.curve.points = shortened(cut.curve.points, cut.length);
-}
 }
 
 Points3 shortened(const Points3& line, double length)
@@ -70,7 +63,8 @@ std::vector<SuggestedCurve> withShare(
     result.push_back(cuts[k]);
     if (chosen)
     {
-      trim(result.back(), share);
+      result.back().length *= share;
+      result.back().curve.points = shortened(cuts[k].curve.points, result.back().length);
     }
     if (cuts[k].mirrorOf != none)
     {
