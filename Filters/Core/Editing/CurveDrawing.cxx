@@ -91,27 +91,17 @@ const SurfacePath* keptSegment(const EditedCurve& before, const EditedCurve& cur
 }
 
 /// What can only be drawn as a whole: a spline through all nodes, and a measuring tape of two or
-/// three. No segments where the curve is none of both.
-struct WholeCurve
-{
-  SurfacePath path;
-  std::vector<std::size_t> stations;
-  Status status;
-};
-
-WholeCurve drawWhole(
+/// three. No path where the curve is none of both.
+SurfaceSpline drawWhole(
   const DrawingSurface& surface, const EditedCurve& curve, const std::vector<SurfacePoint>& nodes)
 {
-  WholeCurve whole;
   if (std::count(curve.kinds.begin(), curve.kinds.end(), SegmentKind::Spline) > 0 &&
     nodes.size() > 2)
   {
-    SurfaceSpline spline = surfaceSpline(surface.graph(), surface.locator(), nodes, curve.closed);
-    whole.path = std::move(spline.path);
-    whole.stations = std::move(spline.stations);
-    whole.status = std::move(spline.status);
+    return surfaceSpline(surface.graph(), surface.locator(), nodes, curve.closed);
   }
-  else if (isTape(curve))
+  SurfaceSpline whole;
+  if (isTape(curve))
   {
     // Where there is none, each segment is a section of its own.
     PlaneSection tape = girth(surface.mesh(), nodes, &whole.stations);
@@ -129,7 +119,7 @@ WholeCurve drawWhole(
 }
 
 /// Whether segment s is a part of what was drawn as a whole.
-bool isOfWhole(const WholeCurve& whole, const EditedCurve& curve, std::size_t s)
+bool isOfWhole(const SurfaceSpline& whole, const EditedCurve& curve, std::size_t s)
 {
   const bool spline = std::count(curve.kinds.begin(), curve.kinds.end(), SegmentKind::Spline) > 0;
   return !whole.path.triangles.empty() && (!spline || curve.kinds[s] == SegmentKind::Spline);
@@ -142,7 +132,7 @@ Status drawSegments(const DrawingSurface& surface, const EditedCurve& curve,
   const std::vector<SurfacePoint>& nodes, const EditedCurve* before, const HintOf& hintOf,
   std::vector<SurfacePath>& segments)
 {
-  const WholeCurve whole = drawWhole(surface, curve, nodes);
+  const SurfaceSpline whole = drawWhole(surface, curve, nodes);
   if (whole.status.refused())
   {
     return whole.status;
