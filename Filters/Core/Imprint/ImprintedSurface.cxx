@@ -42,12 +42,8 @@ Status checkPolyline(const Polyline& polyline, std::size_t id)
 /// the one that the route's vertices are of. No vertices where the route has no start.
 FeatureCurve assembleCurve(const TriangleMesh& mesh, const Polyline& polyline, const Route& route)
 {
-  FeatureCurve curve;
-  curve.name = polyline.name;
-  curve.type = polyline.type;
-  curve.keyShape = polyline.keyShape;
-  curve.tolerance = polyline.tolerance;
-  curve.ease = polyline.ease;
+  FeatureCurve curve{ polyline.name, polyline.type, polyline.keyShape, polyline.tolerance,
+    polyline.ease, {}, {} };
   if (route.start == none)
   {
     return curve;

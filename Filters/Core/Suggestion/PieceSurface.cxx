@@ -72,17 +72,12 @@ std::vector<Polyline> PieceSurface::polylines() const
   std::vector<Polyline> lines;
   for (const FeatureCurve& curve : this->curves)
   {
-    Polyline line;
-    line.name = curve.name;
-    line.type = curve.type;
-    line.keyShape = curve.keyShape;
-    line.tolerance = curve.tolerance;
-    line.planarShape = curve.planarShape;
+    lines.push_back(
+      { curve.name, curve.type, curve.keyShape, curve.tolerance, {}, {}, curve.planarShape, {} });
     for (Index v : curve.vertices)
     {
-      line.points.push_back(this->mesh.point(v));
+      lines.back().points.push_back(this->mesh.point(v));
     }
-    lines.push_back(std::move(line));
   }
   return lines;
 }
