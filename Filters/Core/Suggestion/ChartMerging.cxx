@@ -398,6 +398,7 @@ bool Charts::worthIt(
   return removal.saved > wastePrice * (waste - wasted) / (pi * this->Size * this->Size);
 }
 
+/// The cut edges as they are after a removal.
 std::vector<char> Charts::cutAfter(const Removal& removal) const
 {
   std::vector<char> cut = this->Cut;
