@@ -61,11 +61,8 @@ public:
       Point2(this->Along.dot(apex), this->Along.cross(apex).norm()) };
   }
 
-  const Point2& corner(Index k) const { return this->Corners[static_cast<std::size_t>(k % 3)]; }
-  Index vertex(Index k) const
-  {
-    return this->Mesh.triangle(this->Triangle)[static_cast<std::size_t>(k % 3)];
-  }
+  const Point2& corner(Index k) const { return this->Corners[k % 3]; }
+  Index vertex(Index k) const { return this->Mesh.triangle(this->Triangle)[k % 3]; }
   Point2 place(const SurfacePoint& point) const
   {
     const std::array<double, 3> weights = weightsIn(this->Mesh, this->Triangle, point);
@@ -82,9 +79,8 @@ public:
     for (Index k = 0; k < 3; ++k)
     {
       const Point2& from = this->corner(k + 1);
-      weights[static_cast<std::size_t>(k)] =
-        std::max(0.0, cross(this->corner(k + 2) - from, place - from));
-      sum += weights[static_cast<std::size_t>(k)];
+      weights[k] = std::max(0.0, cross(this->corner(k + 2) - from, place - from));
+      sum += weights[k];
     }
     for (double& weight : weights)
     {
