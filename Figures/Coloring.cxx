@@ -11,7 +11,6 @@
 #include <vtkPointData.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 

@@ -12,8 +12,6 @@
 #include "vtkPolyData.h"
 #include "vtkTrivialProducer.h"
 
-#include <algorithm>
-
 vtkStandardNewMacro(vtkPatternGrading);
 
 namespace

@@ -11,7 +11,6 @@
 #include "Input/StatusWords.h"
 #include "ListChanges.h"
 #include "OptionProperties.h"
-#include "Outlines/DrawingSource.h"
 #include "PatternInput.h"
 
 #include "vtkAlgorithm.h"
@@ -25,7 +24,6 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
-#include <algorithm>
 #include <variant>
 
 vtkStandardNewMacro(vtkPatternWriter);

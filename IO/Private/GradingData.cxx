@@ -7,7 +7,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>

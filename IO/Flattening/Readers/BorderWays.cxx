@@ -4,7 +4,6 @@
 #include "Base/Types.h"
 #include "InputError.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>

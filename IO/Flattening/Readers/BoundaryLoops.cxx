@@ -6,9 +6,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <map>
 #include <set>
 #include <utility>

@@ -12,8 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <sstream>
 #include <utility>
 

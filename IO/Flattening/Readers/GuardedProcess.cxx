@@ -25,7 +25,6 @@
 #include <iostream>
 #include <stdexcept>
 #include <system_error>
-#include <vector>
 
 extern char** environ; // POSIX declares it in no header
 

@@ -15,7 +15,6 @@
 #include <cstddef>
 #include <functional>
 #include <map>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>

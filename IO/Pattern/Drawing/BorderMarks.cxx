@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/BorderMarks.h"
 
-#include "Base/Types.h"
-#include "Fairing/BorderChains.h"
 #include "Fairing/FairBorders.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/ClothOutline.h"
 
-#include "Base/Types.h"
 #include "Fairing/FairBorders.h"
 #include "Outlines/PatternText.h"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/HalfPiece.h"
 
-#include "Base/Types.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/PatternBuilder.h"
 
-#include "Base/LengthUnit.h"
-#include "Base/Status.h"
-#include "Base/Types.h"
-#include "Drawing/BorderMarks.h"
-#include "Drawing/NamedFolds.h"
 #include "Drawing/PieceDrawing.h"
 #include "Fairing/FairBorders.h"
-#include "Outlines/PatternSource.h"
 #include "Outlines/PatternText.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
-#include <set>
 
 namespace flattening::pattern
 {

@@ -6,7 +6,6 @@
 #include "Outlines/PatternText.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace flattening::pattern

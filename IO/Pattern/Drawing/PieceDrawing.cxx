@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/PieceDrawing.h"
 
-#include "Drawing/BorderMarks.h"
 #include "Drawing/ClothOutline.h"
 #include "Drawing/CurveNames.h"
 #include "Drawing/HalfPiece.h"
-#include "Drawing/SeamAllowance.h"
 #include "Fairing/FairBorders.h"
 #include "Outlines/Grainlines.h"
-#include "Outlines/Joins.h"
-#include "Outlines/Pattern.h"
 #include "Outlines/PatternText.h"
-#include "Outlines/PlaneGeometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/SeamAllowance.h"
 
-#include "Base/Types.h"
 #include "Outlines/Outline.h"
 
 #include <clipper.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace flattening::pattern

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/SeamWalk.h"
 
-#include "Base/Types.h"
 #include "Drawing/ClothOutline.h"
 #include "Fairing/FairBorders.h"
-#include "Outlines/Joins.h"
-#include "Outlines/Notches.h"
 #include "Outlines/PatternText.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace flattening::pattern
 {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fairing/BorderChains.h"
 
-#include "Base/Types.h"
-
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 

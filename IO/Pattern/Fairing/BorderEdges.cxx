@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fairing/BorderEdges.h"
 
-#include "Fairing/FairPlan.h"
-
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace flattening::pattern

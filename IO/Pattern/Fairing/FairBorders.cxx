@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fairing/FairBorders.h"
 
-#include "Fairing/FairPlan.h"
-#include "Outlines/DrawingSource.h"
 #include "Outlines/PatternText.h"
 #include "Quality/StrainMeasures.h"
 

@@ -3,7 +3,6 @@
 
 #include "Base/Execution.h"
 #include "Fairing/FairFit.h"
-#include "Fairing/OutlineMirror.h"
 #include "Outlines/DrawingSource.h"
 #include "Outlines/Pattern.h"
 

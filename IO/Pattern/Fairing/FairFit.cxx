@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fairing/FairFit.h"
 
-#include "Fairing/FairNetwork.h"
 #include "Fairing/FairTrial.h"
 
 #include <algorithm>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fairing/FairNetwork.h"
 
-#include "Base/Types.h"
-
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fairing/FairPlan.h"
 
-#include "Base/Types.h"
 #include "Outlines/Grainlines.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 namespace flattening::pattern

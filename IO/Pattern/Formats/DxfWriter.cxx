@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/DxfWriter.h"
 
-#include "Base/Types.h"
 #include "Formats/ArcPolyline.h"
 #include "Formats/SheetLayout.h"
 #include "Outlines/Grainlines.h"
@@ -11,8 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <string>
-#include <vector>
 
 namespace flattening::pattern
 {

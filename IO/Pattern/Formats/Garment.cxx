@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/Garment.h"
 
-#include "Base/Types.h"
 #include "Outlines/PatternText.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/GarmentPieces.h"
 
-#include "Base/Types.h"
 #include "Imprint/ConstrainedDelaunay.h"
 #include "Outlines/FairSpan.h"
 #include "Outlines/PlaneGeometry.h"

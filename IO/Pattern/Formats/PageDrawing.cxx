@@ -4,7 +4,6 @@
 #include "Formats/PageTexts.h"
 #include "Outlines/Pattern.h"
 #include "Outlines/PatternText.h"
-#include "Outlines/PlaneGeometry.h"
 
 #include <algorithm>
 #include <vector>

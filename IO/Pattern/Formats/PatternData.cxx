@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/PatternData.h"
 
-#include "Base/Types.h"
 #include "Formats/FileAside.h"
 #include "Formats/PanelArrays.h"
 
@@ -15,7 +14,6 @@
 #include <limits>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace flattening::pattern
 {

@@ -4,9 +4,7 @@
 #include "Formats/FileOptions.h"
 #include "Options/OptionRows.h"
 
-#include <string>
 #include <utility>
-#include <vector>
 
 namespace flattening::pattern
 {

@@ -5,14 +5,12 @@
 #include "Formats/PageDrawing.h"
 #include "Formats/PageTexts.h"
 #include "Formats/PdfLayers.h"
-#include "Formats/PdfPages.h"
 #include "Formats/VisualOrder.h"
 #include "Outlines/Pattern.h"
 
 #include <algorithm>
 #include <array>
 #include <cairo-pdf.h>
-#include <cmath>
 #include <exception>
 #include <new>
 #include <set>

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grading/SizeGrading.h"
 
-#include "Base/Types.h"
 #include "Outlines/Outline.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <map>
 #include <set>
 #include <unordered_set>

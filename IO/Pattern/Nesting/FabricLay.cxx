@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Nesting/FabricLay.h"
 
-#include "Base/Types.h"
 #include "Nesting/NoFitRegion.h"
 #include "Outlines/Outline.h"
 #include "Outlines/PatternText.h"

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Outlines/Darts.h"
 
-#include "Base/Types.h"
-
 #include <algorithm>
-#include <cmath>
 
 namespace flattening::pattern
 {

@@ -4,7 +4,6 @@
 #include "Outlines/ClosedCuts.h"
 #include "Outlines/Grainlines.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Outlines/Grainlines.h"
 
-#include "Base/Types.h"
 #include "Outlines/PatternText.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace flattening::pattern

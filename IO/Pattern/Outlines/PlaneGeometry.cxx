@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Outlines/PlaneGeometry.h"
 
-#include "Base/Types.h"
-
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace flattening::pattern

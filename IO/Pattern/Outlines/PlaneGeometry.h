@@ -3,8 +3,6 @@
 
 #include "Base/Types.h"
 
-#include <utility>
-
 namespace flattening::pattern
 {
 struct Segment
