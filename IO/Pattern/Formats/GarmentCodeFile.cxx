@@ -14,6 +14,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,97 +41,85 @@ namespace
 using Json = nlohmann::ordered_json;
 constexpr std::uintmax_t largestFile = 100'000'000;
 
-/// Takes a garment from a document and remembers the first thing that is wrong.
+/// What is wrong with a document.
+class GarmentDefect : public std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// Takes a garment from a document. Throws GarmentDefect.
 class GarmentReader
 {
 public:
-  Status read(const Json& document, Garment& garment)
+  Garment read(const Json& document)
   {
-    const Json& pattern = this->member(document, "pattern", "the file");
-    const Json& panels = this->member(pattern, "panels", "the pattern");
-    if (this->Wrong.ok() && !panels.is_object())
+    const Json& pattern = member(document, "pattern", "the file");
+    const Json& panels = member(pattern, "panels", "the pattern");
+    if (!panels.is_object())
     {
-      this->blame("the panels are not an object of panels by their names");
+      throw GarmentDefect("the panels are not an object of panels by their names");
     }
-    if (this->Wrong.ok())
+    this->readProperties(document);
+    Garment garment;
+    for (const auto& [name, panel] : panels.items())
     {
-      this->readProperties(document);
+      this->Numbers[name] = garment.panels.size();
+      this->readPanel(name, panel, garment.panels.emplace_back());
     }
-    if (this->Wrong.ok())
-    {
-      for (const auto& [name, panel] : panels.items())
-      {
-        this->Numbers[name] = garment.panels.size();
-        this->readPanel(name, panel, garment.panels.emplace_back());
-      }
-    }
-    const auto stitches = this->Wrong.ok() ? pattern.find("stitches") : pattern.end();
-    if (this->Wrong.ok() && stitches != pattern.end())
+    const auto stitches = pattern.find("stitches");
+    if (stitches != pattern.end())
     {
       this->readStitches(*stitches, garment);
     }
-    return this->Wrong;
+    return garment;
   }
 
 private:
-  void blame(const std::string& defect)
+  static const Json& member(const Json& object, const char* key, const std::string& owner)
   {
-    if (this->Wrong.ok())
+    if (!object.is_object() || !object.contains(key))
     {
-      this->Wrong = invalid(defect);
+      throw GarmentDefect(owner + " has no member \"" + key + "\"");
     }
+    return object[key];
   }
 
-  const Json& member(const Json& object, const char* key, const std::string& owner)
-  {
-    static const Json nothing;
-    const bool has = object.is_object() && object.contains(key);
-    if (!has)
-    {
-      this->blame(owner + " has no member \"" + key + "\"");
-    }
-    return has ? object[key] : nothing;
-  }
-
-  double number(const Json& value, const std::string& what)
+  static double number(const Json& value, const std::string& what)
   {
     const double number = value.is_number() ? value.get<double>() : 0.0;
     if (!value.is_number() || !std::isfinite(number) || std::abs(number) > 1e12)
     {
-      this->blame(what + " is not a number, or is too large");
+      throw GarmentDefect(what + " is not a number, or is too large");
     }
     return number;
   }
 
   template <typename Vector>
-  Vector vector(const Json& value, const std::string& what)
+  static Vector vector(const Json& value, const std::string& what)
   {
-    Vector result = Vector::Zero();
-    const bool fits =
-      value.is_array() && value.size() == static_cast<std::size_t>(Vector::SizeAtCompileTime);
-    if (!fits)
+    if (!value.is_array() || value.size() != static_cast<std::size_t>(Vector::SizeAtCompileTime))
     {
-      this->blame(
+      throw GarmentDefect(
         what + " is not a list of " + std::to_string(Vector::SizeAtCompileTime) + " numbers");
     }
-    for (std::size_t k = 0; fits && k < value.size(); ++k)
+    Vector result = Vector::Zero();
+    for (std::size_t k = 0; k < value.size(); ++k)
     {
-      result[static_cast<Eigen::Index>(k)] = this->number(value[k], what);
+      result[static_cast<Eigen::Index>(k)] = number(value[k], what);
     }
     return result;
   }
 
-  std::size_t index(const Json& value, const std::string& what)
+  static std::size_t index(const Json& value, const std::string& what)
   {
     if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 1'000'000'000)
     {
-      this->blame(what + " is not a whole number from 0");
-      return 0;
+      throw GarmentDefect(what + " is not a whole number from 0");
     }
     return value.get<std::size_t>();
   }
 
-  std::string label(const Json& object, const std::string& owner)
+  static std::string label(const Json& object, const std::string& owner)
   {
     const auto found = object.find("label");
     if (found == object.end())
@@ -139,8 +128,7 @@ private:
     }
     if (!found->is_string())
     {
-      this->blame("the label of " + owner + " is not text");
-      return {};
+      throw GarmentDefect("the label of " + owner + " is not text");
     }
     return found->get<std::string>();
   }
@@ -155,13 +143,12 @@ private:
     const auto unit = properties->find("units_in_meter");
     if (unit != properties->end())
     {
-      const double perMetre = this->number(*unit, "units_in_meter");
-      if (this->Wrong.ok() && !(perMetre > 0.0))
+      const double perMetre = number(*unit, "units_in_meter");
+      if (!(perMetre > 0.0))
       {
-        this->blame("units_in_meter must be above 0");
+        throw GarmentDefect("units_in_meter must be above 0");
       }
-      // Exactly 1 where the file is in centimetres.
-      this->Scale = this->Wrong.ok() ? 100.0 / perMetre : 1.0;
+      this->Scale = 100.0 / perMetre; // exactly 1 where the file is in centimetres
     }
     const auto coordinates = properties->find("curvature_coords");
     if (coordinates != properties->end())
@@ -169,40 +156,35 @@ private:
       this->Absolute = *coordinates == "absolute";
       if (!this->Absolute && *coordinates != "relative")
       {
-        this->blame("curvature_coords is neither \"relative\" nor \"absolute\"");
+        throw GarmentDefect("curvature_coords is neither \"relative\" nor \"absolute\"");
       }
     }
   }
 
-  void readPanel(const std::string& name, const Json& json, GarmentPanel& panel)
+  void readPanel(const std::string& name, const Json& json, GarmentPanel& panel) const
   {
     panel.name = name;
     const std::string owner = "the panel " + name;
-    const Json& vertices = this->member(json, "vertices", owner);
-    const Json& edges = this->member(json, "edges", owner);
-    if (this->Wrong.ok() && (!vertices.is_array() || !edges.is_array()))
+    const Json& vertices = member(json, "vertices", owner);
+    const Json& edges = member(json, "edges", owner);
+    if (!vertices.is_array() || !edges.is_array())
     {
-      this->blame("vertices and edges of " + owner + " must be lists");
+      throw GarmentDefect("vertices and edges of " + owner + " must be lists");
     }
-    if (!this->Wrong.ok())
-    {
-      return;
-    }
-    panel.label = this->label(json, owner);
+    panel.label = label(json, owner);
     if (json.contains("translation"))
     {
       panel.translation =
-        this->Scale * this->vector<Point3>(json["translation"], "the translation of " + owner);
+        this->Scale * vector<Point3>(json["translation"], "the translation of " + owner);
     }
     if (json.contains("rotation"))
     {
-      panel.rotation = this->vector<Point3>(json["rotation"], "the rotation of " + owner);
+      panel.rotation = vector<Point3>(json["rotation"], "the rotation of " + owner);
     }
     for (const Json& vertex : vertices)
     {
-      panel.vertices.emplace_back(this->Scale *
-        this->vector<Point2>(
-          vertex, "vertex " + std::to_string(panel.vertices.size()) + " of " + owner));
+      const std::string what = "vertex " + std::to_string(panel.vertices.size()) + " of " + owner;
+      panel.vertices.emplace_back(this->Scale * vector<Point2>(vertex, what));
     }
     for (const Json& edge : edges)
     {
@@ -210,30 +192,25 @@ private:
     }
   }
 
-  void readEdge(const Json& json, GarmentPanel& panel)
+  void readEdge(const Json& json, GarmentPanel& panel) const
   {
     const std::string owner = edgeName(panel, panel.edges.size());
     GarmentEdge& edge = panel.edges.emplace_back();
-    const Json& ends = this->member(json, "endpoints", owner);
-    if (this->Wrong.ok() && (!ends.is_array() || ends.size() != 2))
+    const Json& ends = member(json, "endpoints", owner);
+    if (!ends.is_array() || ends.size() != 2)
     {
-      this->blame("the endpoints of " + owner + " are not two");
-    }
-    if (!this->Wrong.ok())
-    {
-      return;
+      throw GarmentDefect("the endpoints of " + owner + " are not two");
     }
     for (const std::size_t k : { 0U, 1U })
     {
-      edge.ends[k] = this->index(ends[k], "an end of " + owner);
+      edge.ends[k] = index(ends[k], "an end of " + owner);
       if (edge.ends[k] >= panel.vertices.size())
       {
-        this->blame(owner + " ends at the vertex " + std::to_string(edge.ends[k]) +
+        throw GarmentDefect(owner + " ends at the vertex " + std::to_string(edge.ends[k]) +
           ", and there are " + std::to_string(panel.vertices.size()));
-        return;
       }
     }
-    edge.label = this->label(json, owner);
+    edge.label = label(json, owner);
     if (json.contains("curvature"))
     {
       this->readShape(json["curvature"], owner, panel, edge);
@@ -241,7 +218,7 @@ private:
   }
 
   void readShape(
-    const Json& json, const std::string& owner, const GarmentPanel& panel, GarmentEdge& edge)
+    const Json& json, const std::string& owner, const GarmentPanel& panel, GarmentEdge& edge) const
   {
     if (json.is_array()) // of files before there were others
     {
@@ -249,21 +226,17 @@ private:
       this->addControl(json, owner, panel, 0, edge);
       return;
     }
-    const Json& type = this->member(json, "type", "the curvature of " + owner);
-    const Json& parameters = this->member(json, "params", "the curvature of " + owner);
+    const std::string what = "the curvature of " + owner;
+    const Json& type = member(json, "type", what);
+    const Json& parameters = member(json, "params", what);
     const std::size_t wanted = type == "quadratic" ? 1 : type == "cubic" ? 2 : 3;
-    if (this->Wrong.ok() && wanted == 3 && type != "circle")
+    if (wanted == 3 && type != "circle")
     {
-      this->blame("the curvature of " + owner + " is neither quadratic, cubic nor circle");
+      throw GarmentDefect(what + " is neither quadratic, cubic nor circle");
     }
-    if (this->Wrong.ok() && (!parameters.is_array() || parameters.size() != wanted))
+    if (!parameters.is_array() || parameters.size() != wanted)
     {
-      this->blame(
-        "the curvature of " + owner + " has not the " + std::to_string(wanted) + " parameters");
-    }
-    if (!this->Wrong.ok())
-    {
-      return;
+      throw GarmentDefect(what + " has not the " + std::to_string(wanted) + " parameters");
     }
     if (wanted < 3)
     {
@@ -275,20 +248,20 @@ private:
       return;
     }
     edge.shape = EdgeShape::Circle;
-    edge.parameters[0] = this->Scale * this->number(parameters[0], "the radius of " + owner);
+    edge.parameters[0] = this->Scale * number(parameters[0], "the radius of " + owner);
     for (const std::size_t k : { 1U, 2U })
     {
       const Json& flag = parameters[k];
-      edge.parameters[k] = flag.is_boolean()              ? (flag.get<bool>() ? 1.0 : 0.0)
-        : this->number(flag, "a flag of " + owner) != 0.0 ? 1.0
-                                                          : 0.0;
+      const bool isSet =
+        flag.is_boolean() ? flag.get<bool>() : number(flag, "a flag of " + owner) != 0.0;
+      edge.parameters[k] = isSet ? 1.0 : 0.0;
     }
   }
 
   void addControl(const Json& json, const std::string& owner, const GarmentPanel& panel,
-    std::size_t at, GarmentEdge& edge)
+    std::size_t at, GarmentEdge& edge) const
   {
-    Point2 control = this->vector<Point2>(json, "a control point of " + owner);
+    Point2 control = vector<Point2>(json, "a control point of " + owner);
     if (this->Absolute)
     {
       control = inFrameOf(
@@ -298,12 +271,11 @@ private:
     edge.parameters[at + 1] = control.y();
   }
 
-  void readStitches(const Json& json, Garment& garment)
+  void readStitches(const Json& json, Garment& garment) const
   {
     if (!json.is_array())
     {
-      this->blame("the stitches are not a list");
-      return;
+      throw GarmentDefect("the stitches are not a list");
     }
     for (const Json& stitch : json)
     {
@@ -312,38 +284,31 @@ private:
       if (!stitch.is_array() || stitch.size() < 2 || stitch.size() > 3 ||
         (marked && !stitch[2].is_string()))
       {
-        this->blame(owner + " does not name two edges");
-        return;
+        throw GarmentDefect(owner + " does not name two edges");
       }
       GarmentStitch& made = garment.stitches.emplace_back();
       made.rightToWrong = marked && stitch[2] == "right_wrong";
       for (const std::size_t k : { 0U, 1U })
       {
-        const Json& name = this->member(stitch[k], "panel", owner);
-        const Json& edge = this->member(stitch[k], "edge", owner);
-        if (!this->Wrong.ok())
-        {
-          return;
-        }
+        const Json& name = member(stitch[k], "panel", owner);
+        const Json& edge = member(stitch[k], "edge", owner);
         const auto panel =
           name.is_string() ? this->Numbers.find(name.get<std::string>()) : this->Numbers.end();
         if (panel == this->Numbers.end())
         {
-          this->blame(owner + " names the panel " + name.dump() + ", which is not there");
-          return;
+          throw GarmentDefect(owner + " names the panel " + name.dump() + ", which is not there");
         }
-        made.sides[k] = { panel->second, this->index(edge, "an edge of " + owner) };
+        made.sides[k] = { panel->second, index(edge, "an edge of " + owner) };
         if (made.sides[k].edge >= garment.panels[panel->second].edges.size())
         {
-          this->blame(owner + " names the edge " + edge.dump() + " of the panel " + panel->first +
-            ", which has " + std::to_string(garment.panels[panel->second].edges.size()));
-          return;
+          throw GarmentDefect(owner + " names the edge " + edge.dump() + " of the panel " +
+            panel->first + ", which has " +
+            std::to_string(garment.panels[panel->second].edges.size()));
         }
       }
     }
   }
 
-  Status Wrong;
   double Scale = 1.0;
   bool Absolute = false;
   std::map<std::string, std::size_t> Numbers;
@@ -365,10 +330,16 @@ Status readGarmentCode(const std::string& path, Garment& garment)
   std::ifstream file(path, std::ios::binary);
   const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
   Status status;
-  const JsonFault fault =
-    readJson<Json>(text, [&](const Json& json) { status = GarmentReader().read(json, garment); });
-  status = fault.text.empty() ? status : invalid("it " + fault.text);
-  status = status.ok() ? checkGarment(garment) : status;
+  try
+  {
+    const JsonFault fault =
+      readJson<Json>(text, [&](const Json& json) { garment = GarmentReader().read(json); });
+    status = fault.text.empty() ? checkGarment(garment) : invalid("it " + fault.text);
+  }
+  catch (const GarmentDefect& defect)
+  {
+    status = invalid(defect.what());
+  }
   if (!status.ok())
   {
     status.message = path + ": " + status.message;
