@@ -2,6 +2,7 @@
 #include "PatternInput.h"
 
 #include "Formats/PatternData.h"
+#include "Outlines/Outline.h"
 #include "PolyDataSets.h"
 
 #include "vtkCellArray.h"
@@ -20,10 +21,9 @@ Status readPieces(
   {
     if (data && (!data->GetPolys()->IsValid() || !data->GetLines()->IsValid()))
     {
-      return { StatusCode::InvalidPattern,
-        std::string("the cells of the ") + (data == wires ? "wires" : "flat surface") +
-          " do not fit the list of their " + (data == wires ? "points" : "corners"),
-        {}, { Remedy::GiveFlatPieces } };
+      return pattern::invalidPieces(std::string("the cells of the ") +
+        (data == wires ? "wires" : "flat surface") + " do not fit the list of their " +
+        (data == wires ? "points" : "corners"));
     }
   }
   const DataSet wireData = wires ? dataSetOf(wires) : DataSet();

@@ -164,18 +164,12 @@ std::vector<Points2> ClothOutline::glueTabs() const
     {
       continue;
     }
-    if (this->All.border.count(edgeKey(points[0], points[1])) ==
-      0) // the cloth is to be on the left
+    const bool onLeft = this->All.border.count(edgeKey(points[0], points[1])) > 0;
+    if (!onLeft) // the cloth is to be there
     {
       std::reverse(points.begin(), points.end());
     }
-    Points2 line;
-    for (std::size_t k = 0; k + 1 < points.size(); ++k)
-    {
-      addDrawnEdge(this->All, points[k], points[k + 1], line);
-    }
-    line.push_back(this->All.at(points.back()));
-    tabs.push_back(tabAlong(line, this->All.options.glueTab));
+    tabs.push_back(tabAlong(drawnLine(this->All, points), this->All.options.glueTab));
   }
   return tabs;
 }

@@ -23,11 +23,6 @@ Point2 ontoAxis(const MirrorAxis& axis, const Point2& p)
   return axis.at + axis.along.dot(p - axis.at) * axis.along;
 }
 
-Point2 crossingOf(const Point2& a, const Point2& b, double atA, double atB)
-{
-  return a + atA / (atA - atB) * (b - a);
-}
-
 /// A line without its form.
 PatternLine namesake(const PatternLine& line)
 {
@@ -188,7 +183,7 @@ Points2 rightHalf(const Points2& polygon, const MirrorAxis& axis)
     }
     if ((atA > 0.0 && atB < 0.0) || (atA < 0.0 && atB > 0.0))
     {
-      half.push_back(crossingOf(a, b, atA, atB));
+      half.emplace_back(a + atA / (atA - atB) * (b - a));
     }
   }
   return half;
@@ -267,17 +262,12 @@ void keepRightHalf(const MirrorAxis& axis, PatternPiece& piece)
   }
   lines.push_back(foldLine(lines, axis));
   piece.lines = std::move(lines);
-  const auto isLeft = [&axis](const Point2& p) { return rightOf(axis, p) < -onAxis; };
-  piece.notches.erase(std::remove_if(piece.notches.begin(), piece.notches.end(),
-                        [&isLeft](const Notch& notch) { return isLeft(notch.foot); }),
-    piece.notches.end());
-  piece.gradePoints.erase(
-    std::remove_if(piece.gradePoints.begin(), piece.gradePoints.end(),
-      [&axis](const GradePoint& point) { return rightOf(axis, point.place) < -mirrorTolerance; }),
-    piece.gradePoints.end());
-  piece.drillHoles.erase(
-    std::remove_if(piece.drillHoles.begin(), piece.drillHoles.end(),
-      [&axis](const Point2& p) { return rightOf(axis, p) < -mirrorTolerance; }),
-    piece.drillHoles.end());
+  const auto keepRight = [&axis](auto& marks, double tolerance, const auto& placeOf) {
+    const auto isLeft = [&](const auto& mark) { return rightOf(axis, placeOf(mark)) < -tolerance; };
+    marks.erase(std::remove_if(marks.begin(), marks.end(), isLeft), marks.end());
+  };
+  keepRight(piece.notches, onAxis, [](const Notch& notch) { return notch.foot; });
+  keepRight(piece.gradePoints, mirrorTolerance, [](const GradePoint& p) { return p.place; });
+  keepRight(piece.drillHoles, mirrorTolerance, [](const Point2& p) { return p; });
 }
 }

@@ -46,10 +46,8 @@ Status findNamedFold(const DrawingSource& all, std::size_t piece, const std::str
     }
     fold.emplace();
     fold->curve = wire.name;
-    for (const Index v : wire.points)
-    {
-      points.push_back(all.at(v));
-    }
+    const Points2 line = all.at(wire.points);
+    points.insert(points.end(), line.begin(), line.end());
     isBorder = isBorder && areOnBorder(all.border, wire.points);
   }
   if (!fold)

@@ -120,9 +120,7 @@ Status checkSource(const PatternSource& source)
   {
     if (!isFinite(source.positions[v]))
     {
-      return { StatusCode::InvalidPattern,
-        "point " + std::to_string(v) + " of the flat surface is not finite", {},
-        { Remedy::GiveFlatPieces } };
+      return invalidPieces("point " + std::to_string(v) + " of the flat surface is not finite");
     }
   }
   std::vector<double> area;
@@ -131,10 +129,8 @@ Status checkSource(const PatternSource& source)
     const Index piece = source.pieceOfTriangle[t];
     if (piece < 0 || static_cast<std::size_t>(piece) >= source.triangles.size())
     {
-      return { StatusCode::InvalidPattern,
-        "the PieceId of cell " + std::to_string(t) + " is " + std::to_string(piece) +
-          ", and pieces are counted from 0",
-        {}, { Remedy::GiveFlatPieces } };
+      return invalidPieces("the PieceId of cell " + std::to_string(t) + " is " +
+        std::to_string(piece) + ", and pieces are counted from 0");
     }
     area.resize(std::max(area.size(), static_cast<std::size_t>(piece) + 1), 0.0);
     const Triangle& corners = source.triangles[t];
@@ -147,10 +143,8 @@ Status checkSource(const PatternSource& source)
   {
     if (wire.piece >= static_cast<Index>(pieces))
     {
-      return { StatusCode::InvalidPattern,
-        "the PieceId of a wire is " + std::to_string(wire.piece) + ", and there are " +
-          std::to_string(pieces) + " pieces",
-        {}, { Remedy::GiveFlatPieces } };
+      return invalidPieces("the PieceId of a wire is " + std::to_string(wire.piece) +
+        ", and there are " + std::to_string(pieces) + " pieces");
     }
   }
   for (std::size_t p = 0; p < pieces; ++p)
@@ -194,22 +188,15 @@ namespace
 std::vector<PieceShape> shapesOf(const DrawingSource& all)
 {
   std::vector<PieceShape> shapes(all.loops.size());
-  const auto add = [&all](const Indices& points, Points2& line) {
-    for (const Index v : points)
-    {
-      line.push_back(all.at(v));
-    }
-  };
   for (std::size_t p = 0; p < shapes.size(); ++p)
   {
-    add(all.loops[p].front(), shapes[p].outline);
+    shapes[p].outline = all.at(all.loops[p].front());
   }
   for (const SourceWire& wire : all.source.wires)
   {
     if (wire.piece != none)
     {
-      std::vector<Points2>& lines = shapes[static_cast<std::size_t>(wire.piece)].lines;
-      add(wire.points, lines.emplace_back());
+      shapes[static_cast<std::size_t>(wire.piece)].lines.push_back(all.at(wire.points));
     }
   }
   return shapes;
@@ -362,6 +349,7 @@ Status buildPattern(const DrawingSource& all, Pattern& pattern)
     const std::size_t second =
       static_cast<std::size_t>(std::find(mirrored.begin(), mirrored.end(), p) - mirrored.begin());
     const bool isSecond = mirrored[p] != noPair;
+    const bool forBoth = options.pairs && second < pieces;
     if (options.pairs && isSecond)
     {
       continue;
@@ -390,7 +378,7 @@ Status buildPattern(const DrawingSource& all, Pattern& pattern)
     {
       addText(TextRole::Label, "size " + piece.size);
     }
-    if (options.pairs && second < pieces)
+    if (forBoth)
     {
       addText(TextRole::Label,
         "cut " + plural(piece.quantity, "pair") + onFold + ", one of each turned over");
@@ -422,7 +410,6 @@ Status buildPattern(const DrawingSource& all, Pattern& pattern)
     addCompensation(options.weftCompensation, "weft");
     addText(
       TextRole::Label, "piece " + std::to_string(piece.number) + " of " + std::to_string(pieces));
-    const bool forBoth = options.pairs && second < pieces;
     status = drawPiece(all, p, forBoth ? std::optional(second) : std::nullopt, marks, fold, piece);
     if (fold && !fold->isBorder)
     {

@@ -212,9 +212,7 @@ private:
   {
     for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
     {
-      Points2 along;
-      addDrawnEdge(this->All, wire.points[k], wire.points[k + 1], along);
-      along.push_back(this->All.at(wire.points[k + 1]));
+      const Points2 along = drawnLine(this->All, { wire.points[k], wire.points[k + 1] });
       if (this->All.allowanceAlong(wire.points[k], wire.points[k + 1]) > 0.0 ||
         std::any_of(along.begin(), along.end(),
           [this](const Point2& p) { return distance(p, this->CutLine) > 2.0 * sampleDistance; }))
@@ -256,10 +254,7 @@ private:
       PatternLine line;
       line.kind = this->kindOf(wire);
       line.name = wire.type == WireType::Boundary ? "" : wire.name;
-      for (const Index v : wire.points)
-      {
-        line.points.push_back(this->All.at(v));
-      }
+      line.points = this->All.at(wire.points);
       line.restLength = this->All.scale() * arcsOnSurface(source, wire.points).back();
       line.isCut = (line.kind == LineKind::SewLine || line.kind == LineKind::KeyCurve) &&
         areOnBorder(this->All.border, wire.points) && this->isOnCutLine(wire);
@@ -413,14 +408,7 @@ private:
         {
           continue;
         }
-        const Indices& points = join.points[s];
-        JoinSide& side = sides.emplace_back();
-        side.mark = join.mark;
-        for (std::size_t k = 0; k + 1 < points.size(); ++k)
-        {
-          addDrawnEdge(this->All, points[k], points[k + 1], side.line);
-        }
-        side.line.push_back(this->All.at(points.back()));
+        sides.push_back({ join.mark, drawnLine(this->All, join.points[s]) });
       }
     }
     return sides;

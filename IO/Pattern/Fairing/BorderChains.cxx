@@ -36,17 +36,15 @@ BorderChains::BorderChains(const DrawingSource& all)
   this->addInnerCurves(all);
 }
 
-bool BorderChains::find(Index from, Index to, ChainEdge& place) const
+std::optional<ChainEdge> BorderChains::find(Index from, Index to) const
 {
   const auto found = this->Edges.find(undirectedKey(from, to));
   if (found == this->Edges.end())
   {
-    return false;
+    return std::nullopt;
   }
-  place.chain = found->second[0];
-  place.edge = found->second[1];
-  place.backwards = this->Chains[place.chain].point(place.edge) != from;
-  return true;
+  const auto [chain, edge] = found->second;
+  return ChainEdge{ chain, edge, this->Chains[chain].point(edge) != from };
 }
 
 std::size_t BorderChains::chainsAt(Index point) const

@@ -4,6 +4,7 @@
 #include "Outlines/DrawingSource.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 namespace flattening::pattern
@@ -31,6 +32,11 @@ struct BorderChain
     const auto above = std::upper_bound(this->arc.begin(), this->arc.end(), place);
     return static_cast<std::size_t>(above - this->arc.begin()) - 1;
   }
+  /// The place at a fraction of an edge.
+  double arcWithin(std::size_t edge, double fraction) const
+  {
+    return this->arc[edge] + fraction * (this->arc[edge + 1] - this->arc[edge]);
+  }
   /// The name of the curve that an edge is of, or "boundary".
   std::string nameOf(const DrawingSource& all, std::size_t edge) const
   {
@@ -53,8 +59,8 @@ public:
   explicit BorderChains(const DrawingSource& all);
 
   const std::vector<BorderChain>& chains() const { return this->Chains; }
-  /// Whether an edge is there.
-  bool find(Index from, Index to, ChainEdge& place) const;
+  /// None where no chain has the edge.
+  std::optional<ChainEdge> find(Index from, Index to) const;
   /// In how many chains a point is.
   std::size_t chainsAt(Index point) const;
 

@@ -76,12 +76,11 @@ public:
     for (std::size_t p = 0; p < this->All.loops.size(); ++p)
     {
       const Indices& loop = this->All.loops[p].front();
-      ChainEdge place;
-      this->Fair.chains().find(loop[0], loop[1], place); // all loops are chains
-      const std::size_t count = this->Fair.plan()[place.chain].intervals.size();
+      const std::size_t chain = this->Fair.chains().find(loop[0], loop[1])->chain; // all are chains
+      const std::size_t count = this->Fair.plan()[chain].intervals.size();
       for (std::size_t k = 0; k < count; ++k)
       {
-        this->addInterval(p, place.chain, k);
+        this->addInterval(p, chain, k);
       }
     }
     this->sew();
@@ -144,12 +143,9 @@ private:
   {
     const BorderChain& chain = this->Fair.chains().chains()[c];
     const std::size_t edge = chain.edgeAt(arc);
-    const PatternSource& source = this->All.source;
-    const std::size_t wire =
-      wireOf(source, this->All.wires, chain.point(edge), chain.point(edge + 1));
-    return wire < source.wires.size() && source.wires[wire].type != WireType::Boundary
-      ? source.wires[wire].name
-      : "";
+    const SourceWire* const wire =
+      wireOf(this->All.source, this->All.wires, chain.point(edge), chain.point(edge + 1));
+    return wire && wire->type != WireType::Boundary ? wire->name : "";
   }
 
   void sew()

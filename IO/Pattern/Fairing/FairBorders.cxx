@@ -431,8 +431,8 @@ std::vector<FairSpan> FairBorders::curveOf(const SourceWire& wire) const
   double to = 0.0;
   for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
   {
-    ChainEdge place;
-    this->Chains.find(wire.points[k], wire.points[k + 1], place); // all wires are in chains
+    // All wires are in chains.
+    const ChainEdge place = *this->Chains.find(wire.points[k], wire.points[k + 1]);
     const std::vector<double>& arc = this->Places[place.chain];
     const double start = arc[place.edge + (place.backwards ? 1 : 0)];
     const double end = arc[place.edge + (place.backwards ? 0 : 1)];
@@ -457,21 +457,20 @@ std::vector<FairSpan> FairBorders::alongEdge(
   Index from, Index to, double fromFraction, double toFraction) const
 {
   std::vector<FairSpan> parts;
-  ChainEdge place;
-  if (!this->Chains.find(from, to, place))
+  const std::optional<ChainEdge> place = this->Chains.find(from, to);
+  if (!place)
   {
     return parts;
   }
-  const std::vector<double>& arc = this->Chains.chains()[place.chain].arc;
-  const std::vector<double>& places = this->Places[place.chain];
+  const std::vector<double>& places = this->Places[place->chain];
   const auto at = [&](double given) {
-    const double fraction = place.backwards ? 1.0 - given : given;
-    return fraction == 0.0 ? places[place.edge]
-      : fraction == 1.0    ? places[place.edge + 1]
-                           : this->placeAt(place.chain,
-                               arc[place.edge] + fraction * (arc[place.edge + 1] - arc[place.edge]));
+    const double fraction = place->backwards ? 1.0 - given : given;
+    return fraction == 0.0 ? places[place->edge]
+      : fraction == 1.0    ? places[place->edge + 1]
+                           : this->placeAt(place->chain,
+                               this->Chains.chains()[place->chain].arcWithin(place->edge, fraction));
   };
-  addParts(this->spans()[place.chain], at(fromFraction), at(toFraction), parts);
+  addParts(this->spans()[place->chain], at(fromFraction), at(toFraction), parts);
   return parts;
 }
 
@@ -489,6 +488,17 @@ void addDrawnEdge(const DrawingSource& all, Index from, Index to, Points2& point
   {
     points.push_back(all.at(from));
   }
+}
+
+Points2 drawnLine(const DrawingSource& all, const Indices& points)
+{
+  Points2 line;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k)
+  {
+    addDrawnEdge(all, points[k], points[k + 1], line);
+  }
+  line.push_back(all.at(points.back()));
+  return line;
 }
 
 Point2 pointOnDrawnEdge(

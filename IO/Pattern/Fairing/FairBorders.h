@@ -108,6 +108,9 @@ void addFairNotes(const FairPieceReport& report, PatternPiece& piece);
 /// Adds the points of an edge of a border as it is drawn, all but its second end.
 void addDrawnEdge(const DrawingSource& all, Index from, Index to, Points2& points);
 
+/// A line along edges of borders as it is drawn, with its last point.
+Points2 drawnLine(const DrawingSource& all, const Indices& points);
+
 /// A place on an edge of a border as it is drawn.
 /// \param outward to the right of the way from the first point to the second, of length 1
 Point2 pointOnDrawnEdge(

@@ -32,10 +32,10 @@ public:
     std::vector<std::vector<double>> notches(this->Plan.size());
     for (const NotchPlace& notch : this->All.notches)
     {
-      ChainEdge place;
-      if (notch.isStop && this->Chains.find(notch.edge[0], notch.edge[1], place))
+      const std::optional<ChainEdge> place = this->Chains.find(notch.edge[0], notch.edge[1]);
+      if (notch.isStop && place)
       {
-        notches[place.chain].push_back(this->arcAt(place, notch.fraction));
+        notches[place->chain].push_back(this->arcAt(*place, notch.fraction));
       }
     }
     for (std::size_t c = 0; c < this->Plan.size(); ++c)
@@ -50,9 +50,8 @@ public:
 private:
   double arcAt(const ChainEdge& place, double fraction) const
   {
-    const BorderChain& chain = this->Chains.chains()[place.chain];
-    const double along = place.backwards ? 1.0 - fraction : fraction;
-    return chain.arc[place.edge] + along * (chain.arc[place.edge + 1] - chain.arc[place.edge]);
+    return this->Chains.chains()[place.chain].arcWithin(
+      place.edge, place.backwards ? 1.0 - fraction : fraction);
   }
 
   /// \param end 0: the point at which the edge starts as it was asked for, 1: that at which it ends
@@ -71,33 +70,29 @@ private:
       this->Firm.push_back(chain.corner);
       this->Firm.back().front() = true; // where a ring is opened
     }
-    ChainEdge place;
     for (const SourceWire& wire : this->All.source.wires)
     {
       const std::size_t last = wire.points.size() - 1;
-      if (wire.points.size() > 1 && this->Chains.find(wire.points[0], wire.points[1], place))
+      for (const int end : { 0, 1 })
       {
-        this->Firm[place.chain][this->pointOf(place, 0)] = true;
-      }
-      if (wire.points.size() > 1 &&
-        this->Chains.find(wire.points[last - 1], wire.points[last], place))
-      {
-        this->Firm[place.chain][this->pointOf(place, 1)] = true;
+        const std::size_t k = end == 0 ? 0 : last - 1;
+        const std::optional<ChainEdge> place = wire.points.size() > 1
+          ? this->Chains.find(wire.points[k], wire.points[k + 1])
+          : std::nullopt;
+        if (place)
+        {
+          this->Firm[place->chain][this->pointOf(*place, end)] = true;
+        }
       }
     }
     for (const SewnEdges& pair : this->All.source.sewn)
     {
-      ChainEdge a;
-      ChainEdge b;
-      if (!this->Chains.find(pair.a[0], pair.a[1], a) ||
-        !this->Chains.find(pair.b[0], pair.b[1], b))
+      const std::optional<ChainEdge> a = this->Chains.find(pair.a[0], pair.a[1]);
+      const std::optional<ChainEdge> b = this->Chains.find(pair.b[0], pair.b[1]);
+      for (int end = 0; a && b && end < 2; ++end)
       {
-        continue;
-      }
-      for (const int end : { 0, 1 })
-      {
-        auto one = this->Firm[a.chain][this->pointOf(a, end)];
-        auto other = this->Firm[b.chain][this->pointOf(b, end)];
+        auto one = this->Firm[a->chain][this->pointOf(*a, end)];
+        auto other = this->Firm[b->chain][this->pointOf(*b, end)];
         one = other = one || other;
       }
     }
@@ -268,21 +263,22 @@ private:
     const double middle = (interval.start + interval.end) / 2.0;
     const std::size_t edge = chain.edgeAt(middle);
     const auto sewn = this->All.partners.find(edgeKey(chain.point(edge), chain.point(edge + 1)));
-    ChainEdge place;
-    if (sewn == this->All.partners.end() ||
-      !this->Chains.find(sewn->second[0], sewn->second[1], place))
+    const std::optional<ChainEdge> place = sewn == this->All.partners.end()
+      ? std::nullopt
+      : this->Chains.find(sewn->second[0], sewn->second[1]);
+    if (!place)
     {
       return;
     }
     const double fraction = (middle - chain.arc[edge]) / (chain.arc[edge + 1] - chain.arc[edge]);
-    const double there = this->arcAt(place, fraction);
-    const std::vector<PlannedInterval>& others = this->Plan[place.chain].intervals;
+    const double there = this->arcAt(*place, fraction);
+    const std::vector<PlannedInterval>& others = this->Plan[place->chain].intervals;
     const auto found = std::lower_bound(others.begin(), others.end(), there,
       [](const PlannedInterval& other, double at) { return other.end < at; });
     if (found != others.end() && found->start <= there)
     {
-      interval.partner = { place.chain, static_cast<std::size_t>(found - others.begin()) };
-      interval.reversed = place.backwards;
+      interval.partner = { place->chain, static_cast<std::size_t>(found - others.begin()) };
+      interval.reversed = place->backwards;
     }
   }
 

@@ -142,17 +142,11 @@ OutlineMirror findOutlineMirror(const DrawingSource& all, const BorderChains& ch
   const std::vector<PlannedChain>& plan, std::size_t piece)
 {
   OutlineMirror mirror;
-  PieceShape shape;
-  for (const Index v : all.loops[piece].front())
-  {
-    shape.outline.push_back(all.at(v));
-  }
-  mirror.axis = nearestMirrorAxis(shape, mirrorTolerance);
-  ChainEdge place;
-  chains.find(all.loops[piece].front()[0], all.loops[piece].front()[1], place); // loops are chains
-  mirror.chain = place.chain;
+  const Indices& loop = all.loops[piece].front();
+  mirror.axis = nearestMirrorAxis({ all.at(loop), {} }, mirrorTolerance);
+  mirror.chain = chains.find(loop[0], loop[1])->chain; // loops are chains
   mirror.why =
-    pairStretches({ all, chains.chains()[place.chain], plan[place.chain].stretches }, mirror);
+    pairStretches({ all, chains.chains()[mirror.chain], plan[mirror.chain].stretches }, mirror);
   if (!mirror.why.empty())
   {
     mirror.stretches.clear();

@@ -35,8 +35,7 @@ void addTable(Columns& fields, const char* name, int columns, std::size_t rows, 
 
 Status misfit(const std::string& what)
 {
-  return { StatusCode::InvalidPattern, "the panels of the wires do not fit the pieces: " + what, {},
-    { Remedy::GiveFlatPieces } };
+  return invalidPieces("the panels of the wires do not fit the pieces: " + what);
 }
 
 /// Whether a value is a whole number below a limit.

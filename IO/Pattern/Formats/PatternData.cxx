@@ -3,6 +3,7 @@
 
 #include "Formats/FileAside.h"
 #include "Formats/PanelArrays.h"
+#include "Outlines/Outline.h"
 
 #include <Eigen/Geometry>
 
@@ -21,11 +22,6 @@ namespace
 {
 /// How far points of flat pieces may differ in z, as a share of their width.
 constexpr double flatness = 1e-6;
-
-Status invalidPieces(const std::string& message)
-{
-  return { StatusCode::InvalidPattern, message, {}, { Remedy::GiveFlatPieces } };
-}
 
 /// Whether each array that is there has a value of its own for each of a number of rows.
 Status checkRows(

@@ -95,10 +95,9 @@ Status addGradePoints(const Grading& grading, PatternSource& source)
 {
   if (grading.positions[grading.base].size() != source.positions.size())
   {
-    return { StatusCode::InvalidPattern,
-      "the sizes have " + std::to_string(grading.positions[grading.base].size()) +
-        " points and the flat surface " + std::to_string(source.positions.size()),
-      {}, { Remedy::GiveFlatPieces } };
+    return invalidPieces("the sizes have " +
+      std::to_string(grading.positions[grading.base].size()) + " points and the flat surface " +
+      std::to_string(source.positions.size()));
   }
   for (const GradeRule& rule : grading.rules)
   {

@@ -56,8 +56,7 @@ Status checkNames(const std::vector<PatternSize>& sizes)
 
 Status broken(const PatternSize& size, const std::string& what)
 {
-  return { StatusCode::InvalidPattern, "size " + inQuotes(size.name) + ": " + what, {},
-    { Remedy::GiveFlatPieces } };
+  return invalidPieces("size " + inQuotes(size.name) + ": " + what);
 }
 
 /// \param base whose pieces and wires the others are to have, too

@@ -10,19 +10,16 @@ namespace
 /// One loop with its edges' wires.
 struct Loop
 {
-  const PatternSource& source;
   const Indices& points;
   const SewnPartners& partners;
-  std::vector<std::size_t> wire;
+  std::vector<const SourceWire*> wire; ///< null: of none
 
   std::size_t size() const { return this->points.size(); }
   Index point(std::size_t k) const { return this->points[k % this->size()]; }
   Index dart(std::size_t k) const
   {
-    const std::size_t w = this->wire[k % this->size()];
-    const bool isDart =
-      w < this->source.wires.size() && this->source.wires[w].type == WireType::Dart;
-    return isDart ? this->source.wires[w].curve : none;
+    const SourceWire* const own = this->wire[k % this->size()];
+    return own && own->type == WireType::Dart ? own->curve : none;
   }
   /// Whether edge a is sewn to edge b, which runs the other way round.
   bool sewn(std::size_t a, std::size_t b) const
@@ -54,7 +51,7 @@ Dart dartOf(const Loop& loop, std::size_t loopIndex, std::size_t first, std::siz
   dart.firstEdge = first % loop.size();
   dart.edges = edges;
   dart.tip = loop.point(first + edges / 2);
-  dart.name = loop.source.wires[loop.wire[dart.firstEdge]].name;
+  dart.name = loop.wire[dart.firstEdge]->name;
   return dart;
 }
 
@@ -133,10 +130,10 @@ WireOfEdge wiresOfEdges(const PatternSource& source)
   return wires;
 }
 
-std::size_t wireOf(const PatternSource& source, const WireOfEdge& wires, Index from, Index to)
+const SourceWire* wireOf(const PatternSource& source, const WireOfEdge& wires, Index from, Index to)
 {
   const auto found = wires.find(undirectedKey(from, to));
-  return found == wires.end() ? source.wires.size() : found->second;
+  return found == wires.end() ? nullptr : &source.wires[found->second];
 }
 
 std::vector<Dart> findDarts(const PatternSource& source, const std::vector<Indices>& loops,
@@ -145,7 +142,7 @@ std::vector<Dart> findDarts(const PatternSource& source, const std::vector<Indic
   std::vector<Dart> darts;
   for (std::size_t l = 0; l < loops.size(); ++l)
   {
-    Loop loop{ source, loops[l], partners, {} };
+    Loop loop{ loops[l], partners, {} };
     for (std::size_t k = 0; k < loop.size(); ++k)
     {
       loop.wire.push_back(wireOf(source, wires, loop.point(k), loop.point(k + 1)));

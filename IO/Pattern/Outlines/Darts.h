@@ -22,8 +22,9 @@ struct Dart
 /// boundary.
 using WireOfEdge = std::unordered_map<std::uint64_t, std::size_t>;
 WireOfEdge wiresOfEdges(const PatternSource& source);
-/// \return its wire, or source.wires.size()
-std::size_t wireOf(const PatternSource& source, const WireOfEdge& wires, Index from, Index to);
+/// \return its wire, or null
+const SourceWire* wireOf(
+  const PatternSource& source, const WireOfEdge& wires, Index from, Index to);
 
 /// The darts of one piece that can be folded; any other cut is sewn like a seam.
 std::vector<Dart> findDarts(const PatternSource& source, const std::vector<Indices>& loops,

@@ -25,10 +25,20 @@ DrawingSource::DrawingSource(const PatternSource& given, PatternOptions asked)
 {
 }
 
+Points2 DrawingSource::at(const Indices& points) const
+{
+  Points2 places;
+  for (const Index point : points)
+  {
+    places.push_back(this->at(point));
+  }
+  return places;
+}
+
 std::string DrawingSource::nameAlong(Index from, Index to) const
 {
-  const std::size_t wire = wireOf(this->source, this->wires, from, to);
-  return wire < this->source.wires.size() ? this->source.wires[wire].name : "boundary";
+  const SourceWire* const wire = wireOf(this->source, this->wires, from, to);
+  return wire ? wire->name : "boundary";
 }
 
 double DrawingSource::valueAlong(
@@ -56,13 +66,9 @@ double DrawingSource::allowanceAlong(Index from, Index to) const
 
 bool DrawingSource::isFoldEdge(Index from, Index to) const
 {
-  if (this->options.foldsAlong.empty())
-  {
-    return false;
-  }
-  const std::size_t wire = wireOf(this->source, this->wires, from, to);
-  return wire < this->source.wires.size() &&
-    this->options.foldsAlong.count(this->source.wires[wire].name) > 0;
+  const SourceWire* const wire =
+    this->options.foldsAlong.empty() ? nullptr : wireOf(this->source, this->wires, from, to);
+  return wire && this->options.foldsAlong.count(wire->name) > 0;
 }
 
 double DrawingSource::fairToleranceAlong(Index from, Index to) const
@@ -118,9 +124,8 @@ Status findBorders(DrawingSource& all)
   {
     if (all.loops[p].empty())
     {
-      status = { StatusCode::InvalidPattern,
-        "piece " + std::to_string(p + 1) + " of the flat surface has no border", {},
-        { Remedy::GiveFlatPieces } };
+      status =
+        invalidPieces("piece " + std::to_string(p + 1) + " of the flat surface has no border");
     }
   }
   if (!status.ok())

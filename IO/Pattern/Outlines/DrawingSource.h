@@ -51,6 +51,7 @@ struct DrawingSource
     return this->moved ? (*this->moved)[static_cast<std::size_t>(point)]
                        : Point2(this->scale() * this->source.positions[point]);
   }
+  Points2 at(const Indices& points) const;
 };
 
 /// Finds loops, borders, partners, wires, darts, joins and notches of a source.

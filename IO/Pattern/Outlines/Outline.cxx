@@ -18,6 +18,11 @@ double areaOf(const PatternSource& source, const Indices& loop)
 }
 }
 
+Status invalidPieces(const std::string& message)
+{
+  return { StatusCode::InvalidPattern, message, {}, { Remedy::GiveFlatPieces } };
+}
+
 double doubleArea(const Points2& polygon)
 {
   double sum = 0.0;
@@ -107,9 +112,8 @@ Status findLoops(const PatternSource& source, const BorderEdges& borders, PieceL
       }
       if (!next.emplace(from, to).second)
       {
-        return { StatusCode::InvalidPattern,
-          "the boundary of the flat surface branches at point " + std::to_string(from), {},
-          { Remedy::GiveFlatPieces } };
+        return invalidPieces(
+          "the boundary of the flat surface branches at point " + std::to_string(from));
       }
       starts.push_back(from);
     }

@@ -9,6 +9,9 @@
 
 namespace flattening::pattern
 {
+/// InvalidPattern with the remedy to give the outputs of one flattening.
+Status invalidPieces(const std::string& message);
+
 /// Directed edges as keys of a hash map.
 inline std::uint64_t edgeKey(Index from, Index to)
 {
