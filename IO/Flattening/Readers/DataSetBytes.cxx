@@ -4,6 +4,7 @@
 #include "PlainText.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -132,19 +133,11 @@ void pass(Stream& stream, CellList& cells, std::int64_t pointCount)
 
 ColumnValues emptyValues(std::size_t kind)
 {
-  switch (kind)
-  {
-    case 0:
-      return std::vector<double>();
-    case 1:
-      return std::vector<std::int64_t>();
-    case 2:
-      return std::vector<int>();
-    case 3:
-      return std::vector<unsigned char>();
-    default:
-      return std::vector<std::string>();
-  }
+  // In the order of the variant.
+  const std::array<ColumnValues, 5> kinds{ std::vector<double>(), std::vector<std::int64_t>(),
+    std::vector<int>(), std::vector<unsigned char>(), std::vector<std::string>() };
+  static_assert(std::variant_size_v<ColumnValues> == std::tuple_size_v<decltype(kinds)>);
+  return kinds[kind];
 }
 
 template <class Stream>

@@ -104,42 +104,35 @@ double distanceToChord(const Point3& place, const Point3& from, const Point3& to
   return (from + flattening::fractionAlong(from, to, place) * (to - from) - place).norm();
 }
 
-/// Chords of a function over an interval.
-struct Chords
+/// Appends the chords of a function over an interval behind its first place, `from`.
+void addChords(const Function& function, double begin, const Point3& from, double end,
+  const Point3& to, double tolerance, int halvings, Points3& places)
 {
-  const Function& function;
-  double tolerance;
-  Points3& places;
-
-  /// Appends the chords behind `from`.
-  void add(double begin, const Point3& from, double end, const Point3& to, int halvings)
+  const auto isOff = [&](const Point3& place) {
+    return distanceToChord(place, from, to) > tolerance;
+  };
+  const auto at = [&](double t) { return function(begin + t * (end - begin)); };
+  const Point3 middle = at(0.5);
+  if (halvings < mostHalvings && (isOff(at(0.25)) || isOff(middle) || isOff(at(0.75))))
   {
-    const auto at = [&](double t) { return this->function(begin + t * (end - begin)); };
-    const Point3 middle = at(0.5);
-    if (halvings < mostHalvings &&
-      (distanceToChord(at(0.25), from, to) > this->tolerance ||
-        distanceToChord(middle, from, to) > this->tolerance ||
-        distanceToChord(at(0.75), from, to) > this->tolerance))
-    {
-      const double half = 0.5 * (begin + end);
-      this->add(begin, from, half, middle, halvings + 1);
-      this->add(half, middle, end, to, halvings + 1);
-      return;
-    }
-    this->places.push_back(to);
+    const double half = 0.5 * (begin + end);
+    addChords(function, begin, from, half, middle, tolerance, halvings + 1, places);
+    addChords(function, half, middle, end, to, tolerance, halvings + 1, places);
+    return;
   }
-};
+  places.push_back(to);
+}
 
 /// Appends the chords of a function from one end of an interval to the other, divided
 /// so that no part turns so far that its quarters could lie on one chord.
 void addChords(
   const Function& function, double begin, double end, int parts, double tolerance, Points3& places)
 {
-  Chords chords{ function, tolerance, places };
   const auto at = [&](int k) { return begin + (end - begin) * k / parts; };
   for (int k = 0; k < parts; ++k)
   {
-    chords.add(at(k), function(at(k)), at(k + 1), function(at(k + 1)), 0);
+    addChords(
+      function, at(k), function(at(k)), at(k + 1), function(at(k + 1)), tolerance, 0, places);
   }
 }
 

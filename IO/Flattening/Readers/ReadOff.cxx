@@ -60,20 +60,15 @@ struct OffReader
     if (end < 3 || before.find_first_not_of("STCN") != std::string_view::npos ||
       after.find_first_not_of(" \t0123456789-") == 0)
     {
-      this->refuseKind();
+      this->lines.refuse(inQuotes(takeWord(this->rest)) +
+        " is not OFF, with ST, C or N before it for what its vertices have beside three "
+        "coordinates; save the surface so, as text");
     }
     this->rest = trimmed(after);
     if (this->rest == "BINARY")
     {
       this->lines.refuse("is binary OFF, which is not read; save the surface as text (ASCII)");
     }
-  }
-
-  [[noreturn]] void refuseKind()
-  {
-    this->lines.refuse(inQuotes(takeWord(this->rest)) +
-      " is not OFF, with ST, C or N before it for what its vertices have beside three coordinates; "
-      "save the surface so, as text");
   }
 
   DataSet read()

@@ -17,105 +17,87 @@ struct CurveEnd
   double arcLength = 0.0;
 };
 
-class MarkFinder
+/// The ends of all curves but the boundary's, and the places that are sewn to them.
+std::map<Index, CurveEnd> curveEnds(const PatternSource& source)
 {
-public:
-  explicit MarkFinder(const DrawingSource& all)
-    : All(all)
-    , Chains(all)
+  std::map<Index, CurveEnd> ends;
+  for (const SourceWire& wire : source.wires)
   {
-    for (std::size_t p = 0; p < all.loops.size(); ++p)
+    if (wire.type == WireType::Boundary || wire.points.size() < 2 ||
+      wire.points.front() == wire.points.back())
     {
-      this->Borders += all.loops[p].size();
-      for (const Dart& dart : all.darts[p])
-      {
-        this->OfDarts.insert({ dart.tip, dart.otherTip, dart.mouth[0], dart.mouth[1] });
-      }
+      continue;
     }
-    this->findEnds();
+    ends.insert({ wire.points.front(), { wire.name, 0.0 } });
+    ends.insert({ wire.points.back(), { wire.name, arcsOnSurface(source, wire.points).back() } });
   }
-
-  std::vector<BorderMark> find() const
+  const std::map<Index, CurveEnd> own = ends;
+  for (const SewnEdges& pair : source.sewn)
   {
-    std::vector<BorderMark> marks;
-    for (std::size_t c = 0; c < this->Borders; ++c)
+    for (std::size_t end = 0; end < 2; ++end)
     {
-      const BorderChain& chain = this->Chains.chains()[c];
-      const std::size_t count = chain.points.size();
-      for (std::size_t k = 0; k < count; ++k)
+      for (const auto& [one, other] :
+        { std::array{ pair.a[end], pair.b[end] }, std::array{ pair.b[end], pair.a[end] } })
       {
-        const Index point = chain.points[k];
-        BorderMark mark;
-        mark.piece = chain.piece;
-        mark.before = chain.points[(k + count - 1) % count];
-        mark.point = point;
-        mark.after = chain.points[(k + 1) % count];
-        mark.corner = chain.turns[k];
-        const auto end = this->Ends.find(point);
-        const bool isWanted =
-          mark.corner ? this->All.options.notchCorners : this->All.options.notchCurveEnds;
-        if (!isWanted || this->OfDarts.count(point) > 0 ||
-          (!mark.corner && end == this->Ends.end()))
+        const auto found = own.find(one);
+        if (found != own.end())
         {
-          continue;
-        }
-        if (end != this->Ends.end())
-        {
-          mark.name = end->second.name;
-          mark.arcLength = end->second.arcLength;
-        }
-        marks.push_back(std::move(mark));
-      }
-    }
-    return marks;
-  }
-
-private:
-  /// The ends of all curves but the boundary's, and the places that are sewn to them.
-  void findEnds()
-  {
-    const PatternSource& source = this->All.source;
-    for (const SourceWire& wire : source.wires)
-    {
-      if (wire.type == WireType::Boundary || wire.points.size() < 2 ||
-        wire.points.front() == wire.points.back())
-      {
-        continue;
-      }
-      this->Ends.insert({ wire.points.front(), { wire.name, 0.0 } });
-      this->Ends.insert(
-        { wire.points.back(), { wire.name, arcsOnSurface(source, wire.points).back() } });
-    }
-    const std::map<Index, CurveEnd> own = this->Ends;
-    for (const SewnEdges& pair : source.sewn)
-    {
-      for (std::size_t end = 0; end < 2; ++end)
-      {
-        for (const auto& [one, other] :
-          { std::array{ pair.a[end], pair.b[end] }, std::array{ pair.b[end], pair.a[end] } })
-        {
-          const auto found = own.find(one);
-          if (found != own.end())
-          {
-            this->Ends.insert({ other, found->second });
-          }
+          ends.insert({ other, found->second });
         }
       }
     }
   }
-
-  const DrawingSource& All;
-  const BorderChains Chains;
-  std::size_t Borders = 0; ///< the first of the chains
-  std::set<Index> OfDarts;
-  std::map<Index, CurveEnd> Ends;
-};
+  return ends;
+}
 }
 
 std::vector<BorderMark> findBorderMarks(const DrawingSource& all)
 {
-  const bool any = all.options.notchCorners || all.options.notchCurveEnds;
-  return any ? MarkFinder(all).find() : std::vector<BorderMark>();
+  std::vector<BorderMark> marks;
+  if (!all.options.notchCorners && !all.options.notchCurveEnds)
+  {
+    return marks;
+  }
+  const std::map<Index, CurveEnd> ends = curveEnds(all.source);
+  std::set<Index> ofDarts;
+  std::size_t borders = 0; // the first of the chains
+  for (std::size_t p = 0; p < all.loops.size(); ++p)
+  {
+    borders += all.loops[p].size();
+    for (const Dart& dart : all.darts[p])
+    {
+      ofDarts.insert({ dart.tip, dart.otherTip, dart.mouth[0], dart.mouth[1] });
+    }
+  }
+  const BorderChains chains(all);
+  for (std::size_t c = 0; c < borders; ++c)
+  {
+    const BorderChain& chain = chains.chains()[c];
+    const std::size_t count = chain.points.size();
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      BorderMark mark;
+      mark.piece = chain.piece;
+      mark.before = chain.point(k + count - 1);
+      mark.point = chain.points[k];
+      mark.after = chain.point(k + 1);
+      mark.corner = chain.turns[k];
+      const auto end = ends.find(mark.point);
+      const bool isWanted =
+        mark.corner ? all.options.notchCorners : all.options.notchCurveEnds && end != ends.end();
+      if (!isWanted || ofDarts.count(mark.point) > 0)
+      {
+        continue;
+      }
+      if (end != ends.end())
+      {
+        mark.name = end->second.name;
+        mark.arcLength = end->second.arcLength;
+      }
+      marks.push_back(std::move(mark));
+    }
+  }
+  return marks;
 }
 
 namespace

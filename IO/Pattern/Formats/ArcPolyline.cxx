@@ -58,88 +58,57 @@ struct Arc
   }
 };
 
-class ArcFit
+Arc arcBetween(const Points2& line, std::size_t from, std::size_t to)
 {
-public:
-  /// \param line the first point again at the end, where it is closed
-  ArcFit(const Points2& line, double tolerance)
-    : Line(line)
-    , Tolerance(tolerance)
-  {
-  }
+  const bool edge = to == from + 1;
+  return { line[from], edge ? Point2((line[from] + line[to]) / 2.0) : line[(from + to) / 2],
+    line[to] };
+}
 
-  std::vector<ArcVertex> run() const
+bool arcFits(const Points2& line, std::size_t from, std::size_t to, double tolerance)
+{
+  if (to == from + 1)
   {
-    std::vector<ArcVertex> vertices;
-    std::size_t from = 0;
-    while (from + 1 < this->Line.size())
-    {
-      const std::size_t to = this->farthest(from);
-      vertices.push_back({ this->Line[from], this->between(from, to).bulge });
-      from = to;
-    }
-    vertices.push_back({ this->Line[from], 0.0 });
-    return vertices;
+    return true;
   }
-
-private:
-  Arc between(std::size_t from, std::size_t to) const
+  const Arc arc = arcBetween(line, from, to);
+  if ((arc.to - arc.from).norm() < tolerance || std::abs(arc.bulge) > largestBulge)
   {
-    const std::size_t middle = (from + to) / 2;
-    const bool edge = to == from + 1;
-    return { this->Line[from],
-      edge ? Point2((this->Line[from] + this->Line[to]) / 2.0) : this->Line[middle],
-      this->Line[to] };
+    return false;
   }
-
-  bool fits(std::size_t from, std::size_t to) const
+  for (std::size_t k = from; k < to; ++k)
   {
-    if (to == from + 1)
-    {
-      return true;
-    }
-    const Arc arc = this->between(from, to);
-    if ((arc.to - arc.from).norm() < this->Tolerance || std::abs(arc.bulge) > largestBulge)
+    const Point2 middle = (line[k] + line[k + 1]) / 2.0;
+    if (arc.distance(line[k]) > tolerance || arc.distance(middle) > tolerance)
     {
       return false;
     }
-    for (std::size_t k = from; k < to; ++k)
-    {
-      const Point2 middle = (this->Line[k] + this->Line[k + 1]) / 2.0;
-      if (arc.distance(this->Line[k]) > this->Tolerance || arc.distance(middle) > this->Tolerance)
-      {
-        return false;
-      }
-    }
-    return true;
   }
+  return true;
+}
 
-  /// The last point that one arc reaches: by doubling, then by halving.
-  std::size_t farthest(std::size_t from) const
+/// The last point that one arc reaches: by doubling, then by halving.
+std::size_t endOfArc(const Points2& line, std::size_t from, double tolerance)
+{
+  const std::size_t last = line.size() - 1;
+  std::size_t good = from + 1;
+  std::size_t bad = last + 1;
+  for (std::size_t step = 2; from + step <= last; step *= 2)
   {
-    const std::size_t last = this->Line.size() - 1;
-    std::size_t good = from + 1;
-    std::size_t bad = last + 1;
-    for (std::size_t step = 2; from + step <= last; step *= 2)
+    if (!arcFits(line, from, from + step, tolerance))
     {
-      if (!this->fits(from, from + step))
-      {
-        bad = from + step;
-        break;
-      }
-      good = from + step;
+      bad = from + step;
+      break;
     }
-    while (good + 1 < bad)
-    {
-      const std::size_t middle = (good + bad) / 2;
-      (this->fits(from, middle) ? good : bad) = middle;
-    }
-    return good;
+    good = from + step;
   }
-
-  const Points2& Line;
-  double Tolerance;
-};
+  while (good + 1 < bad)
+  {
+    const std::size_t middle = (good + bad) / 2;
+    (arcFits(line, from, middle, tolerance) ? good : bad) = middle;
+  }
+  return good;
+}
 
 /// The point at which a closed line turns most.
 std::size_t sharpestCorner(const Points2& line)
@@ -172,7 +141,15 @@ std::vector<ArcVertex> arcPolyline(const Points2& line, bool closed, double tole
     std::rotate(points.begin(), first, points.end());
     points.push_back(points.front());
   }
-  std::vector<ArcVertex> vertices = ArcFit(points, tolerance).run();
+  std::vector<ArcVertex> vertices;
+  std::size_t from = 0;
+  while (from + 1 < points.size())
+  {
+    const std::size_t to = endOfArc(points, from, tolerance);
+    vertices.push_back({ points[from], arcBetween(points, from, to).bulge });
+    from = to;
+  }
+  vertices.push_back({ points[from], 0.0 });
   if (closed && vertices.size() > 1)
   {
     vertices.pop_back();

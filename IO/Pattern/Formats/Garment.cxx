@@ -79,68 +79,52 @@ std::string writePanel(const GarmentPanel& panel)
   return text + "\n        ]\n      }";
 }
 
-/// A place on an edge, by a parameter from 0 to 1.
-class EdgeCurve
+Point2 placeOnCircle(
+  const Point2& from, const Point2& chord, const std::array<double, 4>& parameters, double t)
 {
-public:
-  EdgeCurve(const GarmentPanel& panel, const GarmentEdge& edge)
-    : Edge(edge)
-    , From(panel.vertices[edge.ends[0]])
-    , Chord(panel.vertices[edge.ends[1]] - this->From)
-  {
-  }
+  const bool large = parameters[1] != 0.0;
+  const bool counterClockwise = parameters[2] != 0.0;
+  const double half = chord.norm() / 2.0;
+  const double radius = std::max(parameters[0], half);
+  const double height = std::sqrt(std::max(0.0, radius * radius - half * half));
+  // A small arc that turns left has its centre on the left of the chord.
+  const double side = large == counterClockwise ? -1.0 : 1.0;
+  const Point2 left = Point2(-chord.y(), chord.x()) / (2.0 * half);
+  const Point2 centre = from + chord / 2.0 + side * height * left;
+  const double small = 2.0 * std::asin(std::min(1.0, half / radius));
+  const double turn = (counterClockwise ? 1.0 : -1.0) * (large ? 2.0 * pi - small : small);
+  const Point2 start = from - centre;
+  const double c = std::cos(t * turn);
+  const double s = std::sin(t * turn);
+  return centre + Point2(c * start.x() - s * start.y(), s * start.x() + c * start.y());
+}
 
-  Point2 at(double t) const
+/// A place on an edge, by a parameter from 0 to 1.
+Point2 placeOn(const GarmentPanel& panel, const GarmentEdge& edge, double t)
+{
+  const Point2& from = panel.vertices[edge.ends[0]];
+  const Point2 chord = panel.vertices[edge.ends[1]] - from;
+  const auto inFrame = [&](double along, double left) {
+    return Point2(from + along * chord + left * Point2(-chord.y(), chord.x()));
+  };
+  const std::array<double, 4>& p = edge.parameters;
+  const double s = 1.0 - t;
+  switch (edge.shape)
   {
-    const std::array<double, 4>& p = this->Edge.parameters;
-    const double s = 1.0 - t;
-    switch (this->Edge.shape)
+    case EdgeShape::Quadratic:
+      return inFrame(2.0 * s * t * p[0] + t * t, 2.0 * s * t * p[1]);
+    case EdgeShape::Cubic:
     {
-      case EdgeShape::Quadratic:
-        return this->place(Point2(2.0 * s * t * p[0] + t * t, 2.0 * s * t * p[1]));
-      case EdgeShape::Cubic:
-      {
-        const double one = 3.0 * s * s * t;
-        const double two = 3.0 * s * t * t;
-        return this->place(Point2(one * p[0] + two * p[2] + t * t * t, one * p[1] + two * p[3]));
-      }
-      case EdgeShape::Circle:
-        return this->onCircle(t);
-      default:
-        return this->place(Point2(t, 0.0));
+      const double one = 3.0 * s * s * t;
+      const double two = 3.0 * s * t * t;
+      return inFrame(one * p[0] + two * p[2] + t * t * t, one * p[1] + two * p[3]);
     }
+    case EdgeShape::Circle:
+      return placeOnCircle(from, chord, p, t);
+    default:
+      return inFrame(t, 0.0);
   }
-
-private:
-  Point2 place(const Point2& inFrame) const
-  {
-    return this->From + inFrame.x() * this->Chord +
-      inFrame.y() * Point2(-this->Chord.y(), this->Chord.x());
-  }
-
-  Point2 onCircle(double t) const
-  {
-    const bool large = this->Edge.parameters[1] != 0.0;
-    const bool counterClockwise = this->Edge.parameters[2] != 0.0;
-    const double half = this->Chord.norm() / 2.0;
-    const double radius = std::max(this->Edge.parameters[0], half);
-    const double height = std::sqrt(std::max(0.0, radius * radius - half * half));
-    // A small arc that turns left has its centre on the left of the chord.
-    const double side = large == counterClockwise ? -1.0 : 1.0;
-    const Point2 left = Point2(-this->Chord.y(), this->Chord.x()) / (2.0 * half);
-    const Point2 centre = this->From + this->Chord / 2.0 + side * height * left;
-    const double small = 2.0 * std::asin(std::min(1.0, half / radius));
-    const double turn = (counterClockwise ? 1.0 : -1.0) * (large ? 2.0 * pi - small : small);
-    const Point2 start = this->From - centre;
-    const double c = std::cos(t * turn);
-    const double s = std::sin(t * turn);
-    return centre + Point2(c * start.x() - s * start.y(), s * start.x() + c * start.y());
-  }
-
-  const GarmentEdge& Edge;
-  Point2 From;
-  Point2 Chord;
-};
+}
 
 Status checkShape(const GarmentPanel& panel, std::size_t k)
 {
@@ -252,7 +236,6 @@ Status checkGarment(const Garment& garment)
 Points2 pointsAlong(
   const GarmentPanel& panel, const GarmentEdge& edge, double distance, std::size_t least)
 {
-  const EdgeCurve curve(panel, edge);
   const Point2 start = panel.vertices[edge.ends[0]];
   const Point2 end = panel.vertices[edge.ends[1]];
   // Lengths along a much finer line, by which places of even length are found.
@@ -264,7 +247,7 @@ Points2 pointsAlong(
   for (std::size_t k = 1; k <= fine; ++k)
   {
     const Point2 next =
-      k == fine ? end : curve.at(static_cast<double>(k) / static_cast<double>(fine));
+      k == fine ? end : placeOn(panel, edge, static_cast<double>(k) / static_cast<double>(fine));
     const Point2 step = next - last;
     arc.push_back(arc.back() + step.norm());
     if (k > 1 && step.norm() > 0.0 && before.norm() > 0.0)
@@ -289,7 +272,8 @@ Points2 pointsAlong(
       ++at;
     }
     const double share = (place - arc[at]) / (arc[at + 1] - arc[at]);
-    points.push_back(curve.at((static_cast<double>(at) + share) / static_cast<double>(fine)));
+    points.push_back(
+      placeOn(panel, edge, (static_cast<double>(at) + share) / static_cast<double>(fine)));
   }
   points.push_back(end);
   return points;

@@ -90,24 +90,6 @@ bool triangulatePolygon(const Points2& polygon, Triangles& triangles, std::size_
 
 constexpr double chordDistance = 0.1 * sampleDistance; // centimetres per millimetre
 
-/// The edges of all panels by one number each.
-class EdgeNumbers
-{
-public:
-  explicit EdgeNumbers(const Garment& garment)
-  {
-    for (const GarmentPanel& panel : garment.panels)
-    {
-      this->First.push_back(this->First.back() + panel.edges.size());
-    }
-  }
-  std::size_t of(const GarmentSide& side) const { return this->First[side.panel] + side.edge; }
-  std::size_t count() const { return this->First.back(); }
-
-private:
-  std::vector<std::size_t> First{ 0 };
-};
-
 /// Makes the pieces of one garment.
 class PieceMaking
 {
@@ -115,10 +97,12 @@ public:
   PieceMaking(const Garment& garment, PatternSource& source)
     : Panels(garment)
     , Source(source)
-    , Numbers(garment)
-    , Chains(this->Numbers.count())
-    , StitchOf(this->Numbers.count(), garment.stitches.size())
   {
+    for (const GarmentPanel& panel : garment.panels)
+    {
+      this->Chains.emplace_back(panel.edges.size());
+      this->StitchOf.emplace_back(panel.edges.size(), garment.stitches.size());
+    }
   }
 
   Status make()
@@ -127,7 +111,7 @@ public:
     {
       for (const GarmentSide& side : this->Panels.stitches[s].sides)
       {
-        this->StitchOf[this->Numbers.of(side)] = s;
+        this->StitchOf[side.panel][side.edge] = s;
       }
     }
     for (std::size_t p = 0; p < this->Panels.panels.size(); ++p)
@@ -150,9 +134,14 @@ private:
   {
     return this->Panels.panels[side.panel].edges[side.edge];
   }
+  Indices& chainOf(const GarmentSide& side) { return this->Chains[side.panel][side.edge]; }
+  std::size_t stitchOf(const GarmentSide& side) const
+  {
+    return this->StitchOf[side.panel][side.edge];
+  }
   bool isSewn(const GarmentSide& side) const
   {
-    return this->StitchOf[this->Numbers.of(side)] < this->Panels.stitches.size();
+    return this->stitchOf(side) < this->Panels.stitches.size();
   }
   /// Chords that an edge needs; both of a stitch have as many.
   std::size_t chordsOf(const GarmentSide& side) const
@@ -166,7 +155,7 @@ private:
     {
       return ofOne(side);
     }
-    const GarmentStitch& stitch = this->Panels.stitches[this->StitchOf[this->Numbers.of(side)]];
+    const GarmentStitch& stitch = this->Panels.stitches[this->stitchOf(side)];
     return std::max(ofOne(stitch.sides[0]), ofOne(stitch.sides[1]));
   }
 
@@ -194,7 +183,7 @@ private:
     {
       const GarmentSide side{ p, k };
       const Points2 along = pointsAlong(panel, panel.edges[k], chordDistance, this->chordsOf(side));
-      Indices& chain = this->Chains[this->Numbers.of(side)];
+      Indices& chain = this->chainOf(side);
       chain.push_back(vertex[panel.edges[k].ends[0]]);
       for (std::size_t n = 1; n + 1 < along.size(); ++n)
       {
@@ -212,7 +201,7 @@ private:
     std::vector<std::size_t> edgeOf;
     for (std::size_t k = 0; k < panel.edges.size(); ++k)
     {
-      const Indices& chain = this->Chains[this->Numbers.of({ p, k })];
+      const Indices& chain = this->chainOf({ p, k });
       points.insert(points.end(), chain.begin(), chain.end() - 1);
       edgeOf.resize(points.size(), k);
     }
@@ -257,8 +246,8 @@ private:
     {
       return false;
     }
-    const std::size_t t = this->StitchOf[this->Numbers.of(next)];
-    const std::size_t u = this->StitchOf[this->Numbers.of(other)];
+    const std::size_t t = this->stitchOf(next);
+    const std::size_t u = this->stitchOf(other);
     return t == u && t != s && !(next == other) &&
       this->Panels.stitches[t].rightToWrong == stitch.rightToWrong &&
       this->edgeAt(next).label == this->edgeAt(stitch.sides[first]).label &&
@@ -285,13 +274,13 @@ private:
         {
           break;
         }
-        const std::size_t t = this->StitchOf[this->Numbers.of(before)];
+        const std::size_t t = this->stitchOf(before);
         const GarmentStitch& earlier = this->Panels.stitches[t];
         const std::size_t side = earlier.sides[0] == before ? 0 : 1;
         GarmentSide next;
         GarmentSide other;
         if (t == s || done[t] || !this->goesOn(t, side, next, other) ||
-          this->StitchOf[this->Numbers.of(next)] != start)
+          this->stitchOf(next) != start)
         {
           break;
         }
@@ -314,8 +303,8 @@ private:
     for (;;)
     {
       done[s] = 1;
-      Indices a = this->Chains[this->Numbers.of(one)];
-      Indices b = this->Chains[this->Numbers.of(two)];
+      Indices a = this->chainOf(one);
+      Indices b = this->chainOf(two);
       if (!this->Panels.stitches[s].rightToWrong)
       {
         std::reverse(b.begin(), b.end());
@@ -332,11 +321,11 @@ private:
       const std::size_t side = this->Panels.stitches[s].sides[0] == one ? 0 : 1;
       GarmentSide next;
       GarmentSide other;
-      if (!this->goesOn(s, side, next, other) || done[this->StitchOf[this->Numbers.of(next)]])
+      if (!this->goesOn(s, side, next, other) || done[this->stitchOf(next)])
       {
         break;
       }
-      s = this->StitchOf[this->Numbers.of(next)];
+      s = this->stitchOf(next);
       one = next;
       two = other;
     }
@@ -376,10 +365,10 @@ private:
       {
         const GarmentSide side{ p, k % count };
         SourceWire wire;
-        wire.points = this->Chains[this->Numbers.of(side)];
+        wire.points = this->chainOf(side);
         for (++k; k < start + count && joined(k); ++k)
         {
-          const Indices& chain = this->Chains[this->Numbers.of({ p, k % count })];
+          const Indices& chain = this->chainOf({ p, k % count });
           wire.points.insert(wire.points.end(), chain.begin() + 1, chain.end());
         }
         if (this->isSewn(side))
@@ -398,9 +387,9 @@ private:
 
   const Garment& Panels;
   PatternSource& Source;
-  EdgeNumbers Numbers;
-  std::vector<Indices> Chains; ///< the points along each edge
-  std::vector<std::size_t> StitchOf;
+  // By panel and edge.
+  std::vector<std::vector<Indices>> Chains; ///< the points along it
+  std::vector<std::vector<std::size_t>> StitchOf;
   Index Curves = 0;
 };
 }

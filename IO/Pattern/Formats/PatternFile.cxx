@@ -175,6 +175,13 @@ Status makePatternFile(
   {
     status = layOnFabric(options.fabric, drawing);
   }
+  const bool isPdf = options.format == FileFormat::Pdf;
+  std::vector<WalkInterval> walk;
+  if (status.ok() &&
+    (isPdf ? options.walkTable || hasJoinTable(options) : options.format == FileFormat::Walk))
+  {
+    status = walkSeams(*all, walk);
+  }
   if (!status.ok())
   {
     return status;
@@ -183,34 +190,22 @@ Status makePatternFile(
   {
     case FileFormat::Pdf:
       drawing.tables.clear();
-      if (options.walkTable || hasJoinTable(options))
+      if (hasJoinTable(options))
       {
-        std::vector<WalkInterval> walk;
-        status = walkSeams(*all, walk);
-        if (hasJoinTable(options))
-        {
-          drawing.tables.push_back(joinRows(walk, drawing));
-        }
-        if (options.walkTable)
-        {
-          drawing.tables.push_back(walkRows(walk, drawing));
-        }
+        drawing.tables.push_back(joinRows(walk, drawing));
       }
-      if (status.ok() && options.canvas)
+      if (options.walkTable)
       {
-        return drawPages(drawing, options.pages, *options.canvas);
+        drawing.tables.push_back(walkRows(walk, drawing));
       }
-      return status.ok() ? makePdf(drawing, options.pages, content) : status;
+      return options.canvas ? drawPages(drawing, options.pages, *options.canvas)
+                            : makePdf(drawing, options.pages, content);
     case FileFormat::Dxf:
       content = options.cutterStyle ? makeCutterDxf(drawing) : makeDxf(drawing);
       return {};
     case FileFormat::Walk:
-    {
-      std::vector<WalkInterval> walk;
-      status = walkSeams(*all, walk);
       content = makeWalkTable(walk, drawing);
-      return status;
-    }
+      return {};
     case FileFormat::Hpgl:
       content = makeHpgl(drawing);
       return {};

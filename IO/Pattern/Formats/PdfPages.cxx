@@ -35,9 +35,11 @@ Point2 paperExtent(PaperSize paper)
   }
 }
 
-PageMarks noMarks(const PagePlan& plan)
+/// The place of a page among the marks.
+std::size_t markOf(const PagePlan& plan, int row, int column)
 {
-  return PageMarks(static_cast<std::size_t>(plan.rows) * static_cast<std::size_t>(plan.columns), 0);
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(plan.columns) +
+    static_cast<std::size_t>(column);
 }
 
 /// Marks the pages of a plan that show a part of a segment of the sheet.
@@ -57,8 +59,7 @@ void markSegment(const PagePlan& plan, const Point2& from, const Point2& to, Pag
       const Point2 corner(column * plan.step.x(), row * plan.step.y());
       if (enters(from, to, corner, corner + plan.printable))
       {
-        marks[static_cast<std::size_t>(row) * static_cast<std::size_t>(plan.columns) +
-          static_cast<std::size_t>(column)] = 1;
+        marks[markOf(plan, row, column)] = 1;
       }
     }
   }
@@ -67,7 +68,7 @@ void markSegment(const PagePlan& plan, const Point2& from, const Point2& to, Pag
 /// The pages that show the legend.
 PageMarks pagesOfLegend(const PagePlan& plan)
 {
-  PageMarks marks = noMarks(plan);
+  PageMarks marks(markOf(plan, plan.rows, 0), 0);
   const Point2 legend = legendExtent(plan.hasMap);
   markSegment(plan, plan.origin, plan.origin + Point2(legend.x(), 0.0), marks);
   markSegment(plan, plan.origin, plan.origin + Point2(0.0, legend.y()), marks);
@@ -87,8 +88,7 @@ void findPages(const Pattern& pattern, PagePlan& plan)
   {
     for (int column = 0; column < plan.columns; ++column)
     {
-      if (used[static_cast<std::size_t>(row) * static_cast<std::size_t>(plan.columns) +
-            static_cast<std::size_t>(column)] != 0)
+      if (used[markOf(plan, row, column)] != 0)
       {
         plan.pages.push_back({ row, column });
       }
@@ -507,7 +507,7 @@ void saveByShifts(const Pattern& pattern, PagePlan& plan)
 
 PageMarks pagesOf(const Pattern& pattern, const PagePlan& plan, std::size_t piece)
 {
-  PageMarks marks = noMarks(plan);
+  PageMarks marks(markOf(plan, plan.rows, 0), 0);
   for (const Stroke& stroke : strokesOf(pattern.pieces[piece]))
   {
     const std::size_t count = stroke.points.size();

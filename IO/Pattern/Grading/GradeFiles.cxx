@@ -42,87 +42,69 @@ std::string fixed(double value, int digits)
     std::string(static_cast<std::size_t>(digits) - given, '0');
 }
 
-class NestDrawing
+/// The wires of a size, and its name. \param shifts by piece
+std::string nestLayer(const Grading& grading, std::size_t s, const std::map<Index, Point2>& shifts)
 {
-public:
-  explicit NestDrawing(const Grading& grading)
-    : All(grading)
+  const std::string name = escapeXml(grading.sizes[s]);
+  const std::string color = colors[s % colors.size()];
+  std::string text = "<g inkscape:groupmode=\"layer\" inkscape:label=\"" + name +
+    "\" data-size=\"" + name + "\" stroke=\"" + color + "\">\n<text x=\"" +
+    nestNumber(nestMargin + nameSpace * static_cast<double>(s)) + "\" y=\"" +
+    nestNumber(nestMargin + 5.0) + "\" font-size=\"5\" stroke=\"none\" fill=\"" + color + "\">" +
+    name + "</text>\n";
+  for (const SourceWire& wire : grading.wires)
   {
-    std::map<Index, Box> boxes;
-    for (const SourceWire& wire : grading.wires)
+    text += "<path data-piece=\"" + std::to_string(wire.piece + 1) + "\" data-curve=\"" +
+      escapeXml(wire.name) + "\" d=\"";
+    for (std::size_t k = 0; k < wire.points.size(); ++k)
     {
-      for (const Points2& positions : grading.positions)
-      {
-        for (const Index point : wire.points)
-        {
-          boxes[wire.piece].extend(positions[point]);
-        }
-      }
+      const Point2& p = grading.positions[s][wire.points[k]];
+      const Point2& shift = shifts.at(wire.piece);
+      text +=
+        (k == 0 ? "M" : " L") + nestNumber(shift.x() + p.x()) + "," + nestNumber(shift.y() - p.y());
     }
-    double x = nestMargin;
-    double height = 0.0;
-    for (const auto& [piece, box] : boxes)
-    {
-      this->Shifts[piece] = Point2(x - box.min().x(), nestMargin + headHeight + box.max().y());
-      x += box.sizes().x() + gapOfPieces;
-      height = std::max(height, box.sizes().y());
-    }
-    this->Extent = Point2(x - gapOfPieces + nestMargin, height + headHeight + 2.0 * nestMargin);
+    text += "\"/>\n";
   }
-
-  std::string make(const std::string& name) const
-  {
-    const std::string width = nestNumber(this->Extent.x());
-    const std::string height = nestNumber(this->Extent.y());
-    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                       "<svg xmlns=\"http://www.w3.org/2000/svg\" "
-                       "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
-                       "version=\"1.1\" width=\"" +
-      width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
-      "\" font-family=\"sans-serif\" fill=\"none\" stroke-width=\"0.25\">\n<title>" +
-      escapeXml(name) + "</title>\n";
-    for (std::size_t s = 0; s < this->All.sizes.size(); ++s)
-    {
-      text += this->layer(s);
-    }
-    return text + "</svg>\n";
-  }
-
-private:
-  std::string layer(std::size_t s) const
-  {
-    const std::string name = escapeXml(this->All.sizes[s]);
-    const std::string color = colors[s % colors.size()];
-    std::string text = "<g inkscape:groupmode=\"layer\" inkscape:label=\"" + name +
-      "\" data-size=\"" + name + "\" stroke=\"" + color + "\">\n<text x=\"" +
-      nestNumber(nestMargin + nameSpace * static_cast<double>(s)) + "\" y=\"" +
-      nestNumber(nestMargin + 5.0) + "\" font-size=\"5\" stroke=\"none\" fill=\"" + color + "\">" +
-      name + "</text>\n";
-    for (const SourceWire& wire : this->All.wires)
-    {
-      text += "<path data-piece=\"" + std::to_string(wire.piece + 1) + "\" data-curve=\"" +
-        escapeXml(wire.name) + "\" d=\"";
-      for (std::size_t k = 0; k < wire.points.size(); ++k)
-      {
-        const Point2& p = this->All.positions[s][wire.points[k]];
-        const Point2& shift = this->Shifts.at(wire.piece);
-        text += (k == 0 ? "M" : " L") + nestNumber(shift.x() + p.x()) + "," +
-          nestNumber(shift.y() - p.y());
-      }
-      text += "\"/>\n";
-    }
-    return text + "</g>\n";
-  }
-
-  const Grading& All;
-  std::map<Index, Point2> Shifts; ///< by piece
-  Point2 Extent = Point2::Zero();
-};
+  return text + "</g>\n";
+}
 }
 
 std::string makeNest(const Grading& grading, const std::string& name)
 {
-  return NestDrawing(grading).make(name);
+  std::map<Index, Box> boxes;
+  for (const SourceWire& wire : grading.wires)
+  {
+    for (const Points2& positions : grading.positions)
+    {
+      for (const Index point : wire.points)
+      {
+        boxes[wire.piece].extend(positions[point]);
+      }
+    }
+  }
+  std::map<Index, Point2> shifts;
+  double x = nestMargin;
+  double highest = 0.0;
+  for (const auto& [piece, box] : boxes)
+  {
+    shifts[piece] = Point2(x - box.min().x(), nestMargin + headHeight + box.max().y());
+    x += box.sizes().x() + gapOfPieces;
+    highest = std::max(highest, box.sizes().y());
+  }
+  const std::string width = nestNumber(x - gapOfPieces + nestMargin);
+  const std::string height = nestNumber(highest + headHeight + 2.0 * nestMargin);
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                     "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+                     "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
+                     "version=\"1.1\" width=\"" +
+    width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
+    "\" font-family=\"sans-serif\" fill=\"none\" stroke-width=\"0.25\">\n<title>" +
+    escapeXml(name) + "</title>\n";
+  for (std::size_t s = 0; s < grading.sizes.size(); ++s)
+  {
+    text += nestLayer(grading, s, shifts);
+  }
+  return text + "</svg>\n";
 }
 
 std::string makeRuleList(const Grading& grading)

@@ -13,71 +13,46 @@ namespace
 {
 using Side = std::array<Index, 2>; // an edge in the direction of its curve
 
-/// Normals of the surface in space along the borders of pieces.
-class BorderNormals
-{
-public:
-  explicit BorderNormals(const PatternSource& source)
-    : Source(source)
-  {
-    for (std::size_t t = 0; t < source.triangles.size() && !source.inSpace.empty(); ++t)
-    {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        const Triangle& corners = source.triangles[t];
-        this->TriangleAt[edgeKey(corners[k], corners[(k + 1) % 3])] = t;
-      }
-    }
-  }
-
-  /// The angle between the triangles at two edges that are sewn to each other, weighted by their
-  /// length in space. \param length gets it
-  double bend(const Side& one, const Side& other, double& length) const
-  {
-    const auto here = this->TriangleAt.find(edgeKey(one[0], one[1]));
-    const bool forward = here != this->TriangleAt.end();
-    const auto first = forward ? here : this->TriangleAt.find(edgeKey(one[1], one[0]));
-    const auto second = forward ? this->TriangleAt.find(edgeKey(other[1], other[0]))
-                                : this->TriangleAt.find(edgeKey(other[0], other[1]));
-    length = 0.0;
-    if (first == this->TriangleAt.end() || second == this->TriangleAt.end())
-    {
-      return 0.0;
-    }
-    const Point3 way =
-      (forward ? 1.0 : -1.0) * (this->Source.inSpace[one[1]] - this->Source.inSpace[one[0]]);
-    length = way.norm();
-    const Point3 a = this->normal(first->second);
-    const Point3 b = this->normal(second->second);
-    return length > 0.0 ? std::atan2(a.cross(b).dot(way / length), a.dot(b)) * length : 0.0;
-  }
-
-private:
-  Point3 normal(std::size_t triangle) const
-  {
-    const Triangle& corners = this->Source.triangles[triangle];
-    const Point3& x = this->Source.inSpace[corners[0]];
-    return (this->Source.inSpace[corners[1]] - x)
-      .cross(this->Source.inSpace[corners[2]] - x)
-      .normalized();
-  }
-
-  const PatternSource& Source;
-  std::unordered_map<std::uint64_t, std::size_t> TriangleAt;
-};
-
+/// Finds the bends of joins, of those with triangles in space on both sides.
 void findBends(const PatternSource& source, std::vector<Join>& joins)
 {
-  const BorderNormals normals(source);
+  std::unordered_map<std::uint64_t, std::size_t> triangleAt;
+  for (std::size_t t = 0; t < source.triangles.size() && !source.inSpace.empty(); ++t)
+  {
+    const Triangle& corners = source.triangles[t];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      triangleAt[edgeKey(corners[k], corners[(k + 1) % 3])] = t;
+    }
+  }
+  const auto normal = [&source](std::size_t triangle) {
+    const Triangle& corners = source.triangles[triangle];
+    const Point3& x = source.inSpace[corners[0]];
+    const Point3 across = (source.inSpace[corners[1]] - x).cross(source.inSpace[corners[2]] - x);
+    return Point3(across.normalized());
+  };
   for (Join& join : joins)
   {
-    double sum = 0.0;
+    double sum = 0.0; // of angles, by the lengths of the edges
     double whole = 0.0;
     for (std::size_t k = 0; k + 1 < join.points[0].size(); ++k)
     {
-      double length = 0.0;
-      sum += normals.bend({ join.points[0][k], join.points[0][k + 1] },
-        { join.points[1][k], join.points[1][k + 1] }, length);
+      const Side one{ join.points[0][k], join.points[0][k + 1] };
+      const Side other{ join.points[1][k], join.points[1][k + 1] };
+      const auto here = triangleAt.find(edgeKey(one[0], one[1]));
+      const bool forward = here != triangleAt.end();
+      const auto first = forward ? here : triangleAt.find(edgeKey(one[1], one[0]));
+      const auto second = forward ? triangleAt.find(edgeKey(other[1], other[0]))
+                                  : triangleAt.find(edgeKey(other[0], other[1]));
+      if (first == triangleAt.end() || second == triangleAt.end())
+      {
+        continue;
+      }
+      const Point3 way = (forward ? 1.0 : -1.0) * (source.inSpace[one[1]] - source.inSpace[one[0]]);
+      const double length = way.norm();
+      const Point3 a = normal(first->second);
+      const Point3 b = normal(second->second);
+      sum += length > 0.0 ? std::atan2(a.cross(b).dot(way / length), a.dot(b)) * length : 0.0;
       whole += length;
     }
     if (whole > 0.0)
