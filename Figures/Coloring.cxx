@@ -73,23 +73,14 @@ vtkSmartPointer<vtkLookupTable> makeDivergingColors(double low, double middle, d
 
 /// Eight colors that differ to the color-blind as well (M. Okabe, K. Ito, Color Universal Design,
 /// 2008), black in a gray.
-constexpr std::array<Vector, 8> distinct{ { { 0.902, 0.624, 0.0 }, { 0.337, 0.706, 0.914 },
+const std::vector<Vector> distinct{ { 0.902, 0.624, 0.0 }, { 0.337, 0.706, 0.914 },
   { 0.0, 0.620, 0.451 }, { 0.941, 0.894, 0.259 }, { 0.0, 0.447, 0.698 }, { 0.835, 0.369, 0.0 },
-  { 0.800, 0.475, 0.655 }, { 0.6, 0.6, 0.6 } } };
+  { 0.800, 0.475, 0.655 }, { 0.6, 0.6, 0.6 } };
 
-/// One color after the other for the numbers from 0 on.
-vtkSmartPointer<vtkLookupTable> makeDistinctColors(double greatest)
+/// 0 where there is no array.
+double largestOf(vtkDataArray* values)
 {
-  vtkNew<vtkLookupTable> table;
-  const auto count = static_cast<vtkIdType>(greatest) + 1;
-  table->SetNumberOfTableValues(count);
-  table->SetTableRange(-0.5, static_cast<double>(count) - 0.5);
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    const Vector& color = distinct[k % distinct.size()];
-    table->SetTableValue(k, color[0], color[1], color[2]);
-  }
-  return table;
+  return values ? values->GetRange()[1] : 0.0;
 }
 
 constexpr double rightAngle = 90.0;
@@ -151,8 +142,7 @@ ColorMap colorMapOf(Coloring coloring, const FlatPiece& piece)
     case Coloring::Developability:
     {
       const char* const name = "Developability";
-      vtkDataArray* const values = piece.flat->GetPointData()->GetArray(name);
-      const double largest = values ? values->GetRange()[1] : 0.0;
+      const double largest = largestOf(piece.flat->GetPointData()->GetArray(name));
       return { name, true, "developability: angle defect (rad)",
         makeSequentialColors({ 0.0, std::max(largest, developable) }), 3 };
     }
@@ -169,24 +159,21 @@ ColorMap colorMapOf(Coloring coloring, const FlatPiece& piece)
         makeSequentialColors({ 0.0, roundedUp(std::max(largest, 0.1)) }), 6 };
     }
     case Coloring::Stretch:
-    {
       // In steps, as pattern makers know it.
       return { "DominantStretch", false, "largest stretch of warp, weft or bias (%)",
         makeSequentialColors({ 100.0, 120.0 }, 8), 5 };
-    }
     case Coloring::Distance:
     {
       const char* const name = "Distance";
-      vtkDataArray* const values = piece.flat->GetPointData()->GetArray(name);
-      const double largest = values ? values->GetRange()[1] : 0.0;
+      const double largest = largestOf(piece.flat->GetPointData()->GetArray(name));
       return { name, true, "sewn surface: distance from the design (unit of length)",
         makeSequentialColors({ 0.0, largest > 0.0 ? largest : 1.0 }), 3 };
     }
     case Coloring::Piece:
     {
       const char* const name = "PieceId";
-      vtkDataArray* const values = piece.flat->GetCellData()->GetArray(name);
-      return { name, false, "", makeDistinctColors(values ? values->GetRange()[1] : 0.0), 0 };
+      const double largest = largestOf(piece.flat->GetCellData()->GetArray(name));
+      return { name, false, "", makeCategories(distinct, static_cast<int>(largest) + 1), 0 };
     }
     case Coloring::Warp:
       return divergingMap(piece, "StrainWarp", "strain of the warp (drawn above 0)", 0.0);

@@ -50,23 +50,6 @@ int valueAt(vtkDataArray* array, vtkIdType cell, int otherwise)
   return array ? static_cast<int>(array->GetComponent(cell, 0)) : otherwise;
 }
 
-/// Twelve light colors, far apart from one to the next.
-vtkSmartPointer<vtkLookupTable> makeCategories(int count)
-{
-  static constexpr std::array<Vector, 12> colors{ { { 0.99, 0.71, 0.38 }, { 0.55, 0.83, 0.78 },
-    { 0.74, 0.73, 0.95 }, { 0.98, 0.50, 0.45 }, { 0.70, 0.87, 0.41 }, { 0.50, 0.69, 0.83 },
-    { 1.00, 0.93, 0.44 }, { 0.99, 0.80, 0.90 }, { 0.60, 0.60, 0.60 }, { 0.74, 0.50, 0.74 },
-    { 0.80, 0.92, 0.77 }, { 0.80, 0.65, 0.45 } } };
-  vtkNew<vtkLookupTable> table;
-  table->SetNumberOfTableValues(count);
-  table->SetTableRange(-0.5, count - 0.5);
-  for (int k = 0; k < count; ++k)
-  {
-    const Vector& color = colors[k % colors.size()];
-    table->SetTableValue(k, color[0], color[1], color[2]);
-  }
-  return table;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -120,6 +103,38 @@ vtkSmartPointer<vtkLookupTable> makeColors(ColorRange range)
   table->SetTableRange(std::min(range.low, range.high), std::max(range.low, range.high));
   table->Build();
   return table;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkLookupTable> makeCategories(const std::vector<Vector>& colors, int count)
+{
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(count);
+  table->SetTableRange(-0.5, count - 0.5);
+  for (int k = 0; k < count; ++k)
+  {
+    const Vector& color = colors[k % colors.size()];
+    table->SetTableValue(k, color[0], color[1], color[2]);
+  }
+  return table;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkScalarBarActor> makeScaleBar(vtkLookupTable* colors, int labels, int textSize)
+{
+  auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
+  bar->SetLookupTable(colors);
+  bar->SetOrientationToHorizontal();
+  bar->SetNumberOfLabels(labels);
+  bar->SetLabelFormat("%.3g");
+  bar->UnconstrainedFontSizeOn();
+  vtkTextProperty* const property = bar->GetLabelTextProperty();
+  property->SetColor(0.0, 0.0, 0.0);
+  property->SetFontSize(textSize);
+  property->BoldOff();
+  property->ItalicOff();
+  property->ShadowOff();
+  return bar;
 }
 
 //------------------------------------------------------------------------------
@@ -224,14 +239,14 @@ void Drawing::addMap(
 //------------------------------------------------------------------------------
 void Drawing::addCategories(const PolyData& surface, const char* array)
 {
+  // Twelve light colors, far apart from one to the next.
+  static const std::vector<Vector> colors{ { 0.99, 0.71, 0.38 }, { 0.55, 0.83, 0.78 },
+    { 0.74, 0.73, 0.95 }, { 0.98, 0.50, 0.45 }, { 0.70, 0.87, 0.41 }, { 0.50, 0.69, 0.83 },
+    { 1.00, 0.93, 0.44 }, { 0.99, 0.80, 0.90 }, { 0.60, 0.60, 0.60 }, { 0.74, 0.50, 0.74 },
+    { 0.80, 0.92, 0.77 }, { 0.80, 0.65, 0.45 } };
   vtkDataArray* const numbers = surface->GetCellData()->GetArray(array);
   const int count = numbers ? static_cast<int>(numbers->GetRange()[1]) + 1 : 1;
-  vtkMapper* const mapper = this->addActor(surface, false)->GetMapper();
-  mapper->ScalarVisibilityOn();
-  mapper->SetScalarModeToUseCellFieldData();
-  mapper->SelectColorArray(array);
-  mapper->SetLookupTable(makeCategories(count));
-  mapper->UseLookupTableScalarRangeOn();
+  this->addMap(surface, array, false, makeCategories(colors, count));
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 
 #include <vtkLookupTable.h>
 #include <vtkRenderer.h>
+#include <vtkScalarBarActor.h>
 #include <vtkTextActor.h>
 
 #include <array>
@@ -123,4 +124,11 @@ Vector facing(const PolyData& surface, const Vector& up = { 0.0, 1.0, 0.0 });
 
 /// Blue to red, as in the figures of the paper.
 vtkSmartPointer<vtkLookupTable> makeColors(ColorRange range);
+
+/// One color after the other for a count of numbers from 0 on, again from the first on.
+vtkSmartPointer<vtkLookupTable> makeCategories(const std::vector<Vector>& colors, int count);
+
+/// A horizontal bar of colors with numbers below it.
+/// @param labels how many numbers; textSize in pixels
+vtkSmartPointer<vtkScalarBarActor> makeScaleBar(vtkLookupTable* colors, int labels, int textSize);
 }

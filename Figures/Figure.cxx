@@ -2,7 +2,6 @@
 #include "Figure.h"
 
 #include "Files.h"
-#include "ScaleBar.h"
 
 #include <vtkNew.h>
 #include <vtkRenderer.h>

@@ -2,7 +2,6 @@
 #include "PatternPicture.h"
 
 #include "Files.h"
-#include "ScaleBar.h"
 
 #include <vtkCell.h>
 #include <vtkCellData.h>

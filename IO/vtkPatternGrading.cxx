@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPatternGrading.h"
 
-#include "GradingData.h"
 #include "ListChanges.h"
 #include "PatternInput.h"
 

@@ -7,7 +7,6 @@
 #include "Formats/PatternData.h"
 #include "Formats/PatternFile.h"
 #include "Formats/PatternOptionTable.h"
-#include "GradingData.h"
 #include "Input/StatusWords.h"
 #include "ListChanges.h"
 #include "OptionProperties.h"
@@ -50,12 +49,6 @@ vtkAlgorithm* flatteningBehind(vtkAlgorithmOutput* connection)
     connection = handsOn ? producer->GetInputConnection(0, 0) : nullptr;
   }
   return nullptr;
-}
-
-unsigned long errorCodeOf(StatusCode code)
-{
-  return code == StatusCode::FileNotWritten ? vtkErrorCode::CannotOpenFileError
-                                            : vtkErrorCode::UserError;
 }
 
 double valueOf(
@@ -240,11 +233,19 @@ vtkPolyData* vtkPatternWriter::DataOf(int port)
 //------------------------------------------------------------------------------
 Status vtkPatternWriter::WritePattern(int format)
 {
+  static_assert(static_cast<int>(flattening::Unit::Unspecified) == UNSPECIFIED, "");
+  static_assert(static_cast<int>(flattening::Unit::Inch) == INCH, "");
+  static_assert(static_cast<int>(pattern::FileFormat::Automatic) == AUTOMATIC, "");
+  static_assert(static_cast<int>(pattern::FileFormat::GarmentCode) == GARMENT_CODE, "");
+  static_assert(static_cast<int>(pattern::FileFormat::RuleTable) == RULE_TABLE, "");
   pattern::PatternSource source;
   Status status =
     flattening::bridge::readPieces(this->DataOf(0), this->DataOf(1), this->DataOf(2), source);
-  pattern::FileOptions options = this->MakeOptions(format);
+  pattern::FileOptions options;
+  options.format = static_cast<pattern::FileFormat>(format);
+  options.pattern = *this->Lists;
   options.pattern.unit = static_cast<flattening::Unit>(this->KnownUnit());
+  pattern::setOptions(*this->Options, options);
   pattern::Grading grading;
   if (status.ok() && this->GetNumberOfInputConnections(3) > 0)
   {
@@ -305,7 +306,9 @@ void vtkPatternWriter::WriteData()
     flattening::withinMemory([&] { return Ending{ this->WritePattern(format) }; }).status;
   if (!status.ok())
   {
-    this->Refuse(errorCodeOf(status.code), status);
+    this->Refuse(status.code == StatusCode::FileNotWritten ? vtkErrorCode::CannotOpenFileError
+                                                           : vtkErrorCode::UserError,
+      status);
     return;
   }
   for (const std::string& warning : this->Warnings)
@@ -467,22 +470,6 @@ vtkSmartPointer<vtkStringArray> vtkPatternWriter::GetCurvesWithOptions() const
     list->InsertNextValue(name);
   }
   return list;
-}
-
-//------------------------------------------------------------------------------
-flattening::pattern::FileOptions vtkPatternWriter::MakeOptions(int format)
-{
-  static_assert(static_cast<int>(flattening::Unit::Unspecified) == UNSPECIFIED, "");
-  static_assert(static_cast<int>(flattening::Unit::Inch) == INCH, "");
-  static_assert(static_cast<int>(pattern::FileFormat::Automatic) == AUTOMATIC, "");
-  static_assert(static_cast<int>(pattern::FileFormat::GarmentCode) == GARMENT_CODE, "");
-  static_assert(static_cast<int>(pattern::FileFormat::RuleTable) == RULE_TABLE, "");
-  pattern::FileOptions options;
-  options.format = static_cast<pattern::FileFormat>(format);
-  options.pattern = *this->Lists;
-  options.pattern.unit = static_cast<flattening::Unit>(this->Unit);
-  pattern::setOptions(*this->Options, options);
-  return options;
 }
 
 //------------------------------------------------------------------------------

@@ -68,12 +68,10 @@ class OptionValues;
 namespace pattern
 {
 class FairCache;
-struct FileOptions;
 struct PatternOptions;
 }
 }
 
-class vtkDataObject;
 class vtkPolyData;
 class vtkStringArray;
 
@@ -675,7 +673,6 @@ private:
   void SetTextOption(const char* property, const char* text);
   const char* GetTextOption(const char* property) const;
   const char* GetOptionWord(const char* property) const;
-  flattening::pattern::FileOptions MakeOptions(int format);
   /// The data set of a port; null where there is none.
   vtkPolyData* DataOf(int port);
   /// Unit, or the one that the flat pieces state.

@@ -2,7 +2,6 @@
 #include "PlaneView.h"
 
 #include "Drawing.h"
-#include "ScaleBar.h"
 
 #include <vtkCamera.h>
 #include <vtkCellArray.h>

@@ -239,15 +239,10 @@ Status walkSeams(const DrawingSource& all, std::vector<WalkInterval>& walk)
 
 namespace
 {
-/// Empty where the surface is not known.
-std::string bendInDegrees(const WalkInterval& row, int digits)
+/// A part of a bend; empty where the surface is not known.
+std::string bendInDegrees(const WalkInterval& row, double part, int digits)
 {
-  return std::isnan(row.bend) ? "" : formatNumber(degreesPerRadian * row.bend, digits);
-}
-
-std::string bevelInDegrees(const WalkInterval& row, int digits)
-{
-  return std::isnan(row.bend) ? "" : formatNumber(degreesPerRadian * row.bend / 2.0, digits);
+  return std::isnan(row.bend) ? "" : formatNumber(degreesPerRadian * row.bend * part, digits);
 }
 
 bool hasThickness(const std::vector<WalkInterval>& walk)
@@ -278,10 +273,10 @@ std::string makeWalkTable(const std::vector<WalkInterval>& walk, const Pattern& 
     {
       table += "," + formatNumber(angle, 3);
     }
-    table += "," + row.join + "," + bendInDegrees(row, 1);
+    table += "," + row.join + "," + bendInDegrees(row, 1.0, 1);
     if (isThick)
     {
-      table += "," + bevelInDegrees(row, 1) + "," +
+      table += "," + bendInDegrees(row, 0.5, 1) + "," +
         (std::isnan(row.bend) ? "" : formatNumber(row.bevel(), 2));
     }
     table += "\n";
@@ -343,12 +338,12 @@ PatternTable joinRows(const std::vector<WalkInterval>& walk, const Pattern& patt
   {
     table.rows.push_back({ join.join, cleanText(join.curve), piece(join.piece[0]),
       piece(join.piece[1]), formatNumber(join.length[0], 1), formatNumber(join.length[1], 1),
-      bendInDegrees(join, 0) + (std::isnan(join.bend) ? "" : "\u00b0") });
+      bendInDegrees(join, 1.0, 0) + (std::isnan(join.bend) ? "" : "\u00b0") });
     if (isThick)
     {
       table.rows.back().push_back(std::isnan(join.bend)
           ? ""
-          : bevelInDegrees(join, 0) + "\u00b0, " + formatNumber(join.bevel(), 1) + " mm");
+          : bendInDegrees(join, 0.5, 0) + "\u00b0, " + formatNumber(join.bevel(), 1) + " mm");
     }
   }
   return table;
