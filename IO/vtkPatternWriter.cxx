@@ -490,10 +490,13 @@ void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << "PieceName " << p << ": " << this->Lists->pieceNames[p] << "\n";
   }
-  for (const auto& entry : this->Lists->allowanceOfCurve)
-  {
-    os << indent << "CurveAllowance " << entry.first << ": " << entry.second << "\n";
-  }
+  const auto printLengths = [&](const char* name, const std::map<std::string, double>& lengths) {
+    for (const auto& [curve, length] : lengths)
+    {
+      os << indent << name << " " << curve << ": " << length << "\n";
+    }
+  };
+  printLengths("CurveAllowance", this->Lists->allowanceOfCurve);
   for (const auto& [curve, distances] : this->Lists->notchesOfCurve)
   {
     os << indent << "CurveNotches " << curve << ":";
@@ -511,14 +514,8 @@ void vtkPatternWriter::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << indent << "Fold: " << curve << "\n";
   }
-  for (const auto& entry : this->Lists->dartTipOfCurve)
-  {
-    os << indent << "CurveDartTip " << entry.first << ": " << entry.second << "\n";
-  }
-  for (const auto& entry : this->Lists->fairToleranceOfCurve)
-  {
-    os << indent << "CurveFairTolerance " << entry.first << ": " << entry.second << "\n";
-  }
+  printLengths("CurveDartTip", this->Lists->dartTipOfCurve);
+  printLengths("CurveFairTolerance", this->Lists->fairToleranceOfCurve);
   os << indent << "FabricLength: " << this->FabricLength << "\n";
   os << indent << "FabricEfficiency: " << this->FabricEfficiency << "\n";
   os << indent << "FollowPipeline: " << (this->FollowPipeline ? "On" : "Off") << "\n";

@@ -97,18 +97,14 @@ public:
   std::vector<std::vector<std::int64_t>> take()
   {
     std::vector<std::vector<std::int64_t>> chains;
-    for (auto& [point, ends] : this->Edges)
+    for (const bool rings : { false, true })
     {
-      while (ends.size() != 2 && this->isLeft(point))
+      for (auto& [point, ends] : this->Edges)
       {
-        chains.push_back(this->walk(point));
-      }
-    }
-    for (auto& [point, ends] : this->Edges)
-    {
-      while (this->isLeft(point)) // rings
-      {
-        chains.push_back(this->walk(point));
+        while ((rings || ends.size() != 2) && this->isLeft(point))
+        {
+          chains.push_back(this->walk(point));
+        }
       }
     }
     return chains;

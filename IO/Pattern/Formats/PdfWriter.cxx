@@ -97,14 +97,11 @@ public:
   }
   void pen(const Color& color, double width, const std::array<double, 4>& dashes) override
   {
-    int count = 0;
-    while (count < 4 && dashes[static_cast<std::size_t>(count)] > 0.0)
-    {
-      ++count;
-    }
+    const auto* const end =
+      std::find_if(dashes.begin(), dashes.end(), [](double dash) { return !(dash > 0.0); });
     cairo_set_source_rgb(this->Context, color[0], color[1], color[2]);
     cairo_set_line_width(this->Context, width);
-    cairo_set_dash(this->Context, dashes.data(), count, 0.0);
+    cairo_set_dash(this->Context, dashes.data(), static_cast<int>(end - dashes.begin()), 0.0);
   }
   void moveTo(const Point2& to) override { cairo_move_to(this->Context, to.x(), to.y()); }
   void lineTo(const Point2& to) override { cairo_line_to(this->Context, to.x(), to.y()); }

@@ -4,9 +4,7 @@
 #include "Base/CompressedRows.h"
 #include "Outlines/Outline.h"
 
-#include <array>
 #include <unordered_set>
-#include <utility>
 
 namespace flattening::pattern
 {
@@ -18,9 +16,10 @@ Indices joinedPoints(const PatternSource& source)
   JoinedSets sets(static_cast<Index>(source.positions.size()));
   for (const SewnEdges& pair : source.sewn)
   {
-    for (std::size_t end = 0; pair.closed && end < 2; ++end)
+    if (pair.closed)
     {
-      sets.join(pair.a[end], pair.b[end]);
+      sets.join(pair.a[0], pair.b[0]);
+      sets.join(pair.a[1], pair.b[1]);
     }
   }
   Indices joined;
@@ -37,12 +36,10 @@ std::unordered_set<std::uint64_t> closedEdges(const PatternSource& source)
   std::unordered_set<std::uint64_t> closed;
   for (const SewnEdges& pair : source.sewn)
   {
-    for (const std::array<Index, 2>& edge : { pair.a, pair.b })
+    if (pair.closed)
     {
-      if (pair.closed)
-      {
-        closed.insert(undirectedKey(edge[0], edge[1]));
-      }
+      closed.insert(undirectedKey(pair.a[0], pair.a[1]));
+      closed.insert(undirectedKey(pair.b[0], pair.b[1]));
     }
   }
   return closed;
@@ -66,16 +63,12 @@ PatternSource withoutClosedCuts(const PatternSource& source)
     v = joined[v];
   }
   whole.sewn.clear();
-  for (SewnEdges pair : source.sewn)
+  for (const SewnEdges& pair : source.sewn)
   {
-    for (std::size_t end = 0; end < 2; ++end)
-    {
-      pair.a[end] = joined[pair.a[end]];
-      pair.b[end] = joined[pair.b[end]];
-    }
     if (!pair.closed)
     {
-      whole.sewn.push_back(pair);
+      whole.sewn.push_back({ { joined[pair.a[0]], joined[pair.a[1]] },
+        { joined[pair.b[0]], joined[pair.b[1]] }, false });
     }
   }
   whole.wires.clear();
@@ -83,22 +76,22 @@ PatternSource withoutClosedCuts(const PatternSource& source)
   {
     SourceWire part = wire;
     part.points.clear();
+    const auto end = [&] {
+      if (part.points.size() > 1)
+      {
+        whole.wires.push_back(part);
+      }
+      part.points.clear();
+    };
     for (std::size_t k = 0; k < wire.points.size(); ++k)
     {
       if (k > 0 && closed.count(undirectedKey(wire.points[k - 1], wire.points[k])) > 0)
       {
-        if (part.points.size() > 1)
-        {
-          whole.wires.push_back(part);
-        }
-        part.points.clear();
+        end();
       }
       part.points.push_back(joined[wire.points[k]]);
     }
-    if (part.points.size() > 1)
-    {
-      whole.wires.push_back(std::move(part));
-    }
+    end();
   }
   return whole;
 }

@@ -84,14 +84,12 @@ void findOpenDarts(const Loop& loop, std::size_t loopIndex, std::vector<Dart>& d
 void findClosedDart(const Loop& loop, std::size_t loopIndex, std::vector<Dart>& darts)
 {
   const std::size_t count = loop.size();
+  bool isDart = true;
   for (std::size_t k = 0; k < count; ++k)
   {
-    if (loop.dart(k) == none || loop.dart(k) != loop.dart(0))
-    {
-      return;
-    }
+    isDart = isDart && loop.dart(k) != none && loop.dart(k) == loop.dart(0);
   }
-  for (std::size_t k = 0; k < count; ++k)
+  for (std::size_t k = 0; isDart && k < count; ++k)
   {
     if (folds(loop, k, count))
     {

@@ -59,30 +59,25 @@ NotchPlace onBoundary(const BorderEdges& boundary, NotchPlace place)
   return place;
 }
 
-/// A notch or a mark of a double one.
-struct Mark
+/// What the stations of a wire become, in their order along it; their edges are not known.
+std::vector<NotchPlace> marksOf(
+  const std::vector<double>& stations, std::size_t wire, bool twice, double half, double length)
 {
-  double at = 0.0;
-  bool isDrawn = true;
-  bool isStop = true;
-};
-
-/// What the stations of a curve become, in their order.
-std::vector<Mark> marksOf(
-  const std::vector<double>& stations, bool twice, double half, double length)
-{
-  std::vector<Mark> marks;
+  std::vector<NotchPlace> marks;
+  const auto add = [&](double at, bool isDrawn, bool isStop) {
+    marks.push_back({ { none, none }, 0.0, at, wire, isDrawn, isStop });
+  };
   for (const double at : stations)
   {
-    marks.push_back({ at, !twice, true });
+    add(at, !twice, true);
     if (twice)
     {
-      marks.push_back({ std::max(at - half, 0.0), true, false });
-      marks.push_back({ std::min(at + half, length), true, false });
+      add(std::max(at - half, 0.0), true, false);
+      add(std::min(at + half, length), true, false);
     }
   }
-  std::stable_sort(
-    marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.at < b.at; });
+  std::stable_sort(marks.begin(), marks.end(),
+    [](const NotchPlace& a, const NotchPlace& b) { return a.arcLength < b.arcLength; });
   return marks;
 }
 }
@@ -150,8 +145,8 @@ Status placeNotches(const PatternSource& source, const BorderEdges& border,
     {
       return status;
     }
-    const std::vector<Mark> marks = marksOf(stations, options.doubleNotches.count(wire.name) > 0,
-      doubleNotchDistance / 2.0 / scale, arc.back());
+    const std::vector<NotchPlace> marks = marksOf(stations, w,
+      options.doubleNotches.count(wire.name) > 0, doubleNotchDistance / 2.0 / scale, arc.back());
     std::size_t next = 0;
     for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
     {
@@ -161,20 +156,20 @@ Status placeNotches(const PatternSource& source, const BorderEdges& border,
       const bool sewn = partner != partners.end();
       const bool isBorder = pieceOf(border, from, to) != none;
       const bool walked = !isBorder || done.count(edgeKey(from, to)) > 0 || arc[k + 1] <= arc[k];
-      for (; next < marks.size() && marks[next].at <= arc[k + 1]; ++next)
+      for (; next < marks.size() && marks[next].arcLength <= arc[k + 1]; ++next)
       {
         if (walked)
         {
           continue;
         }
-        const Mark& mark = marks[next];
-        const double fraction = (mark.at - arc[k]) / (arc[k + 1] - arc[k]);
-        places.push_back(
-          onBoundary(border, { { from, to }, fraction, mark.at, w, mark.isDrawn, mark.isStop }));
+        NotchPlace mark = marks[next];
+        mark.fraction = (mark.arcLength - arc[k]) / (arc[k + 1] - arc[k]);
+        mark.edge = { from, to };
+        places.push_back(onBoundary(border, mark));
         if (sewn)
         {
-          places.push_back(onBoundary(
-            border, { partner->second, fraction, mark.at, w, mark.isDrawn, mark.isStop }));
+          mark.edge = partner->second;
+          places.push_back(onBoundary(border, mark));
         }
       }
       if (sewn)

@@ -79,14 +79,8 @@ Index pieceOf(const BorderEdges& borders, Index from, Index to)
 
 bool areOnBorder(const BorderEdges& borders, const Indices& line)
 {
-  for (std::size_t k = 0; k + 1 < line.size(); ++k)
-  {
-    if (pieceOf(borders, line[k], line[k + 1]) == none)
-    {
-      return false;
-    }
-  }
-  return true;
+  const auto isWithin = [&](Index from, Index to) { return pieceOf(borders, from, to) == none; };
+  return std::adjacent_find(line.begin(), line.end(), isWithin) == line.end();
 }
 
 std::size_t pieceCount(const PatternSource& source)

@@ -193,12 +193,11 @@ Points2 thinned(const Points2& polygon, double distance)
   {
     return polygon;
   }
-  std::size_t opposite = 0;
-  for (std::size_t k = 1; k < polygon.size(); ++k)
-  {
-    const double way = (polygon[k] - polygon[0]).squaredNorm();
-    opposite = way > (polygon[opposite] - polygon[0]).squaredNorm() ? k : opposite;
-  }
+  const auto isNearer = [&polygon](const Point2& a, const Point2& b) {
+    return (a - polygon[0]).squaredNorm() < (b - polygon[0]).squaredNorm();
+  };
+  const auto opposite = static_cast<std::size_t>(
+    std::max_element(polygon.begin(), polygon.end(), isNearer) - polygon.begin());
   std::vector<bool> kept(polygon.size(), false);
   kept[0] = kept[opposite] = true;
   keepFarthest(polygon, 0, opposite, distance, kept);
@@ -219,14 +218,9 @@ Points2 simplified(const Points2& polygon, double distance)
   const std::size_t count = polygon.size();
   const auto skips = [&](std::size_t first, std::size_t last) {
     const Segments chord{ { polygon[first], polygon[last % count] } };
-    for (std::size_t k = first + 1; k < last; ++k)
-    {
-      if (pattern::distance(polygon[k], chord) > distance)
-      {
-        return false;
-      }
-    }
-    return true;
+    return std::none_of(polygon.begin() + static_cast<std::ptrdiff_t>(first) + 1,
+      polygon.begin() + static_cast<std::ptrdiff_t>(last),
+      [&](const Point2& p) { return pattern::distance(p, chord) > distance; });
   };
   Points2 result;
   for (std::size_t k = 0; k < count;)
