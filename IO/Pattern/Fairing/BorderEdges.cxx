@@ -99,18 +99,18 @@ private:
   void addInterval(std::size_t piece, std::size_t c, std::size_t k)
   {
     const PlannedInterval& interval = this->Fair.plan()[c].intervals[k];
-    const IntervalCurve curve(this->Fair.spans()[c], interval);
+    const IntervalCurve curve(this->Fair.spans()[c], interval.places);
     std::vector<double> breaks = curve.breaks(false);
-    if (interval.partner[0] != PlannedInterval::none)
+    bool smooth = this->isSmooth(c, k);
+    const auto [chain, other] = interval.partner;
+    if (chain != PlannedInterval::none)
     {
-      const std::vector<double> others = IntervalCurve(this->Fair.spans()[interval.partner[0]],
-        this->Fair.plan()[interval.partner[0]].intervals[interval.partner[1]])
-                                           .breaks(interval.reversed);
+      const IntervalCurve sewn(
+        this->Fair.spans()[chain], this->Fair.plan()[chain].intervals[other].places);
+      const std::vector<double> others = sewn.breaks(interval.reversed);
       breaks.insert(breaks.end(), others.begin(), others.end());
+      smooth = smooth && this->isSmooth(chain, other);
     }
-    const bool sewn = interval.partner[0] != PlannedInterval::none;
-    const bool smooth =
-      this->isSmooth(c, k) && (!sewn || this->isSmooth(interval.partner[0], interval.partner[1]));
     breaks =
       withoutShortEdges(std::move(breaks), smooth ? shortestEdge / interval.length : sameBreak);
     breaks.push_back(1.0);

@@ -340,7 +340,7 @@ double FairBorders::placeAt(std::size_t c, double length) const
   {
     return this->Chains.chains()[c].length();
   }
-  return IntervalCurve(this->spans()[c], *found)
+  return IntervalCurve(this->spans()[c], found->places)
     .placeAt((length - found->start) / (found->end - found->start));
 }
 

@@ -520,9 +520,8 @@ private:
       }
       std::vector<PlannedInterval>& intervals = this->Fit.plan[mirror.chain].intervals;
       const PlannedStretch& stretch = this->at(place);
-      PlannedInterval whole;
-      whole.places = { stretch.breaks.front(), stretch.breaks.back() };
-      const IntervalCurve curve(this->Fit.spans[mirror.chain], whole);
+      const IntervalCurve curve(
+        this->Fit.spans[mirror.chain], { stretch.breaks.front(), stretch.breaks.back() });
       double length = 0.0;
       for (std::size_t k = stretch.firstInterval; k + 1 < stretch.endInterval; ++k)
       {

@@ -311,9 +311,10 @@ double toleranceAt(const PlannedChain& chain, const PlannedStretch& stretch, dou
     ->tolerance;
 }
 
-IntervalCurve::IntervalCurve(const std::vector<FairSpan>& spans, const PlannedInterval& interval)
-  : Start(interval.places[0])
-  , End(interval.places[1])
+IntervalCurve::IntervalCurve(
+  const std::vector<FairSpan>& spans, const std::array<double, 2>& places)
+  : Start(places[0])
+  , End(places[1])
 {
   const double least = sameBreak * (this->End - this->Start);
   const double start = this->Start + least;

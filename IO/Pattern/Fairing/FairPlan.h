@@ -94,8 +94,8 @@ constexpr double sameBreak = 1e-7; ///< of an interval
 class IntervalCurve
 {
 public:
-  /// \param spans of the chain
-  IntervalCurve(const std::vector<FairSpan>& spans, const PlannedInterval& interval);
+  /// \param spans of the chain \param places of its ends along them
+  IntervalCurve(const std::vector<FairSpan>& spans, const std::array<double, 2>& places);
 
   double length() const { return this->Length; }
   /// Where it is divided, as shares of its length. \param fromEnd the shares are those from its end

@@ -16,65 +16,43 @@ constexpr char endOfLabel = '\003';
 /// Of a character beside its height: HPGL's own face keeps half as much again between characters.
 constexpr double widthOfCharacter = 0.4;
 
-class HpglDrawing
+/// A pattern on its sheet, in plotter commands.
+struct HpglSheet
 {
-public:
-  explicit HpglDrawing(const Pattern& pattern)
-    : Drawn(pattern)
-    , Layout(layOut(pattern, squareWidth(pattern), 0.0))
-  {
-  }
+  const Pattern& drawn;
+  SheetLayout layout;
 
-  std::string make()
-  {
-    this->Text = "IN;SP1;\n";
-    for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
-    {
-      this->addStrokes(p, false);
-      for (const PatternText& text : this->Drawn.pieces[p].texts)
-      {
-        this->addText(p, text);
-      }
-    }
-    this->Text += "SP2;\n";
-    for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
-    {
-      this->addStrokes(p, true);
-    }
-    this->Text += "PU0,0;SP0;\n";
-    return std::move(this->Text);
-  }
-
-private:
   std::string at(std::size_t piece, const Point2& p) const
   {
-    const Point2 onSheet = this->Layout.place(this->Drawn, piece, p);
+    const Point2 onSheet = this->layout.place(this->drawn, piece, p);
     const auto units = [](double millimetres) {
       return std::to_string(std::lround(unitsPerMillimetre * millimetres));
     };
-    return units(onSheet.x()) + "," + units(this->Layout.extent.y() - onSheet.y());
+    return units(onSheet.x()) + "," + units(this->layout.extent.y() - onSheet.y());
   }
 
-  void addStrokes(std::size_t piece, bool cutLines)
+  std::string strokes(std::size_t piece, bool cutLines) const
   {
-    const std::vector<Stroke> strokes = strokesOf(this->Drawn.pieces[piece]);
+    std::string text;
+    const std::vector<Stroke> all = strokesOf(this->drawn.pieces[piece]);
     // Holes fall out of the cloth before the piece does.
-    for (auto stroke = strokes.rbegin(); stroke != strokes.rend(); ++stroke)
+    for (auto stroke = all.rbegin(); stroke != all.rend(); ++stroke)
     {
       if (isCut(stroke->role) != cutLines)
       {
         continue;
       }
-      this->Text += "PU" + this->at(piece, stroke->points.front()) + ";PD";
+      text += "PU" + this->at(piece, stroke->points.front()) + ";PD";
       for (std::size_t k = 1; k < stroke->points.size(); ++k)
       {
-        this->Text += (k > 1 ? "," : "") + this->at(piece, stroke->points[k]);
+        text += (k > 1 ? "," : "") + this->at(piece, stroke->points[k]);
       }
-      this->Text += stroke->closed ? "," + this->at(piece, stroke->points.front()) + ";\n" : ";\n";
+      text += stroke->closed ? "," + this->at(piece, stroke->points.front()) + ";\n" : ";\n";
     }
+    return text;
   }
 
-  void addText(std::size_t piece, const PatternText& text)
+  std::string label(std::size_t piece, const PatternText& text) const
   {
     std::string plain;
     for (const char c : cleanText(text.text))
@@ -92,21 +70,28 @@ private:
     const double width = 1.5 * widthOfCharacter * text.height * static_cast<double>(plain.size());
     const Point2 along(std::cos(text.angle), std::sin(text.angle));
     const Point2 up(-along.y(), along.x());
-    this->Text += "PU" +
-      this->at(piece, text.position - 0.5 * width * along - 0.35 * text.height * up) + ";DI" +
-      formatNumber(along.x(), 4) + "," + formatNumber(along.y(), 4) + ";SI" +
+    return "PU" + this->at(piece, text.position - 0.5 * width * along - 0.35 * text.height * up) +
+      ";DI" + formatNumber(along.x(), 4) + "," + formatNumber(along.y(), 4) + ";SI" +
       formatNumber(0.1 * widthOfCharacter * text.height, 4) + "," +
       formatNumber(0.07 * text.height, 4) + ";LB" + plain + endOfLabel + ";\n";
   }
-
-  const Pattern& Drawn;
-  SheetLayout Layout;
-  std::string Text;
 };
 }
 
 std::string makeHpgl(const Pattern& pattern)
 {
-  return HpglDrawing(pattern).make();
+  const HpglSheet sheet{ pattern, layOut(pattern, squareWidth(pattern), 0.0) };
+  std::string drawn = "IN;SP1;\n";
+  std::string cut = "SP2;\n";
+  for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
+  {
+    drawn += sheet.strokes(p, false);
+    for (const PatternText& text : pattern.pieces[p].texts)
+    {
+      drawn += sheet.label(p, text);
+    }
+    cut += sheet.strokes(p, true);
+  }
+  return drawn + cut + "PU0,0;SP0;\n";
 }
 }
