@@ -196,13 +196,11 @@ ColorMap colorMapOf(Coloring coloring, const FlatPiece& piece)
 }
 }
 
-//------------------------------------------------------------------------------
 const char* nameOf(Coloring coloring)
 {
   return names[static_cast<std::size_t>(coloring)];
 }
 
-//------------------------------------------------------------------------------
 std::optional<Coloring> coloringOf(const std::string& name)
 {
   const auto* const found = std::find(names.begin(), names.end(), name);
@@ -210,7 +208,6 @@ std::optional<Coloring> coloringOf(const std::string& name)
                               : std::make_optional(static_cast<Coloring>(found - names.begin()));
 }
 
-//------------------------------------------------------------------------------
 ColorMap makeColorMap(Coloring coloring, const FlatPiece& piece, ColorRange range)
 {
   ColorMap map = colorMapOf(coloring, piece);
@@ -227,7 +224,6 @@ ColorMap makeColorMap(Coloring coloring, const FlatPiece& piece, ColorRange rang
   return map;
 }
 
-//------------------------------------------------------------------------------
 FlatPiece withStrain(const FlatPiece& piece)
 {
   vtkCellData* const cells = piece.flat->GetCellData();

@@ -14,7 +14,6 @@
 
 namespace figures
 {
-//------------------------------------------------------------------------------
 void requireDisplay()
 {
 #ifdef FIGURES_X11

@@ -52,7 +52,6 @@ int valueAt(vtkDataArray* array, vtkIdType cell, int otherwise)
 
 }
 
-//------------------------------------------------------------------------------
 Vector facing(const PolyData& surface, const Vector& up)
 {
   Vector sum{ 0.0, 0.0, 0.0 };
@@ -84,7 +83,6 @@ Vector facing(const PolyData& surface, const Vector& up)
   return !isBody && std::abs(vtkMath::Dot(direction.data(), up.data())) < 0.8 ? direction : oblique;
 }
 
-//------------------------------------------------------------------------------
 Vector upOf(const PolyData& surface)
 {
   const double* const bounds = surface->GetBounds();
@@ -92,7 +90,6 @@ Vector upOf(const PolyData& surface)
                                                        : Vector{ 0.0, 0.0, 1.0 };
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkLookupTable> makeColors(ColorRange range)
 {
   const bool turned = range.low > range.high;
@@ -105,7 +102,6 @@ vtkSmartPointer<vtkLookupTable> makeColors(ColorRange range)
   return table;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkLookupTable> makeCategories(const std::vector<Vector>& colors, int count)
 {
   vtkNew<vtkLookupTable> table;
@@ -119,7 +115,6 @@ vtkSmartPointer<vtkLookupTable> makeCategories(const std::vector<Vector>& colors
   return table;
 }
 
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkScalarBarActor> makeScaleBar(vtkLookupTable* colors, int labels, int textSize)
 {
   auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
@@ -137,14 +132,12 @@ vtkSmartPointer<vtkScalarBarActor> makeScaleBar(vtkLookupTable* colors, int labe
   return bar;
 }
 
-//------------------------------------------------------------------------------
 Drawing::Drawing()
   : Renderer(vtkSmartPointer<vtkRenderer>::New())
 {
   this->Renderer->SetBackground(1.0, 1.0, 1.0);
 }
 
-//------------------------------------------------------------------------------
 void Drawing::setTitle(const std::string& title)
 {
   this->Title = vtkSmartPointer<vtkTextActor>::New();
@@ -157,7 +150,6 @@ void Drawing::setTitle(const std::string& title)
   this->Renderer->AddViewProp(this->Title);
 }
 
-//------------------------------------------------------------------------------
 void Drawing::lookFrom(const Vector& direction, const Vector& up)
 {
   this->InSpace = true;
@@ -166,7 +158,6 @@ void Drawing::lookFrom(const Vector& direction, const Vector& up)
   this->Up = cross(this->Back, this->Right);
 }
 
-//------------------------------------------------------------------------------
 vtkActor* Drawing::addActor(const PolyData& data, bool interpolated)
 {
   this->Shown.push_back(data);
@@ -195,14 +186,12 @@ vtkActor* Drawing::addActor(const PolyData& data, bool interpolated)
   return actor;
 }
 
-//------------------------------------------------------------------------------
 void Drawing::addSurface(const PolyData& surface)
 {
   const Vector& color = surfaceColor;
   this->addActor(surface, false)->GetProperty()->SetColor(color[0], color[1], color[2]);
 }
 
-//------------------------------------------------------------------------------
 void Drawing::addGhost(const PolyData& surface)
 {
   constexpr double opacity = 0.35;
@@ -211,19 +200,16 @@ void Drawing::addGhost(const PolyData& surface)
   property->SetOpacity(opacity);
 }
 
-//------------------------------------------------------------------------------
 void Drawing::addPointMap(const PolyData& surface, const char* array, ColorRange range)
 {
   this->addMap(surface, array, true, makeColors(range));
 }
 
-//------------------------------------------------------------------------------
 void Drawing::addCellMap(const PolyData& surface, const char* array, ColorRange range)
 {
   this->addMap(surface, array, false, makeColors(range));
 }
 
-//------------------------------------------------------------------------------
 void Drawing::addMap(
   const PolyData& surface, const char* array, bool onPoints, vtkLookupTable* colors)
 {
@@ -236,7 +222,6 @@ void Drawing::addMap(
   mapper->UseLookupTableScalarRangeOn();
 }
 
-//------------------------------------------------------------------------------
 void Drawing::addCategories(const PolyData& surface, const char* array)
 {
   // Twelve light colors, far apart from one to the next.
@@ -249,7 +234,6 @@ void Drawing::addCategories(const PolyData& surface, const char* array)
   this->addMap(surface, array, false, makeCategories(colors, count));
 }
 
-//------------------------------------------------------------------------------
 std::array<WireGroup, 5> groupWires(vtkPolyData* wires, DartSides sides)
 {
   std::array<WireGroup, 5> groups{ { { accessoryColor, {} }, { keyColor, {} }, { dartColor, {} },
@@ -268,7 +252,6 @@ std::array<WireGroup, 5> groupWires(vtkPolyData* wires, DartSides sides)
   return groups;
 }
 
-//------------------------------------------------------------------------------
 void Drawing::addWires(const PolyData& wires, DartSides sides)
 {
   double lift = 1.0;
@@ -279,7 +262,6 @@ void Drawing::addWires(const PolyData& wires, DartSides sides)
   }
 }
 
-//------------------------------------------------------------------------------
 void Drawing::addBoundary(const PolyData& surface)
 {
   vtkNew<vtkFeatureEdges> edges;
@@ -294,7 +276,6 @@ void Drawing::addBoundary(const PolyData& surface)
   this->addEdges(edges->GetOutput(), cells, boundaryColor, 3.0);
 }
 
-//------------------------------------------------------------------------------
 void Drawing::addEdges(
   const PolyData& lines, const std::vector<vtkIdType>& cells, const Vector& color, double lift)
 {
@@ -330,7 +311,6 @@ void Drawing::addEdges(
   }
 }
 
-//------------------------------------------------------------------------------
 void Drawing::drawWires(const WireSet& set, double radius)
 {
   // In the plane the last drawn lies on top; in space depth decides.
@@ -362,7 +342,6 @@ void Drawing::drawWires(const WireSet& set, double radius)
   }
 }
 
-//------------------------------------------------------------------------------
 std::array<double, 6> Drawing::extent() const
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -385,14 +364,12 @@ std::array<double, 6> Drawing::extent() const
   return this->Shown.empty() ? std::array<double, 6>{} : range;
 }
 
-//------------------------------------------------------------------------------
 std::array<double, 2> Drawing::size() const
 {
   const std::array<double, 6> range = this->extent();
   return { range[1] - range[0], range[3] - range[2] };
 }
 
-//------------------------------------------------------------------------------
 void Drawing::finish(const std::array<int, 4>& area, double pixel, const FigureStyle& style)
 {
   for (const WireSet& set : this->Wires)

@@ -21,7 +21,6 @@ constexpr int textSize = 18;
 constexpr int scaleLabels = 6;
 }
 
-//------------------------------------------------------------------------------
 Figure::Figure(int width, int maximumHeight, int samples)
   : Window(vtkSmartPointer<vtkRenderWindow>::New())
   , Rows(1)
@@ -31,25 +30,21 @@ Figure::Figure(int width, int maximumHeight, int samples)
   this->Window->SetMultiSamples(samples);
 }
 
-//------------------------------------------------------------------------------
 Drawing& Figure::add()
 {
   return this->Rows.back().emplace_back();
 }
 
-//------------------------------------------------------------------------------
 void Figure::nextRow()
 {
   this->Rows.emplace_back();
 }
 
-//------------------------------------------------------------------------------
 void Figure::addScale(const std::string& title, ColorRange range)
 {
   this->Scales.push_back({ title, range });
 }
 
-//------------------------------------------------------------------------------
 double Figure::neededPixel() const
 {
   double pixel = 0.0;
@@ -72,7 +67,6 @@ double Figure::neededPixel() const
   return std::max(pixel, height / available);
 }
 
-//------------------------------------------------------------------------------
 int Figure::rowHeight(const Row& row, double pixel) const
 {
   double tallest = 0.0;
@@ -86,7 +80,6 @@ int Figure::rowHeight(const Row& row, double pixel) const
   return needed + 2 * this->style.gap + (titled ? this->style.titleHeight : 0);
 }
 
-//------------------------------------------------------------------------------
 void Figure::finishRow(Row& row, int bottom, int height, double pixel) const
 {
   double needed = 0.0;
@@ -106,7 +99,6 @@ void Figure::finishRow(Row& row, int bottom, int height, double pixel) const
   }
 }
 
-//------------------------------------------------------------------------------
 void Figure::drawScales(int windowHeight) const
 {
   const double height = this->style.scaleHeight;
@@ -133,7 +125,6 @@ void Figure::drawScales(int windowHeight) const
   }
 }
 
-//------------------------------------------------------------------------------
 vtkRenderWindow* Figure::render()
 {
   this->Rows.remove_if([](const Row& row) { return row.empty(); });
@@ -164,7 +155,6 @@ vtkRenderWindow* Figure::render()
   return this->Window;
 }
 
-//------------------------------------------------------------------------------
 void Figure::write(const std::string& path)
 {
   this->Window->SetOffScreenRendering(1);

@@ -43,7 +43,6 @@ bool bringToDisk(const std::string& path)
 }
 }
 
-//------------------------------------------------------------------------------
 void silence(vtkObject* object)
 {
   vtkNew<vtkCallbackCommand> listener;
@@ -52,7 +51,6 @@ void silence(vtkObject* object)
   object->AddObserver(vtkCommand::ErrorEvent, listener);
 }
 
-//------------------------------------------------------------------------------
 void writePolyData(const std::string& path, vtkPolyData* data)
 {
   const std::string aside = path + ".part";
@@ -73,7 +71,6 @@ void writePolyData(const std::string& path, vtkPolyData* data)
   }
 }
 
-//------------------------------------------------------------------------------
 void writePng(vtkRenderWindow* window, const std::string& path)
 {
   vtkNew<vtkWindowToImageFilter> image;

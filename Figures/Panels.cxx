@@ -8,7 +8,6 @@
 
 namespace figures
 {
-//------------------------------------------------------------------------------
 std::vector<FlatPiece> flattenAll(
   const std::vector<Piece>& pieces, Method method, Interior interior)
 {
@@ -22,7 +21,6 @@ std::vector<FlatPiece> flattenAll(
   return flat;
 }
 
-//------------------------------------------------------------------------------
 void drawSpace(Drawing& drawing, const std::vector<Piece>& pieces, const Vector& direction)
 {
   drawing.lookFrom(direction);
@@ -34,7 +32,6 @@ void drawSpace(Drawing& drawing, const std::vector<Piece>& pieces, const Vector&
   }
 }
 
-//------------------------------------------------------------------------------
 double drawDevelopability(
   Drawing& drawing, const std::vector<Piece>& pieces, const Vector& direction)
 {
@@ -55,7 +52,6 @@ double drawDevelopability(
   return largest;
 }
 
-//------------------------------------------------------------------------------
 void drawFlat(Drawing& drawing, const std::vector<FlatPiece>& pieces)
 {
   for (const FlatPiece& piece : pieces)
@@ -65,7 +61,6 @@ void drawFlat(Drawing& drawing, const std::vector<FlatPiece>& pieces)
   }
 }
 
-//------------------------------------------------------------------------------
 void drawIndex(Drawing& drawing, const std::vector<FlatPiece>& pieces, const char* array)
 {
   for (const FlatPiece& piece : pieces)

@@ -87,7 +87,6 @@ std::string formatted(const char* pattern, Values... values)
 }
 }
 
-//------------------------------------------------------------------------------
 std::vector<std::string> errorTable(const FlatPiece& piece, std::size_t maximumRows)
 {
   std::vector<std::string> rows{
@@ -110,7 +109,6 @@ std::vector<std::string> errorTable(const FlatPiece& piece, std::size_t maximumR
   return rows;
 }
 
-//------------------------------------------------------------------------------
 std::string extremesOf(const FlatPiece& piece, const ColorMap& map)
 {
   vtkDataSetAttributes* const arrays = map.onPoints
@@ -189,7 +187,6 @@ private:
   vtkNew<vtkRenderer> Overlay;
 };
 
-//------------------------------------------------------------------------------
 PatternPicture::PatternPicture(const PatternScene& given, int width, int height)
 {
   this->Window->SetOffScreenRendering(1);
@@ -218,7 +215,6 @@ PatternPicture::PatternPicture(const PatternScene& given, int width, int height)
   this->Window->Render();
 }
 
-//------------------------------------------------------------------------------
 void PatternPicture::drawPanels(const PatternScene& scene, const ColorMap& map)
 {
   Drawing space;
@@ -256,7 +252,6 @@ void PatternPicture::drawPanels(const PatternScene& scene, const ColorMap& map)
   plane.finish({ middle, strip, width - middle, height }, pixel, style);
 }
 
-//------------------------------------------------------------------------------
 int PatternPicture::addText(const std::string& text, int x, int y, int size, const Vector& color,
   TextStyle style, bool fromTop)
 {
@@ -281,7 +276,6 @@ int PatternPicture::addText(const std::string& text, int x, int y, int size, con
   return static_cast<int>(extent[0]);
 }
 
-//------------------------------------------------------------------------------
 void PatternPicture::drawTexts(const PatternScene& scene)
 {
   this->addText(scene.title, margin, margin, legendSize + 4, black, TextStyle::Bold, true);
@@ -305,7 +299,6 @@ void PatternPicture::drawTexts(const PatternScene& scene)
   }
 }
 
-//------------------------------------------------------------------------------
 void PatternPicture::drawLegend(const PatternScene& scene)
 {
   struct Entry
@@ -334,7 +327,6 @@ void PatternPicture::drawLegend(const PatternScene& scene)
   }
 }
 
-//------------------------------------------------------------------------------
 void PatternPicture::drawExtremes(const std::string& text)
 {
   constexpr std::size_t narrowWidth = 26; // characters
@@ -348,7 +340,6 @@ void PatternPicture::drawExtremes(const std::string& text)
   }
 }
 
-//------------------------------------------------------------------------------
 void PatternPicture::drawScale(const ColorMap& map)
 {
   const double width = this->Window->GetSize()[0];
@@ -368,7 +359,6 @@ void PatternPicture::drawScale(const ColorMap& map)
 
 }
 
-//------------------------------------------------------------------------------
 void writePatternPicture(const PatternScene& scene, int width, int height, const std::string& path)
 {
   PatternPicture(scene, width, height).write(path);

@@ -52,14 +52,12 @@ bool endsWith(const std::string& text, const std::string& end)
 }
 }
 
-//------------------------------------------------------------------------------
 Piece readPiece(const std::string& folder, const std::string& name, const std::string& set)
 {
   const std::string path = folder + "/" + name;
   return { read(path + ".vtp"), read(path + "_curves" + set + ".vtp") };
 }
 
-//------------------------------------------------------------------------------
 std::vector<std::string> listPieces(const std::string& folder)
 {
   vtksys::Directory directory;
@@ -77,7 +75,6 @@ std::vector<std::string> listPieces(const std::string& folder)
   return names;
 }
 
-//------------------------------------------------------------------------------
 FlatPiece outputsOf(vtkFlatPieceAlgorithm* filter)
 {
   const double* const seconds = filter->GetSeconds();
@@ -85,7 +82,6 @@ FlatPiece outputsOf(vtkFlatPieceAlgorithm* filter)
     filter->GetCurves(), { seconds[0], seconds[1], seconds[2], seconds[3] } };
 }
 
-//------------------------------------------------------------------------------
 PolyData FlatPiece::wiresOn(const PolyData& surface) const
 {
   PolyData result = vtkSmartPointer<vtkPolyData>::New();
@@ -94,7 +90,6 @@ PolyData FlatPiece::wiresOn(const PolyData& surface) const
   return result;
 }
 
-//------------------------------------------------------------------------------
 double FlatPiece::number(const char* column, vtkIdType row) const
 {
   const bool known =
@@ -102,7 +97,6 @@ double FlatPiece::number(const char* column, vtkIdType row) const
   return known ? this->pieces->GetValueByName(row, column).ToDouble() : std::nan("");
 }
 
-//------------------------------------------------------------------------------
 FlatPiece flatten(const Piece& piece, Method method, Interior interior)
 {
   if (method == Method::LeastSquaresConformal)
@@ -120,7 +114,6 @@ FlatPiece flatten(const Piece& piece, Method method, Interior interior)
   return run(filter, piece);
 }
 
-//------------------------------------------------------------------------------
 PolyData measureDevelopability(const PolyData& surface)
 {
   vtkNew<vtkSurfaceDevelopability> filter;
@@ -134,7 +127,6 @@ PolyData measureDevelopability(const PolyData& surface)
   return filter->GetOutput();
 }
 
-//------------------------------------------------------------------------------
 PolyData moved(const PolyData& data, double x, double y, double z)
 {
   PolyData result = vtkSmartPointer<vtkPolyData>::New();
@@ -152,7 +144,6 @@ PolyData moved(const PolyData& data, double x, double y, double z)
   return result;
 }
 
-//------------------------------------------------------------------------------
 void layBeside(std::vector<FlatPiece>& pieces)
 {
   double extent = 0.0;

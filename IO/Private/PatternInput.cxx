@@ -139,7 +139,6 @@ Status readRules(const Columns& field, std::size_t points, Grading& grading)
 }
 }
 
-//------------------------------------------------------------------------------
 Status readPieces(
   vtkPolyData* flat, vtkPolyData* wires, vtkPolyData* cut, pattern::PatternSource& source)
 {
@@ -158,7 +157,6 @@ Status readPieces(
     dataSetOf(flat), wires ? &wireData : nullptr, cut ? &cutData : nullptr, source);
 }
 
-//------------------------------------------------------------------------------
 void writeGrading(const Grading& grading, vtkPolyData* output)
 {
   const std::size_t count = grading.positions.front().size();
@@ -200,7 +198,6 @@ void writeGrading(const Grading& grading, vtkPolyData* output)
   fill(output, data);
 }
 
-//------------------------------------------------------------------------------
 Status readGrading(vtkPolyData* input, Grading& grading)
 {
   grading = Grading();

@@ -16,7 +16,6 @@ namespace
 constexpr double alike = 1e-6;
 }
 
-//------------------------------------------------------------------------------
 BorderWays::BorderWays(const DataSet& surface)
 {
   const TriangleList list = listTriangles(surface);
@@ -37,7 +36,6 @@ BorderWays::BorderWays(const DataSet& surface)
   }
 }
 
-//------------------------------------------------------------------------------
 std::vector<std::int64_t> BorderWays::through(const std::vector<std::int64_t>& points) const
 {
   for (const std::int64_t point : points)
@@ -62,7 +60,6 @@ std::vector<std::int64_t> BorderWays::through(const std::vector<std::int64_t>& p
   return way;
 }
 
-//------------------------------------------------------------------------------
 std::int64_t BorderWays::nearest(const Point3& place, double& distance) const
 {
   std::int64_t best = -1;
@@ -88,7 +85,6 @@ std::int64_t BorderWays::nearest(const Point3& place, double& distance) const
   return best;
 }
 
-//------------------------------------------------------------------------------
 void BorderWays::add(std::int64_t from, std::int64_t to, std::vector<std::int64_t>& way) const
 {
   const Place& start = this->Places.at(from);

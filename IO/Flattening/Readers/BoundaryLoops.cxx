@@ -118,7 +118,6 @@ void markOutermost(const TriangleList& list, std::vector<BoundaryLoop>& loops)
 }
 }
 
-//------------------------------------------------------------------------------
 std::vector<BoundaryLoop> boundaryLoops(const TriangleList& list)
 {
   std::multimap<std::int64_t, Side> sides = boundarySides(list);
@@ -152,7 +151,6 @@ std::vector<BoundaryLoop> boundaryLoops(const TriangleList& list)
   return loops;
 }
 
-//------------------------------------------------------------------------------
 std::vector<BoundaryLoop> openings(const TriangleList& list)
 {
   std::vector<BoundaryLoop> loops = boundaryLoops(list);
@@ -161,7 +159,6 @@ std::vector<BoundaryLoop> openings(const TriangleList& list)
   return loops;
 }
 
-//------------------------------------------------------------------------------
 std::vector<std::int64_t> boundaryPoints(const TriangleList& list)
 {
   std::set<std::int64_t> points;

@@ -76,7 +76,6 @@ private:
 };
 }
 
-//------------------------------------------------------------------------------
 WeldedPoints weldBoundary(TriangleList& list, double coincident, double distance)
 {
   const std::vector<std::int64_t> boundary = boundaryPoints(list);
@@ -133,7 +132,6 @@ WeldedPoints weldBoundary(TriangleList& list, double coincident, double distance
   return welded;
 }
 
-//------------------------------------------------------------------------------
 UnjoinedBoundary unjoinedEdges(
   const TriangleList& list, const std::vector<BoundaryLoop>& loops, double coincident, double near)
 {

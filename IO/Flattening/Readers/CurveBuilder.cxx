@@ -193,7 +193,6 @@ Points3 positionsOf(const flattening::SurfacePath& path, bool closed)
 }
 }
 
-//------------------------------------------------------------------------------
 RowType rowType(std::string_view word, const LineReader& lines)
 {
   const bool isEdge = isEdgeWord(word);
@@ -205,7 +204,6 @@ RowType rowType(std::string_view word, const LineReader& lines)
   return { *kind, isEdge };
 }
 
-//------------------------------------------------------------------------------
 CurveBuilder::CurveBuilder(const LineReader& lines, const DataSet& surface, bool overSurface)
   : Lines(lines)
   , Surface(surface)
@@ -214,14 +212,12 @@ CurveBuilder::CurveBuilder(const LineReader& lines, const DataSet& surface, bool
 {
 }
 
-//------------------------------------------------------------------------------
 bool CurveBuilder::areWords(std::string_view text)
 {
   const std::string_view first = takeWord(text);
   return first == "plane" || first == "between" || isBoundaryWord(first);
 }
 
-//------------------------------------------------------------------------------
 void CurveBuilder::addWords(const CurveTitle& title, bool isEdge, std::string_view words)
 {
   try
@@ -237,13 +233,11 @@ void CurveBuilder::addWords(const CurveTitle& title, bool isEdge, std::string_vi
   }
 }
 
-//------------------------------------------------------------------------------
 void CurveBuilder::addLine(const CurveTitle& title, const Points3& line)
 {
   this->add(title, { line });
 }
 
-//------------------------------------------------------------------------------
 void CurveBuilder::addIds(
   const CurveTitle& title, bool isEdge, const std::vector<std::int64_t>& ids)
 {
@@ -263,7 +257,6 @@ void CurveBuilder::addIds(
   }
 }
 
-//------------------------------------------------------------------------------
 void CurveBuilder::add(const CurveTitle& title, const Line& line)
 {
   this->OverSurface && !line.ids.empty() ? this->Curves.add(line.ids, title)
@@ -272,7 +265,6 @@ void CurveBuilder::add(const CurveTitle& title, const Line& line)
   known.insert(known.end(), line.points.begin(), line.points.end());
 }
 
-//------------------------------------------------------------------------------
 Points3& CurveBuilder::added()
 {
   if (!this->Added)
@@ -282,14 +274,12 @@ Points3& CurveBuilder::added()
   return *this->Added;
 }
 
-//------------------------------------------------------------------------------
 std::int64_t CurveBuilder::newPoint(const Point3& place)
 {
   this->added().push_back(place);
   return static_cast<std::int64_t>(this->Added->size()) - 1;
 }
 
-//------------------------------------------------------------------------------
 const BorderWays& CurveBuilder::borders()
 {
   if (!this->Borders)
@@ -299,7 +289,6 @@ const BorderWays& CurveBuilder::borders()
   return *this->Borders;
 }
 
-//------------------------------------------------------------------------------
 std::int64_t CurveBuilder::borderVertex(const Point3& place, const std::string& edge)
 {
   double distance = 0.0;
@@ -320,7 +309,6 @@ std::int64_t CurveBuilder::borderVertex(const Point3& place, const std::string& 
   return vertex;
 }
 
-//------------------------------------------------------------------------------
 Points3 CurveBuilder::placesOf(const std::vector<std::int64_t>& ids, const Points3& points) const
 {
   Points3 places;
@@ -331,13 +319,11 @@ Points3 CurveBuilder::placesOf(const std::vector<std::int64_t>& ids, const Point
   return places;
 }
 
-//------------------------------------------------------------------------------
 DataSet CurveBuilder::take()
 {
   return this->Curves.over(this->Added ? this->Added : this->Points);
 }
 
-//------------------------------------------------------------------------------
 std::vector<CurveBuilder::Line> CurveBuilder::linesOf(std::string_view words, bool isEdge) const
 {
   const std::string_view form = takeWord(words);
@@ -353,7 +339,6 @@ std::vector<CurveBuilder::Line> CurveBuilder::linesOf(std::string_view words, bo
   return form == "plane" ? this->sections(words) : std::vector<Line>{ this->between(words) };
 }
 
-//------------------------------------------------------------------------------
 CurveBuilder::Line CurveBuilder::boundary(std::string_view words) const
 {
   const std::string word = takeName(words).value_or("");
@@ -383,7 +368,6 @@ CurveBuilder::Line CurveBuilder::boundary(std::string_view words) const
   return { this->placesOf(vertices, *this->Surface.points), vertices };
 }
 
-//------------------------------------------------------------------------------
 std::vector<CurveBuilder::Line> CurveBuilder::sections(std::string_view words) const
 {
   const std::optional<SectionPlane> plane = planeOf(words);
@@ -415,7 +399,6 @@ std::vector<CurveBuilder::Line> CurveBuilder::sections(std::string_view words) c
   return lines;
 }
 
-//------------------------------------------------------------------------------
 /// An opening, or a curve by its name.
 Points3 CurveBuilder::pointsOf(std::string_view& words) const
 {
@@ -435,7 +418,6 @@ Points3 CurveBuilder::pointsOf(std::string_view& words) const
   return known->second;
 }
 
-//------------------------------------------------------------------------------
 CurveBuilder::Line CurveBuilder::between(std::string_view words) const
 {
   const Points3 first = this->pointsOf(words);

@@ -20,7 +20,6 @@ bool isWord(std::string_view known, std::string_view word)
 }
 }
 
-//------------------------------------------------------------------------------
 std::optional<CurveKind> curveKindOf(std::string_view word)
 {
   static constexpr std::array<std::string_view, 5> words{ "accessory", "key", "dart", "seam",
@@ -35,13 +34,11 @@ std::optional<CurveKind> curveKindOf(std::string_view word)
   return *found == "straight" ? straight : CurveKind{ static_cast<int>(found - words.begin()), 0 };
 }
 
-//------------------------------------------------------------------------------
 bool isEdgeWord(std::string_view word)
 {
   return isWord("edge", word);
 }
 
-//------------------------------------------------------------------------------
 CurveTitle curveTitle(std::string_view text)
 {
   constexpr std::string_view dividers = " \t-_:";
@@ -57,7 +54,6 @@ CurveTitle curveTitle(std::string_view text)
   return { *kind, std::string(name == std::string_view::npos ? text : text.substr(name)) };
 }
 
-//------------------------------------------------------------------------------
 void CurveList::add(const std::vector<std::int64_t>& ids, const CurveTitle& title)
 {
   std::string name = title.name;
@@ -68,7 +64,6 @@ void CurveList::add(const std::vector<std::int64_t>& ids, const CurveTitle& titl
   this->Names.push_back(name);
 }
 
-//------------------------------------------------------------------------------
 void CurveList::add(const Points3& line, Points3& places, const CurveTitle& title)
 {
   std::vector<std::int64_t> ids;
@@ -81,7 +76,6 @@ void CurveList::add(const Points3& line, Points3& places, const CurveTitle& titl
   this->add(ids, title);
 }
 
-//------------------------------------------------------------------------------
 DataSet CurveList::over(std::shared_ptr<const Points3> points) const
 {
   DataSet curves;

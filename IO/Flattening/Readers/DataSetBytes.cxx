@@ -209,7 +209,6 @@ void clean(Columns& columns)
 }
 }
 
-//------------------------------------------------------------------------------
 std::string packDataSet(DataSet data)
 {
   Packer packer;
@@ -217,7 +216,6 @@ std::string packDataSet(DataSet data)
   return std::move(packer.Bytes);
 }
 
-//------------------------------------------------------------------------------
 DataSet unpackDataSet(std::string_view bytes)
 {
   Unpacker unpacker{ bytes };

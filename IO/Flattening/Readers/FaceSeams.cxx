@@ -172,7 +172,6 @@ const char* wordOf(SeamSource source)
 }
 }
 
-//------------------------------------------------------------------------------
 std::vector<std::string> pieceNames(const FaceLabels& labels)
 {
   const std::vector<std::size_t>& used = differs(labels.objects) ? labels.objects : labels.groups;
@@ -187,7 +186,6 @@ std::vector<std::string> pieceNames(const FaceLabels& labels)
   return names;
 }
 
-//------------------------------------------------------------------------------
 DataSet seamsOf(const DataSet& surface, const FaceLabels& labels, SeamSource source)
 {
   checkLabels(labels, source);

@@ -210,7 +210,6 @@ bool unframe(std::string& bytes)
 }
 }
 
-//------------------------------------------------------------------------------
 void dieWithParent(int parent)
 {
 #ifdef __linux__
@@ -222,13 +221,11 @@ void dieWithParent(int parent)
   }
 }
 
-//------------------------------------------------------------------------------
 std::string noProcess(int error)
 {
   return "cannot make a process " + systemReason(error, "close other programs");
 }
 
-//------------------------------------------------------------------------------
 ProcessAnswer runGuarded(const ProcessLimits& limits, const std::string& program,
   const std::vector<std::string>& arguments)
 {
@@ -253,7 +250,6 @@ ProcessAnswer runGuarded(const ProcessLimits& limits, const std::string& program
   return answer;
 }
 
-//------------------------------------------------------------------------------
 std::string helperProgram(const std::string& name)
 {
   namespace fs = std::filesystem;
@@ -268,7 +264,6 @@ std::string helperProgram(const std::string& name)
                                    : (folder / FLATTENING_HELPERS / name).string();
 }
 
-//------------------------------------------------------------------------------
 int answerGuarded(
   int argc, char** argv, const std::function<std::string(const std::vector<std::string>&)>& job)
 {

@@ -89,7 +89,6 @@ flattening::Indices sidesOf(const TriangleList& list)
 }
 }
 
-//------------------------------------------------------------------------------
 std::string takeOuterSide(TriangleList& list)
 {
   const std::size_t count = list.triangles.size();

@@ -19,7 +19,6 @@ bool isPlain(std::uint32_t code)
 }
 }
 
-//------------------------------------------------------------------------------
 std::string plainText(std::string_view text)
 {
   std::string plain;

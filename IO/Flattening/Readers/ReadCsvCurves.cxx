@@ -226,7 +226,6 @@ struct CsvReader
 };
 }
 
-//------------------------------------------------------------------------------
 DataSet readCsvCurves(const std::string& path, const DataSet& surface)
 {
   const std::string text = readWholeFile(path);

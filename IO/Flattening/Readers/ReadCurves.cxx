@@ -148,7 +148,6 @@ DataSet readObjCurves(const std::string& path)
 }
 }
 
-//------------------------------------------------------------------------------
 CurveContents readCurves(const std::string& path, const DataSet& surface)
 {
   const std::string extension = lowerCaseExtension(path);

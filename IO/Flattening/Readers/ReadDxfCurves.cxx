@@ -620,7 +620,6 @@ struct DxfReader
 };
 }
 
-//------------------------------------------------------------------------------
 CurveContents readDxfCurves(const std::string& path)
 {
   const std::string text = readWholeFile(path);

@@ -102,7 +102,6 @@ struct ObjReader
 };
 }
 
-//------------------------------------------------------------------------------
 SurfaceContents readObj(const std::string& path)
 {
   const std::string text = readWholeFile(path);

@@ -112,7 +112,6 @@ struct OffReader
 };
 }
 
-//------------------------------------------------------------------------------
 DataSet readOff(const std::string& path)
 {
   const std::string text = readWholeFile(path);

@@ -180,7 +180,6 @@ std::int64_t idOf(double value)
   return valid ? static_cast<std::int64_t>(value) : -1;
 }
 
-//------------------------------------------------------------------------------
 /// Reads what is behind the header.
 class PlyReader
 {
@@ -403,7 +402,6 @@ private:
 };
 }
 
-//------------------------------------------------------------------------------
 DataSet readPly(const std::string& path)
 {
   const std::string bytes = readWholeFile(path);

@@ -135,7 +135,6 @@ void readText(const std::string& path, std::string_view bytes, Soup& soup)
 }
 }
 
-//------------------------------------------------------------------------------
 DataSet readStl(const std::string& path)
 {
   const std::string bytes = readWholeFile(path);

@@ -12,7 +12,6 @@
 
 namespace wirewarp
 {
-//------------------------------------------------------------------------------
 SurfaceContents readSurface(const std::string& path)
 {
   const std::string extension = lowerCaseExtension(path);

@@ -54,7 +54,6 @@ std::string failure(const ProcessAnswer& answer, const ProcessLimits& limits)
 }
 }
 
-//------------------------------------------------------------------------------
 DataSet readVtk(const std::string& path)
 {
   const ProcessLimits limits = limitsFor(checkedFileSize(path));

@@ -165,7 +165,6 @@ bool isSoup(const TriangleList& list)
 }
 }
 
-//------------------------------------------------------------------------------
 MendedSurface mendSurface(const DataSet& surface, const MendingRequest& request)
 {
   MendedSurface mended{ surface, {} };

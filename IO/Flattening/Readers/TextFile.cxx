@@ -27,7 +27,6 @@ bool isBlank(char c)
 }
 }
 
-//------------------------------------------------------------------------------
 std::size_t checkedFileSize(const std::string& path)
 {
   std::error_code error;
@@ -68,7 +67,6 @@ std::size_t checkedFileSize(const std::string& path)
   return static_cast<std::size_t>(size);
 }
 
-//------------------------------------------------------------------------------
 std::string systemReason(int error, const std::string& remedy)
 {
   const bool files = error == EMFILE || error == ENFILE;
@@ -79,7 +77,6 @@ std::string systemReason(int error, const std::string& remedy)
                           : remedy);
 }
 
-//------------------------------------------------------------------------------
 std::string readWholeFile(const std::string& path)
 {
   std::string bytes(checkedFileSize(path), '\0');
@@ -91,13 +88,11 @@ std::string readWholeFile(const std::string& path)
   return bytes;
 }
 
-//------------------------------------------------------------------------------
 std::string lowerCaseExtension(const std::string& path)
 {
   return lowered(std::filesystem::u8path(path).extension().string());
 }
 
-//------------------------------------------------------------------------------
 std::string_view trimmed(std::string_view text)
 {
   constexpr std::string_view blanks = " \t";
@@ -105,7 +100,6 @@ std::string_view trimmed(std::string_view text)
   return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
 }
 
-//------------------------------------------------------------------------------
 std::string lowered(std::string_view text)
 {
   std::string lower(text);
@@ -114,7 +108,6 @@ std::string lowered(std::string_view text)
   return lower;
 }
 
-//------------------------------------------------------------------------------
 LineReader::LineReader(std::string path, std::string_view text, bool joins)
   : Path(std::move(path))
   , Rest(text)
@@ -127,13 +120,11 @@ LineReader::LineReader(std::string path, std::string_view text, bool joins)
   }
 }
 
-//------------------------------------------------------------------------------
 void LineReader::refuse(const std::string& text) const
 {
   throw InputError(this->Path, this->Number, text);
 }
 
-//------------------------------------------------------------------------------
 bool LineReader::nextPhysical(std::string_view& line)
 {
   if (this->Rest.empty())
@@ -151,7 +142,6 @@ bool LineReader::nextPhysical(std::string_view& line)
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool LineReader::next(std::string& line)
 {
   std::string_view part;
@@ -173,7 +163,6 @@ bool LineReader::next(std::string& line)
   return true;
 }
 
-//------------------------------------------------------------------------------
 void FilePoints::add(const flattening::Point3& point, std::size_t line)
 {
   if (line > 0 && !point.allFinite())
@@ -183,7 +172,6 @@ void FilePoints::add(const flattening::Point3& point, std::size_t line)
   this->Points.push_back(point);
 }
 
-//------------------------------------------------------------------------------
 flattening::Point3 takePoint(std::string_view& rest, const LineReader& lines)
 {
   flattening::Point3 point;
@@ -202,7 +190,6 @@ flattening::Point3 takePoint(std::string_view& rest, const LineReader& lines)
   return point;
 }
 
-//------------------------------------------------------------------------------
 void FilePoints::check(const std::string& path, std::int64_t id) const
 {
   const auto found = this->Invalid.find(id);
@@ -213,13 +200,11 @@ void FilePoints::check(const std::string& path, std::int64_t id) const
   }
 }
 
-//------------------------------------------------------------------------------
 std::shared_ptr<const flattening::Points3> FilePoints::share()
 {
   return std::make_shared<const flattening::Points3>(std::move(this->Points));
 }
 
-//------------------------------------------------------------------------------
 std::string_view takeWord(std::string_view& text)
 {
   std::size_t begin = 0;
@@ -237,7 +222,6 @@ std::string_view takeWord(std::string_view& text)
   return word;
 }
 
-//------------------------------------------------------------------------------
 std::optional<std::string> takeQuoted(std::string_view& text)
 {
   std::string field;
@@ -260,7 +244,6 @@ std::optional<std::string> takeQuoted(std::string_view& text)
   }
 }
 
-//------------------------------------------------------------------------------
 std::optional<std::string> takeName(std::string_view& text)
 {
   std::string_view rest = text;
@@ -274,7 +257,6 @@ std::optional<std::string> takeName(std::string_view& text)
   return takeQuoted(text);
 }
 
-//------------------------------------------------------------------------------
 bool parseNumber(std::string_view word, double& value)
 {
   if (word.size() > 1 && word.front() == '+')
@@ -300,7 +282,6 @@ bool parseNumber(std::string_view word, double& value)
 #endif
 }
 
-//------------------------------------------------------------------------------
 bool parseInteger(std::string_view word, long long& value)
 {
   const char* const end = word.data() + word.size();
@@ -308,7 +289,6 @@ bool parseInteger(std::string_view word, long long& value)
   return result.ec == std::errc() && result.ptr == end;
 }
 
-//------------------------------------------------------------------------------
 std::string inQuotes(std::string_view word)
 {
   const std::size_t most = 40;

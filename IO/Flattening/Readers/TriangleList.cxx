@@ -8,7 +8,6 @@
 
 namespace wirewarp
 {
-//------------------------------------------------------------------------------
 TriangleList listTriangles(const DataSet& surface)
 {
   TriangleList list;
@@ -31,7 +30,6 @@ TriangleList listTriangles(const DataSet& surface)
   return list;
 }
 
-//------------------------------------------------------------------------------
 Eigen::AlignedBox3d boxOf(const TriangleList& list)
 {
   Eigen::AlignedBox3d box;
@@ -45,7 +43,6 @@ Eigen::AlignedBox3d boxOf(const TriangleList& list)
   return box;
 }
 
-//------------------------------------------------------------------------------
 Eigen::AlignedBox3d boxOf(const Points3& points)
 {
   Eigen::AlignedBox3d box;
@@ -56,7 +53,6 @@ Eigen::AlignedBox3d boxOf(const Points3& points)
   return box;
 }
 
-//------------------------------------------------------------------------------
 DataSet withTriangles(const DataSet& surface, const TriangleList& list)
 {
   DataSet result = surface;

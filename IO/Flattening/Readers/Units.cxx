@@ -29,14 +29,12 @@ std::string_view takeLetters(std::string_view& text)
 }
 }
 
-//------------------------------------------------------------------------------
 std::string unitNamed(std::string_view word)
 {
   const flattening::Unit unit = flattening::unitNamed(std::string(word));
   return unit == flattening::Unit::Unspecified ? std::string() : flattening::unitName(unit);
 }
 
-//------------------------------------------------------------------------------
 std::string unitInComment(std::string_view comment)
 {
   const std::string lower = lowered(comment);
@@ -51,13 +49,11 @@ std::string unitInComment(std::string_view comment)
   return "";
 }
 
-//------------------------------------------------------------------------------
 double millimetresOf(const std::string& unit)
 {
   return flattening::millimetresPer(flattening::unitNamed(unit));
 }
 
-//------------------------------------------------------------------------------
 bool parseLength(std::string_view text, Length& length)
 {
   const std::size_t end = std::min(text.find_first_not_of("+-.0123456789eE"), text.size());
@@ -66,7 +62,6 @@ bool parseLength(std::string_view text, Length& length)
     (end == text.size() || !length.unit.empty());
 }
 
-//------------------------------------------------------------------------------
 std::string unitOf(const DataSet& data)
 {
   const flattening::Column* const stated = flattening::findColumn(data.fieldArrays, "LengthUnit");
@@ -74,7 +69,6 @@ std::string unitOf(const DataSet& data)
                                                           : std::string();
 }
 
-//------------------------------------------------------------------------------
 void setUnit(DataSet& data, const std::string& unit)
 {
   data.fieldArrays.erase(
@@ -88,7 +82,6 @@ void setUnit(DataSet& data, const std::string& unit)
   }
 }
 
-//------------------------------------------------------------------------------
 LikelyUnit likelyUnit(const DataSet& surface)
 {
   constexpr double usual = 800.0; // mm
@@ -112,7 +105,7 @@ LikelyUnit likelyUnit(const DataSet& surface)
   }
   return likely;
 }
-//------------------------------------------------------------------------------
+
 std::string describe(const LikelyUnit& taken)
 {
   std::ostringstream text;

@@ -39,7 +39,6 @@ std::string strip(const std::string& message)
 }
 }
 
-//------------------------------------------------------------------------------
 /// One for all, and never taken back: another thread may be about to use it.
 class VtkMessages::Window : public vtkOutputWindow
 {
@@ -110,7 +109,6 @@ private:
 };
 vtkStandardNewMacro(VtkMessages::Window);
 
-//------------------------------------------------------------------------------
 VtkMessages::VtkMessages()
 {
   this->Verbosity = vtkLogger::GetCurrentVerbosityCutoff();
@@ -133,7 +131,6 @@ void VtkMessages::add(std::vector<std::string>& list, const char* text)
   }
 }
 
-//------------------------------------------------------------------------------
 unsigned long codeOf(const std::string& path, const std::string& failure, vtkObject* reader)
 {
   if (failure.empty())

@@ -291,7 +291,6 @@ private:
 };
 }
 
-//------------------------------------------------------------------------------
 void placeTexts(const Segments& boundary, const std::vector<JoinSide>& joins, PatternPiece& piece)
 {
   placeTitle(boundary, piece);
@@ -303,7 +302,6 @@ void placeTexts(const Segments& boundary, const std::vector<JoinSide>& joins, Pa
   placeCurveNames(boundary, piece);
 }
 
-//------------------------------------------------------------------------------
 void placeCurveNames(const Segments& boundary, PatternPiece& piece)
 {
   NamePlacer placer(boundary, piece);
