@@ -39,57 +39,44 @@ std::string_view withoutComment(std::string_view line)
   return line;
 }
 
-/// A point of a curve in text: a vertex of the surface by its id, or x,y,z.
-struct TextPoint
+/// A vertex of the surface by its id.
+std::int64_t vertexOf(
+  std::string_view word, const DataSet& surface, const std::string& curve, const LineReader& lines)
 {
-  const LineReader& lines;
-  const DataSet& surface;
-  CurveBuilder& builder;
-  const std::string& curve;
-  bool isEdge;
-
-  std::int64_t operator()(std::string_view word) const
+  long long id = 0;
+  if (!parseInteger(word, id))
   {
-    if (word.find(',') != std::string_view::npos)
-    {
-      return this->isEdge ? this->builder.borderVertex(this->placeOf(word), this->curve)
-                          : this->builder.newPoint(this->placeOf(word));
-    }
-    long long id = 0;
-    if (!parseInteger(word, id))
-    {
-      this->lines.refuse(inQuotes(word) +
-        " is not a vertex id; write TYPE NAME v0 v1 ... with whole numbers, or points as x,y,z");
-    }
-    const auto count = static_cast<long long>(this->surface.points->size());
-    if (id < 0 || id >= count)
-    {
-      this->lines.refuse("curve " + inQuotes(this->curve) + ": vertex id " + std::to_string(id) +
-        " is out of range; the surface has " + std::to_string(count) +
-        " vertices and ids count from 0");
-    }
-    return id;
+    lines.refuse(inQuotes(word) +
+      " is not a vertex id; write TYPE NAME v0 v1 ... with whole numbers, or points as x,y,z");
   }
-
-private:
-  Point3 placeOf(std::string_view word) const
+  const auto count = static_cast<long long>(surface.points->size());
+  if (id < 0 || id >= count)
   {
-    Point3 place = Point3::Zero();
-    std::string_view rest = word;
-    bool read = true;
-    for (Eigen::Index k = 0; k < 3 && read; ++k)
-    {
-      const std::size_t comma = rest.find(',');
-      read = parseNumber(rest.substr(0, comma), place[k]) && (comma == rest.npos) == (k == 2);
-      rest.remove_prefix(std::min(rest.size(), comma == rest.npos ? rest.size() : comma + 1));
-    }
-    if (!read)
-    {
-      this->lines.refuse(inQuotes(word) + " is not a point; write x,y,z without blanks");
-    }
-    return place;
+    lines.refuse("curve " + inQuotes(curve) + ": vertex id " + std::to_string(id) +
+      " is out of range; the surface has " + std::to_string(count) +
+      " vertices and ids count from 0");
   }
-};
+  return id;
+}
+
+/// A point as x,y,z.
+Point3 placeOf(std::string_view word, const LineReader& lines)
+{
+  Point3 place = Point3::Zero();
+  std::string_view rest = word;
+  bool read = true;
+  for (Eigen::Index k = 0; k < 3 && read; ++k)
+  {
+    const std::size_t comma = rest.find(',');
+    read = parseNumber(rest.substr(0, comma), place[k]) && (comma == rest.npos) == (k == 2);
+    rest.remove_prefix(std::min(rest.size(), comma == rest.npos ? rest.size() : comma + 1));
+  }
+  if (!read)
+  {
+    lines.refuse(inQuotes(word) + " is not a point; write x,y,z without blanks");
+  }
+  return place;
+}
 
 DataSet readCurveText(const std::string& path, const DataSet& surface)
 {
@@ -121,11 +108,12 @@ DataSet readCurveText(const std::string& path, const DataSet& surface)
       builder.addWords(title, row.isEdge, rest);
       continue;
     }
-    const TextPoint idOf{ lines, surface, builder, *name, row.isEdge };
     std::vector<std::int64_t> ids;
     for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest))
     {
-      ids.push_back(idOf(word));
+      ids.push_back(word.find(',') == std::string_view::npos ? vertexOf(word, surface, *name, lines)
+          : row.isEdge ? builder.borderVertex(placeOf(word, lines), *name)
+                       : builder.newPoint(placeOf(word, lines)));
     }
     if (ids.size() < 2)
     {

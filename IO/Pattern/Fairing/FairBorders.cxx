@@ -347,6 +347,13 @@ double FairBorders::placeAt(std::size_t c, double length) const
 void FairBorders::report(const DrawingSource& all, const FairFit& fit)
 {
   this->Reports.assign(all.loops.size(), {});
+  const auto addLeft = [&](const BorderChain& chain, std::size_t point, double needed,
+                         double tolerance) {
+    FairPieceReport& report = this->Reports[chain.piece];
+    report.wantedOfWorst = needed > report.worstLeft ? tolerance : report.wantedOfWorst;
+    report.worstLeft = std::max(report.worstLeft, needed);
+    report.left.push_back(chain.nameOf(all, point));
+  };
   for (std::size_t c = 0; c < this->plan().size(); ++c)
   {
     const BorderChain& chain = this->Chains.chains()[c];
@@ -357,10 +364,8 @@ void FairBorders::report(const DrawingSource& all, const FairFit& fit)
     {
       if (chain.bends[k] > 0.0)
       {
-        const double tolerance = all.fairToleranceAlong(chain.point(k), chain.point(k + 1));
-        report.wantedOfWorst = chain.bends[k] > report.worstLeft ? tolerance : report.wantedOfWorst;
-        report.worstLeft = std::max(report.worstLeft, chain.bends[k]);
-        report.left.push_back(chain.nameOf(all, k));
+        addLeft(
+          chain, k, chain.bends[k], all.fairToleranceAlong(chain.point(k), chain.point(k + 1)));
       }
     }
     for (const PlannedStretch& stretch : this->plan()[c].stretches)
@@ -372,6 +377,7 @@ void FairBorders::report(const DrawingSource& all, const FairFit& fit)
                                                                : 0;
       report.straightened +=
         stretch.form == StretchForm::Straight && stretch.bend > inexact * length ? 1 : 0;
+      report.lengthChange = std::max(report.lengthChange, lengthChange(this->plan()[c], stretch));
     }
   }
   Points2 before;
@@ -381,10 +387,7 @@ void FairBorders::report(const DrawingSource& all, const FairFit& fit)
   }
   for (const LeftStretch& left : fit.left)
   {
-    FairPieceReport& report = this->Reports[this->Chains.chains()[left.chain].piece];
-    report.wantedOfWorst = left.needed > report.worstLeft ? left.tolerance : report.wantedOfWorst;
-    report.worstLeft = std::max(report.worstLeft, left.needed);
-    report.left.push_back(this->Chains.chains()[left.chain].nameOf(all, left.firstPoint));
+    addLeft(this->Chains.chains()[left.chain], left.firstPoint, left.needed, left.tolerance);
   }
   for (std::size_t p = 0; p < this->Reports.size(); ++p)
   {
@@ -402,15 +405,6 @@ void FairBorders::report(const DrawingSource& all, const FairFit& fit)
 void FairBorders::reportMirror(const FairFit& fit, std::size_t piece)
 {
   FairPieceReport& report = this->Reports[piece];
-  for (std::size_t c = 0; c < this->plan().size(); ++c)
-  {
-    for (const PlannedStretch& stretch : this->plan()[c].stretches)
-    {
-      const double change = lengthChange(this->plan()[c], stretch);
-      const bool isOwn = this->Chains.chains()[c].piece == piece;
-      report.lengthChange = isOwn ? std::max(report.lengthChange, change) : report.lengthChange;
-    }
-  }
   const OutlineMirror& mirror = fit.mirrors[piece];
   report.whyNotMirrored = mirror.why.empty() ? this->WhyNotMirrored[piece] : mirror.why;
   if (mirror.found())

@@ -386,6 +386,13 @@ private:
     this->addPointMarks(line);
   }
 
+  /// \param in, out the ways to the point and from it
+  void addPointMark(const Point2& at, const Point2& in, const Point2& out, bool isEnd)
+  {
+    const bool turns = isEnd || std::abs(std::atan2(cross(in, out), in.dot(out))) > turnAngle;
+    this->addMark(turns ? dxf::turnPoints : dxf::curvePoints, at);
+  }
+
   /// Turn points and curve points, the two kinds of vertices that pattern systems tell apart.
   /// Of a smooth line only what its curves hang on.
   void addPointMarks(const PatternLine& line)
@@ -398,15 +405,9 @@ private:
     const std::size_t count = line.points.size();
     for (std::size_t k = 0; k < count; ++k)
     {
-      bool turn = !line.closed && (k == 0 || k + 1 == count);
-      if (!turn)
-      {
-        const Point2 before = line.points[k] - line.points[(k + count - 1) % count];
-        const Point2 after = line.points[(k + 1) % count] - line.points[k];
-        const double sine = cross(before, after);
-        turn = std::abs(std::atan2(sine, before.dot(after))) > turnAngle;
-      }
-      this->addMark(turn ? dxf::turnPoints : dxf::curvePoints, line.points[k]);
+      const bool isEnd = !line.closed && (k == 0 || k + 1 == count);
+      this->addPointMark(line.points[k], line.points[k] - line.points[(k + count - 1) % count],
+        line.points[(k + 1) % count] - line.points[k], isEnd);
     }
   }
 
@@ -417,10 +418,8 @@ private:
       const bool isEnd = k == 0 && !line.closed;
       const FairSpan& after = line.curve[k];
       const FairSpan& before = line.curve[(k + line.curve.size() - 1) % line.curve.size()];
-      const Point2 in = before.control[3] - before.control[2];
-      const Point2 out = after.control[1] - after.control[0];
-      const bool turn = isEnd || std::abs(std::atan2(cross(in, out), in.dot(out))) > turnAngle;
-      this->addMark(turn ? dxf::turnPoints : dxf::curvePoints, after.control[0]);
+      this->addPointMark(after.control[0], before.control[3] - before.control[2],
+        after.control[1] - after.control[0], isEnd);
     }
     if (!line.closed)
     {

@@ -90,7 +90,6 @@ bool triangulatePolygon(const Points2& polygon, Triangles& triangles, std::size_
 
 constexpr double chordDistance = 0.1 * sampleDistance; // centimetres per millimetre
 
-/// Makes the pieces of one garment.
 class PieceMaking
 {
 public:

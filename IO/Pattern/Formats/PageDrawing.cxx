@@ -22,7 +22,6 @@ constexpr std::array<double, 3> blackInk{ 0.0, 0.0, 0.0 };
 constexpr std::array<double, 3> grey{ 0.6, 0.6, 0.6 };
 constexpr std::array<double, 3> cyan{ 0.0, 0.55, 0.75 };
 
-/// Draws the pages of one pattern.
 class PageDrawing
 {
 public:

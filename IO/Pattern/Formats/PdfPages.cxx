@@ -65,7 +65,6 @@ void markSegment(const PagePlan& plan, const Point2& from, const Point2& to, Pag
   }
 }
 
-/// The pages that show the legend.
 PageMarks pagesOfLegend(const PagePlan& plan)
 {
   PageMarks marks(markOf(plan, plan.rows, 0), 0);

@@ -33,7 +33,6 @@ cairo_status_t append(void* closure, const unsigned char* data, unsigned int len
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// Pages of a PDF, by cairo.
 class CairoCanvas final : public PageCanvas
 {
 public:
