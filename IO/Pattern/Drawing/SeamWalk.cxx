@@ -102,136 +102,93 @@ private:
   std::vector<ClothOutline> Cloths; ///< by piece
 };
 
-class SeamWalker
+/// The angle of the cloth around each point of a drawing, radians.
+std::vector<double> drawnAngles(const PatternSource& source, const DrawnBorders& drawn)
 {
-public:
-  /// The source and what is drawn of it stay the caller's.
-  SeamWalker(const DrawingSource& all, std::vector<WalkInterval>& walk)
-    : All(all)
-    , Source(all.source)
-    , Scale(all.scale())
-    , Drawn(all)
-    , Angle(Drawn.widening())
-    , Walk(walk)
+  std::vector<double> angles = drawn.widening();
+  for (const Triangle& corners : source.triangles)
   {
-    const PatternSource& source = all.source;
-    for (std::size_t t = 0; t < source.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      const Triangle& corners = source.triangles[t];
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        const Index v = corners[k];
-        const Index next = corners[(k + 1) % 3];
-        const Point2 a = source.positions[next] - source.positions[v];
-        const Point2 b = source.positions[corners[(k + 2) % 3]] - source.positions[v];
-        this->Angle[v] += std::abs(std::atan2(cross(a, b), a.dot(b)));
-      }
+      const Index v = corners[k];
+      const Point2 a = source.positions[corners[(k + 1) % 3]] - source.positions[v];
+      const Point2 b = source.positions[corners[(k + 2) % 3]] - source.positions[v];
+      angles[v] += std::abs(std::atan2(cross(a, b), a.dot(b)));
     }
   }
+  return angles;
+}
+}
 
-  Status walk(const Join& join)
+Status walkSeams(const DrawingSource& all, std::vector<WalkInterval>& walk)
+{
+  walk.clear();
+  const PatternSource& source = all.source;
+  const DrawnBorders drawn(all);
+  const std::vector<double> angles = drawnAngles(source, drawn);
+  const auto angleAt = [&angles](const std::array<Side, 2>& sides, std::size_t end) {
+    const Index a = sides[0][end];
+    const Index b = sides[1][end];
+    return degreesPerRadian * (angles[a] + (a == b ? 0.0 : angles[b]));
+  };
+  const auto start = [&](const Join& join, int number, double from, double angle) {
+    WalkInterval& interval = walk.emplace_back();
+    interval.join = join.mark;
+    interval.bend = join.bend;
+    interval.thickness = all.options.thickness;
+    interval.curve = source.wires[join.wire].name;
+    interval.type = source.wires[join.wire].type;
+    interval.piece = join.piece;
+    interval.number = number;
+    interval.from = interval.to = all.scale() * from;
+    interval.angleSum = { angle, angle };
+  };
+  const auto add = [&](const std::array<Side, 2>& sides, double from, double to) {
+    WalkInterval& interval = walk.back();
+    for (std::size_t s = 0; s < 2; ++s)
+    {
+      interval.length[s] += drawn.length(interval.piece[s], sides[s], from, to);
+    }
+  };
+  const auto finish = [&](double to, double angle) {
+    walk.back().to = all.scale() * to;
+    walk.back().angleSum[1] = angle;
+  };
+  std::size_t wireOfLast = source.wires.size(); // of the interval
+  for (const Join& join : all.joins)
   {
-    const SourceWire& wire = this->Source.wires[join.wire];
-    const std::vector<double> arc = arcsOnSurface(this->Source, wire.points);
+    const std::vector<double> arc = arcsOnSurface(source, source.wires[join.wire].points);
     std::vector<double> stops;
-    Status status = stationsOf(
-      this->Source, join.wire, arc.back(), this->All.joins, this->All.options, this->Scale, stops);
+    Status status =
+      stationsOf(source, join.wire, arc.back(), all.joins, all.options, all.scale(), stops);
     if (!status.ok())
     {
       return status;
     }
     stops.push_back(arc.back());
     auto stop = std::upper_bound(stops.begin(), std::prev(stops.end()), join.from);
-    int number = 1;
-    if (!this->Walk.empty() && this->WireOfLast == join.wire)
-    {
-      number = this->Walk.back().number + 1;
-    }
-    this->WireOfLast = join.wire;
+    int number = wireOfLast == join.wire ? walk.back().number + 1 : 1;
+    wireOfLast = join.wire;
     for (std::size_t e = 0; e + 1 < join.points[0].size(); ++e)
     {
       const std::array<Side, 2> sides{ Side{ join.points[0][e], join.points[0][e + 1] },
         Side{ join.points[1][e], join.points[1][e + 1] } };
       if (e == 0)
       {
-        this->start(join, number, join.from, this->angleAt(sides, 0));
+        start(join, number, join.from, angleAt(sides, 0));
       }
       double at = arc[join.firstEdge + e];
       const double begin = at;
       const double end = arc[join.firstEdge + e + 1];
       for (; *stop < end; ++stop)
       {
-        this->add(sides, (at - begin) / (end - begin), (*stop - begin) / (end - begin));
+        add(sides, (at - begin) / (end - begin), (*stop - begin) / (end - begin));
         at = *stop;
-        this->end(at, withinEdge);
-        this->start(join, ++number, at, withinEdge);
+        finish(at, withinEdge);
+        start(join, ++number, at, withinEdge);
       }
-      this->add(sides, (at - begin) / (end - begin), 1.0);
-      this->end(end, this->angleAt(sides, 1));
-    }
-    return {};
-  }
-
-private:
-  double angleAt(const std::array<Side, 2>& sides, std::size_t end) const
-  {
-    const Index a = sides[0][end];
-    const Index b = sides[1][end];
-    return degreesPerRadian * (this->Angle[a] + (a == b ? 0.0 : this->Angle[b]));
-  }
-
-  void start(const Join& join, int number, double from, double angle)
-  {
-    const SourceWire& wire = this->Source.wires[join.wire];
-    WalkInterval interval;
-    interval.join = join.mark;
-    interval.bend = join.bend;
-    interval.thickness = this->All.options.thickness;
-    interval.curve = wire.name;
-    interval.type = wire.type;
-    interval.piece = join.piece;
-    interval.number = number;
-    interval.from = interval.to = this->Scale * from;
-    interval.angleSum = { angle, angle };
-    this->Walk.push_back(std::move(interval));
-  }
-
-  void add(const std::array<Side, 2>& sides, double from, double to)
-  {
-    WalkInterval& interval = this->Walk.back();
-    for (std::size_t s = 0; s < 2; ++s)
-    {
-      interval.length[s] += this->Drawn.length(interval.piece[s], sides[s], from, to);
-    }
-  }
-
-  void end(double to, double angle)
-  {
-    this->Walk.back().to = this->Scale * to;
-    this->Walk.back().angleSum[1] = angle;
-  }
-
-  const DrawingSource& All;
-  const PatternSource& Source;
-  const double Scale;
-  const DrawnBorders Drawn;
-  std::vector<double> Angle;  ///< of the cloth around each point
-  std::size_t WireOfLast = 0; ///< of the interval
-  std::vector<WalkInterval>& Walk;
-};
-
-}
-
-Status walkSeams(const DrawingSource& all, std::vector<WalkInterval>& walk)
-{
-  walk.clear();
-  SeamWalker walker(all, walk);
-  for (const Join& join : all.joins)
-  {
-    Status status = walker.walk(join);
-    if (!status.ok())
-    {
-      return status;
+      add(sides, (at - begin) / (end - begin), 1.0);
+      finish(end, angleAt(sides, 1));
     }
   }
   return {};

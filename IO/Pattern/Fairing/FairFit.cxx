@@ -221,6 +221,11 @@ public:
     , Chains(chains)
   {
     const std::size_t pieces = all.loops.size();
+    this->ChainsOf.resize(pieces);
+    for (std::size_t c = 0; c < chains.chains().size(); ++c)
+    {
+      this->ChainsOf[chains.chains()[c].piece].push_back(c);
+    }
     this->Fit.plan = planFairBorders(all, chains, limits.shares);
     this->Fit.spans.resize(this->Fit.plan.size());
     this->Deviation.resize(this->Fit.plan.size());
@@ -233,10 +238,10 @@ public:
       mirrorPlan(this->Fit.mirrors.back(), this->Fit.plan);
       double length = 0.0;
       std::size_t edges = 0;
-      for (const BorderChain& chain : chains.chains())
+      for (const std::size_t c : this->ChainsOf[p])
       {
-        length += chain.piece == p ? chain.length() : 0.0;
-        edges += chain.piece == p ? chain.edges() : 0;
+        length += chains.chains()[c].length();
+        edges += chains.chains()[c].edges();
       }
       this->Wave.push_back(length / static_cast<double>(std::max<std::size_t>(edges, 1)));
     }
@@ -258,11 +263,11 @@ public:
       this->fitPiece(p);
       this->placeIntervals(p);
       double& most = this->Fit.deviation.emplace_back(0.0);
-      for (std::size_t c = 0; c < this->Deviation.size(); ++c)
+      for (const std::size_t c : this->ChainsOf[p])
       {
-        for (std::size_t k = 0; this->isOf(c, p) && k < this->Deviation[c].size(); ++k)
+        for (const double off : this->Deviation[c])
         {
-          most = std::max(most, this->Deviation[c][k]);
+          most = std::max(most, off);
         }
       }
     }
@@ -272,27 +277,23 @@ public:
 private:
   bool beginsAs(const FairFit& before, std::size_t piece) const
   {
-    bool alike = !before.start.empty() &&
-      before.mirrors[piece].stretches.size() == this->Fit.mirrors[piece].stretches.size();
-    for (std::size_t c = 0; alike && c < this->Fit.start.size(); ++c)
-    {
-      alike = !this->isOf(c, piece) || samePlan(this->Fit.start[c], before.start[c]);
-    }
-    return alike;
+    const std::vector<std::size_t>& own = this->ChainsOf[piece];
+    return !before.start.empty() &&
+      before.mirrors[piece].stretches.size() == this->Fit.mirrors[piece].stretches.size() &&
+      std::all_of(own.begin(), own.end(),
+        [&](std::size_t c) { return samePlan(this->Fit.start[c], before.start[c]); });
   }
 
   void takePiece(const FairFit& before, std::size_t piece)
   {
-    for (std::size_t c = 0; c < this->Fit.plan.size(); ++c)
+    for (const std::size_t c : this->ChainsOf[piece])
     {
-      if (this->isOf(c, piece))
-      {
-        this->Fit.plan[c] = before.plan[c];
-        this->Fit.spans[c] = before.spans[c];
-      }
+      this->Fit.plan[c] = before.plan[c];
+      this->Fit.spans[c] = before.spans[c];
     }
     std::copy_if(before.left.begin(), before.left.end(), std::back_inserter(this->Fit.left),
-      [this, piece](const LeftStretch& left) { return this->isOf(left.chain, piece); });
+      [this, piece](
+        const LeftStretch& left) { return this->Chains.chains()[left.chain].piece == piece; });
     this->Fit.solved[piece] = before.solved[piece];
     this->Fit.unmirrored[piece] = before.unmirrored[piece];
     this->Fit.deviation.push_back(before.deviation[piece]);
@@ -381,13 +382,9 @@ private:
   void leaveAll(std::size_t piece)
   {
     this->Fit.solved[piece] = false;
-    for (std::size_t c = 0; c < this->Fit.plan.size(); ++c)
+    for (const std::size_t c : this->ChainsOf[piece])
     {
       const BorderChain& chain = this->Chains.chains()[c];
-      if (chain.piece != piece)
-      {
-        continue;
-      }
       for (PlannedStretch& stretch : this->Fit.plan[c].stretches)
       {
         stretch.form = StretchForm::Raw;
@@ -532,18 +529,13 @@ private:
     }
   }
 
-  bool isOf(std::size_t chain, std::size_t piece) const
-  {
-    return this->Chains.chains()[chain].piece == piece;
-  }
-
   /// All stretches of a piece that do not stay as they were.
   std::vector<StretchPlace> smoothPlaces(std::size_t piece) const
   {
     std::vector<StretchPlace> places;
-    for (std::size_t c = 0; c < this->Fit.plan.size(); ++c)
+    for (const std::size_t c : this->ChainsOf[piece])
     {
-      for (std::size_t s = 0; this->isOf(c, piece) && s < this->Fit.plan[c].stretches.size(); ++s)
+      for (std::size_t s = 0; s < this->Fit.plan[c].stretches.size(); ++s)
       {
         if (this->Fit.plan[c].stretches[s].form != StretchForm::Raw)
         {
@@ -599,15 +591,16 @@ private:
   {
     const PieceNetwork network = this->networkOf(piece);
     const FairCurves curves = solveFairNetwork(network.network(), this->Wave[piece]);
-    for (std::size_t c = 0; curves.converged && c < this->Fit.plan.size(); ++c)
+    if (!curves.converged)
     {
-      if (this->isOf(c, piece))
-      {
-        this->Fit.spans[c].clear();
-        this->Deviation[c].assign(this->Chains.chains()[c].arc.size(), 0.0);
-      }
+      return false;
     }
-    for (std::size_t s = 0; curves.converged && s < network.origins().size(); ++s)
+    for (const std::size_t c : this->ChainsOf[piece])
+    {
+      this->Fit.spans[c].clear();
+      this->Deviation[c].assign(this->Chains.chains()[c].arc.size(), 0.0);
+    }
+    for (std::size_t s = 0; s < network.origins().size(); ++s)
     {
       const StretchOrigin& origin = network.origins()[s];
       for (FairSpan span : curves.spans[s])
@@ -622,7 +615,7 @@ private:
         off = std::max(off, curves.deviation[s][k]);
       }
     }
-    return curves.converged;
+    return true;
   }
 
   /// The same with more weight on what is too far from its curve.
@@ -684,6 +677,7 @@ private:
 
   const DrawingSource& All;
   const BorderChains& Chains;
+  std::vector<std::vector<std::size_t>> ChainsOf; ///< by piece
   FairFit Fit;
   std::vector<std::vector<double>> Deviation; ///< of each point of each chain, millimetres
   std::vector<double> Wave; ///< by piece the longest wave that is smoothed away, millimetres

@@ -5,13 +5,10 @@
 
 namespace flattening::pattern
 {
-/// A pattern as DXF R12 ASCII after ASTM D6673 / AAMA: one block and one insert a piece, numbered
-/// layers (1 boundary and system texts, 2 turn points and numbers of grade rules, 3 curve points, 4
-/// notches, 7 grainline, 8 internal lines, 11 cutouts, 13 drill holes, 14 sew lines, 15
-/// annotation). Beside the points that pattern systems look for, notches are short lines and drill
-/// holes circles, for who else opens the file. Blocks bear the names of the pieces; layers and
-/// entities have handles. Coordinates are millimetres with the text "Units: METRIC", or, where the
-/// surface was in inches, inches with "Units: ENGLISH".
+/// A pattern as DXF R12 ASCII after ASTM D6673 / AAMA, with the layers and units that
+/// vtkPatternWriter documents, and the numbers of grade rules on layer 2. Beside the points that
+/// pattern systems look for, notches are short lines and drill holes circles, for who else opens
+/// the file. Layers and entities have handles.
 std::string makeDxf(const Pattern& pattern);
 
 /// The same for laser, knife and router: model space alone, with the layers CUT, MARK and TEXT,
