@@ -61,122 +61,85 @@ FairSpan oneCubic(const std::vector<FairSpan>& spans, double from, double to, do
   return cubic((low + high) / 2.0);
 }
 
-class EdgeDivision
+/// Whether an interval of a chain is part of a spline, and so without corners.
+bool isSmooth(const FairBorders& fair, std::size_t chain, std::size_t interval)
 {
-public:
-  EdgeDivision(const DrawingSource& all, const FairBorders& fair)
-    : All(all)
-    , Fair(fair)
-    , Borders(all.loops.size())
-  {
-  }
+  return stretchOf(fair.plan()[chain], interval).form == StretchForm::Spline;
+}
 
-  std::vector<std::vector<BorderEdge>> divide()
+/// Adds the edges that the interval k of the chain c is made of.
+void addEdges(const DrawingSource& all, const FairBorders& fair, std::size_t c, std::size_t k,
+  std::vector<BorderEdge>& border)
+{
+  const PlannedInterval& interval = fair.plan()[c].intervals[k];
+  const IntervalCurve curve(fair.spans()[c], interval.places);
+  std::vector<double> breaks = curve.breaks(false);
+  bool smooth = isSmooth(fair, c, k);
+  const auto [other, there] = interval.partner;
+  if (other != PlannedInterval::none)
   {
-    for (std::size_t p = 0; p < this->All.loops.size(); ++p)
-    {
-      const Indices& loop = this->All.loops[p].front();
-      const std::size_t chain = this->Fair.chains().find(loop[0], loop[1])->chain; // all are chains
-      const std::size_t count = this->Fair.plan()[chain].intervals.size();
-      for (std::size_t k = 0; k < count; ++k)
-      {
-        this->addInterval(p, chain, k);
-      }
-    }
-    this->sew();
-    return std::move(this->Borders);
+    const IntervalCurve sewn(fair.spans()[other], fair.plan()[other].intervals[there].places);
+    const std::vector<double> others = sewn.breaks(interval.reversed);
+    breaks.insert(breaks.end(), others.begin(), others.end());
+    smooth = smooth && isSmooth(fair, other, there);
   }
+  breaks =
+    withoutShortEdges(std::move(breaks), smooth ? shortestEdge / interval.length : sameBreak);
+  breaks.push_back(1.0);
+  const BorderChain& chain = fair.chains().chains()[c];
+  const std::size_t at = chain.edgeAt((interval.start + interval.end) / 2.0);
+  const SourceWire* const wire =
+    wireOf(all.source, all.wires, chain.point(at), chain.point(at + 1));
+  double last = 0.0;
+  double start = interval.places[0];
+  for (const double share : breaks)
+  {
+    const double end = curve.placeAt(share);
+    BorderEdge& edge = border.emplace_back();
+    edge.curve = oneCubic(fair.spans()[c], start, end, (share - last) * curve.length());
+    edge.name = wire && wire->type != WireType::Boundary ? wire->name : "";
+    last = share;
+    start = end;
+  }
+}
+}
 
-private:
-  using Key = std::array<std::size_t, 2>; // chain and interval
+std::vector<std::vector<BorderEdge>> borderEdges(const DrawingSource& all, const FairBorders& fair)
+{
   struct Run
   {
     std::size_t piece = 0;
     std::size_t first = 0;
     std::size_t count = 0;
   };
-
-  void addInterval(std::size_t piece, std::size_t c, std::size_t k)
+  std::vector<std::vector<BorderEdge>> borders(all.loops.size());
+  std::map<std::array<std::size_t, 2>, Run> runs; // by chain and interval
+  for (std::size_t p = 0; p < all.loops.size(); ++p)
   {
-    const PlannedInterval& interval = this->Fair.plan()[c].intervals[k];
-    const IntervalCurve curve(this->Fair.spans()[c], interval.places);
-    std::vector<double> breaks = curve.breaks(false);
-    bool smooth = this->isSmooth(c, k);
-    const auto [chain, other] = interval.partner;
-    if (chain != PlannedInterval::none)
+    const Indices& loop = all.loops[p].front();
+    const std::size_t chain = fair.chains().find(loop[0], loop[1])->chain; // all are chains
+    for (std::size_t k = 0; k < fair.plan()[chain].intervals.size(); ++k)
     {
-      const IntervalCurve sewn(
-        this->Fair.spans()[chain], this->Fair.plan()[chain].intervals[other].places);
-      const std::vector<double> others = sewn.breaks(interval.reversed);
-      breaks.insert(breaks.end(), others.begin(), others.end());
-      smooth = smooth && this->isSmooth(chain, other);
-    }
-    breaks =
-      withoutShortEdges(std::move(breaks), smooth ? shortestEdge / interval.length : sameBreak);
-    breaks.push_back(1.0);
-    std::vector<BorderEdge>& border = this->Borders[piece];
-    Run run{ piece, border.size(), 0 };
-    const std::string name = this->nameAt(c, (interval.start + interval.end) / 2.0);
-    double last = 0.0;
-    double start = interval.places[0];
-    for (const double share : breaks)
-    {
-      const double end = curve.placeAt(share);
-      BorderEdge edge;
-      edge.curve = oneCubic(this->Fair.spans()[c], start, end, (share - last) * curve.length());
-      edge.name = name;
-      border.push_back(edge);
-      last = share;
-      start = end;
-      ++run.count;
-    }
-    this->Runs[{ c, k }] = run;
-  }
-
-  /// Whether an interval is part of a spline, and so without corners.
-  bool isSmooth(std::size_t c, std::size_t k) const
-  {
-    return stretchOf(this->Fair.plan()[c], k).form == StretchForm::Spline;
-  }
-
-  std::string nameAt(std::size_t c, double arc) const
-  {
-    const BorderChain& chain = this->Fair.chains().chains()[c];
-    const std::size_t edge = chain.edgeAt(arc);
-    const SourceWire* const wire =
-      wireOf(this->All.source, this->All.wires, chain.point(edge), chain.point(edge + 1));
-    return wire && wire->type != WireType::Boundary ? wire->name : "";
-  }
-
-  void sew()
-  {
-    for (const auto& [key, run] : this->Runs)
-    {
-      const PlannedInterval& interval = this->Fair.plan()[key[0]].intervals[key[1]];
-      const auto partner = this->Runs.find(interval.partner);
-      if (partner == this->Runs.end() || partner->second.count != run.count)
-      {
-        continue;
-      }
-      for (std::size_t k = 0; k < run.count; ++k)
-      {
-        const std::size_t other = interval.reversed ? run.count - 1 - k : k;
-        BorderEdge& edge = this->Borders[run.piece][run.first + k];
-        edge.sewn[0] = partner->second.piece;
-        edge.sewn[1] = partner->second.first + other;
-      }
+      const std::size_t first = borders[p].size();
+      addEdges(all, fair, chain, k, borders[p]);
+      runs[{ chain, k }] = { p, first, borders[p].size() - first };
     }
   }
-
-  const DrawingSource& All;
-  const FairBorders& Fair;
-  std::vector<std::vector<BorderEdge>> Borders;
-  std::map<Key, Run> Runs;
-};
-}
-
-std::vector<std::vector<BorderEdge>> borderEdges(const DrawingSource& all, const FairBorders& fair)
-{
-  return EdgeDivision(all, fair).divide();
+  for (const auto& [key, run] : runs)
+  {
+    const PlannedInterval& interval = fair.plan()[key[0]].intervals[key[1]];
+    const auto partner = runs.find(interval.partner);
+    if (partner == runs.end() || partner->second.count != run.count)
+    {
+      continue;
+    }
+    for (std::size_t k = 0; k < run.count; ++k)
+    {
+      const std::size_t other = interval.reversed ? run.count - 1 - k : k;
+      borders[run.piece][run.first + k].sewn[0] = partner->second.piece;
+      borders[run.piece][run.first + k].sewn[1] = partner->second.first + other;
+    }
+  }
+  return borders;
 }
 }
