@@ -27,40 +27,25 @@ double gridScale(const std::vector<AllowancePolygon>& polygons)
   return std::min(1e4, 1e9 / largest);
 }
 
-class Grid
+ClipperLib::Path onGrid(const Points2& points, double scale)
 {
-public:
-  explicit Grid(double scale)
-    : Scale(scale)
+  ClipperLib::Path path;
+  for (const Point2& p : points)
   {
+    path.emplace_back(std::llround(p.x() * scale), std::llround(p.y() * scale));
   }
-  ClipperLib::IntPoint operator()(const Point2& p) const
-  {
-    return { std::llround(p.x() * this->Scale), std::llround(p.y() * this->Scale) };
-  }
-  ClipperLib::Path operator()(const Points2& points) const
-  {
-    ClipperLib::Path path;
-    for (const Point2& p : points)
-    {
-      path.push_back((*this)(p));
-    }
-    return path;
-  }
-  Points2 back(const ClipperLib::Path& path) const
-  {
-    Points2 points;
-    for (const ClipperLib::IntPoint& p : path)
-    {
-      points.emplace_back(
-        static_cast<double>(p.X) / this->Scale, static_cast<double>(p.Y) / this->Scale);
-    }
-    return points;
-  }
+  return path;
+}
 
-private:
-  double Scale;
-};
+Points2 fromGrid(const ClipperLib::Path& path, double scale)
+{
+  Points2 points;
+  for (const ClipperLib::IntPoint& p : path)
+  {
+    points.emplace_back(static_cast<double>(p.X) / scale, static_cast<double>(p.Y) / scale);
+  }
+  return points;
+}
 
 Point2 rightNormal(const Point2& from, const Point2& to)
 {
@@ -116,7 +101,7 @@ void addPositive(ClipperLib::Path path, ClipperLib::Paths& paths)
 }
 
 void addStrips(
-  const AllowancePolygon& polygon, double mitreLimit, const Grid& grid, ClipperLib::Paths& paths)
+  const AllowancePolygon& polygon, double mitreLimit, double scale, ClipperLib::Paths& paths)
 {
   // Edges without length have no normal.
   std::vector<std::size_t> edges;
@@ -139,14 +124,15 @@ void addStrips(
     if (width > 0.0)
     {
       addPositive(
-        grid(Points2{ from(k), to(k), to(k) + width * normal, from(k) + width * normal }), paths);
+        onGrid({ from(k), to(k), to(k) + width * normal, from(k) + width * normal }, scale), paths);
     }
     const Point2 normalBefore = rightNormal(from(before), to(before));
     const double widthBefore = polygon.allowance[before];
     if (cross(normalBefore, normal) > 0.0 && std::max(width, widthBefore) > 0.0)
     {
       addPositive(
-        grid(corner(from(k), normalBefore, widthBefore, normal, width, mitreLimit)), paths);
+        onGrid(corner(from(k), normalBefore, widthBefore, normal, width, mitreLimit), scale),
+        paths);
     }
   }
 }
@@ -164,16 +150,16 @@ Status addAllowance(
     }
     return {};
   }
-  const Grid grid(gridScale(polygons));
+  const double scale = gridScale(polygons);
   ClipperLib::Paths cloth;
   ClipperLib::Paths strips;
   for (const AllowancePolygon& polygon : polygons)
   {
-    cloth.push_back(grid(polygon.points));
-    addStrips(polygon, mitreLimit, grid, strips);
+    cloth.push_back(onGrid(polygon.points, scale));
+    addStrips(polygon, mitreLimit, scale, strips);
     for (const Points2& tab : polygon.tabs)
     {
-      addPositive(grid(tab), strips);
+      addPositive(onGrid(tab, scale), strips);
     }
   }
   ClipperLib::Paths borders;
@@ -195,7 +181,7 @@ Status addAllowance(
   {
     if (border.size() > 2)
     {
-      widened.push_back(grid.back(border));
+      widened.push_back(fromGrid(border, scale));
     }
   }
   const auto largest = std::max_element(widened.begin(), widened.end(),

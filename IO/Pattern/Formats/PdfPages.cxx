@@ -374,132 +374,106 @@ namespace
 constexpr int placesOfSide = 9; ///< that are tried along each side of a page
 constexpr int sweeps = 2;
 
-class Shifts
+/// Where a piece lies on the sheet.
+Box laidBox(const Pattern& pattern, const PagePlan& plan, std::size_t piece)
 {
-public:
-  Shifts(const Pattern& pattern, PagePlan& plan)
-    : Source(pattern)
-    , Plan(plan)
-    , Sheet(Eigen::Vector2d::Zero(),
-        Point2(plan.columns * plan.step.x(), plan.rows * plan.step.y()) +
-          Point2::Constant(plan.overlap))
-    , Marks(pattern.pieces.size())
-  {
-    const PageMarks legend = pagesOfLegend(plan);
-    this->Count.assign(legend.begin(), legend.end());
-    for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
-    {
-      this->Marks[p] = pagesOf(pattern, plan, p);
-      this->count(p, 1);
-    }
-  }
+  const Point2& corner = plan.layout.corners[piece];
+  return { corner, corner + pattern.pieces[piece].extent };
+}
 
-  void run()
+/// Whether a piece lies on the sheet, and apart from the others and the legend.
+bool isFree(const Pattern& pattern, const PagePlan& plan, std::size_t piece)
+{
+  const Box sheet(Eigen::Vector2d::Zero(),
+    Point2(plan.columns * plan.step.x(), plan.rows * plan.step.y()) +
+      Point2::Constant(plan.overlap));
+  const Box legend(plan.origin, plan.origin + legendExtent(plan.hasMap));
+  const Box box = laidBox(pattern, plan, piece);
+  const Box around(
+    box.min() - Point2::Constant(pieceGap - 1e-9), box.max() + Point2::Constant(pieceGap - 1e-9));
+  bool free = sheet.contains(box) && !around.intersects(legend);
+  for (std::size_t q = 0; free && q < pattern.pieces.size(); ++q)
   {
-    for (int sweep = 0; sweep < sweeps; ++sweep)
+    free = q == piece || !around.intersects(laidBox(pattern, plan, q));
+  }
+  return free;
+}
+
+/// Pages that one piece alone needs, and all that it is on, which counts where those are equal.
+/// \param count by page, of what else is on it
+std::pair<int, int> costOf(const PageMarks& marks, const std::vector<int>& count)
+{
+  std::pair<int, int> result{ 0, 0 };
+  for (std::size_t k = 0; k < marks.size(); ++k)
+  {
+    result.first += marks[k] != 0 && count[k] == 0 ? 1 : 0;
+    result.second += marks[k];
+  }
+  return result;
+}
+
+/// Tries places all over the sheet for a piece. \param marks its pages
+void shift(const Pattern& pattern, std::size_t piece, const std::vector<int>& count, PagePlan& plan,
+  PageMarks& marks)
+{
+  Point2& corner = plan.layout.corners[piece];
+  Point2 best = corner;
+  std::pair<int, int> least = costOf(marks, count);
+  const Point2 by = plan.step / (placesOfSide - 1);
+  const bool onePage = PageShelves::fits(plan, pattern.pieces[piece]);
+  for (int y = 0; y < (placesOfSide - 1) * plan.rows; ++y)
+  {
+    for (int x = 0; x < (placesOfSide - 1) * plan.columns; ++x)
     {
-      for (std::size_t p = 0; p < this->Source.pieces.size(); ++p)
+      // From where the first page's outer band ends.
+      corner = plan.origin + Point2(x * by.x(), y * by.y());
+      if (!isFree(pattern, plan, piece))
       {
-        this->shift(p);
+        continue;
+      }
+      PageMarks next = pagesOf(pattern, plan, piece);
+      const std::pair<int, int> cost = costOf(next, count);
+      if (cost < least && (cost.second == 1 || !onePage))
+      {
+        least = cost;
+        best = corner;
+        marks = std::move(next);
       }
     }
   }
-
-private:
-  void count(std::size_t piece, int by)
-  {
-    for (std::size_t k = 0; k < this->Count.size(); ++k)
-    {
-      this->Count[k] += by * this->Marks[piece][k];
-    }
-  }
-
-  /// Pages that this piece alone needs, and all that it is on, which counts where those are equal.
-  std::pair<int, int> cost(const PageMarks& marks) const
-  {
-    std::pair<int, int> result{ 0, 0 };
-    for (std::size_t k = 0; k < marks.size(); ++k)
-    {
-      result.first += marks[k] != 0 && this->Count[k] == 0 ? 1 : 0;
-      result.second += marks[k];
-    }
-    return result;
-  }
-
-  Box boxOf(std::size_t piece) const
-  {
-    const Point2& corner = this->Plan.layout.corners[piece];
-    return { corner, corner + this->Source.pieces[piece].extent };
-  }
-
-  bool isFree(std::size_t piece) const
-  {
-    const Box box = this->boxOf(piece);
-    const Box around(
-      box.min() - Point2::Constant(pieceGap - 1e-9), box.max() + Point2::Constant(pieceGap - 1e-9));
-    if (!this->Sheet.contains(box) ||
-      around.intersects(
-        Box(this->Plan.origin, this->Plan.origin + legendExtent(this->Plan.hasMap))))
-    {
-      return false;
-    }
-    for (std::size_t q = 0; q < this->Source.pieces.size(); ++q)
-    {
-      if (q != piece && around.intersects(this->boxOf(q)))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /// Tries places all over the sheet.
-  void shift(std::size_t piece)
-  {
-    Point2& corner = this->Plan.layout.corners[piece];
-    Point2 best = corner;
-    this->count(piece, -1);
-    std::pair<int, int> least = this->cost(this->Marks[piece]);
-    const Point2 by = this->Plan.step / (placesOfSide - 1);
-    const bool onePage = PageShelves::fits(this->Plan, this->Source.pieces[piece]);
-    for (int y = 0; y < (placesOfSide - 1) * this->Plan.rows; ++y)
-    {
-      for (int x = 0; x < (placesOfSide - 1) * this->Plan.columns; ++x)
-      {
-        // From where the first page's outer band ends.
-        corner = this->Plan.origin + Point2(x * by.x(), y * by.y());
-        if (!this->isFree(piece))
-        {
-          continue;
-        }
-        PageMarks marks = pagesOf(this->Source, this->Plan, piece);
-        const std::pair<int, int> now = this->cost(marks);
-        if (now < least && (now.second == 1 || !onePage))
-        {
-          least = now;
-          best = corner;
-          this->Marks[piece] = std::move(marks);
-        }
-      }
-    }
-    corner = best;
-    this->count(piece, 1);
-  }
-
-  const Pattern& Source;
-  PagePlan& Plan;
-  Box Sheet;
-  std::vector<PageMarks> Marks;
-  std::vector<int> Count; ///< by page, of pieces and the legend
-};
+  corner = best;
+}
 
 /// Moves pieces within the free space around them, as far apart as they were laid at least, where
 /// fewer pages then show something. Neither pieces laid on cloth nor the sheet change.
 void saveByShifts(const Pattern& pattern, PagePlan& plan)
 {
-  if (!pattern.fabric)
+  if (pattern.fabric)
   {
-    Shifts(pattern, plan).run();
+    return;
+  }
+  const PageMarks legend = pagesOfLegend(plan);
+  std::vector<int> count(legend.begin(), legend.end()); // by page, of pieces and the legend
+  const auto add = [&count](const PageMarks& marks, int by) {
+    for (std::size_t k = 0; k < count.size(); ++k)
+    {
+      count[k] += by * marks[k];
+    }
+  };
+  std::vector<PageMarks> marks;
+  for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
+  {
+    marks.push_back(pagesOf(pattern, plan, p));
+    add(marks[p], 1);
+  }
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+  {
+    for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
+    {
+      add(marks[p], -1);
+      shift(pattern, p, count, plan, marks[p]);
+      add(marks[p], 1);
+    }
   }
 }
 }
