@@ -179,177 +179,157 @@ struct Frame
   Point2 along = Point2::UnitY(); ///< the grain, of length 1
 };
 
-class SizeLaying
+/// The wire along which a piece is laid; null where there is none.
+const SourceWire* aligningWire(
+  const PatternSource& model, const BorderEdges& border, const GradingOptions& options, Index piece)
 {
-public:
-  SizeLaying(const PatternSource& model, const GradingOptions& options)
-    : Model(model)
-    , Options(options)
-    , Border(bordersOf(model))
-    , Pieces(pieceCount(model))
+  for (const SourceWire& wire : model.wires)
   {
-    for (const auto& [edge, piece] : this->Border)
+    const bool chosen = options.alignment.empty()
+      ? wire.type == WireType::Key && !areOnBorder(border, wire.points)
+      : wire.name == options.alignment;
+    if (wire.piece == piece && chosen)
     {
-      this->OnBorder.insert(startOf(edge));
+      return &wire;
     }
   }
+  return nullptr;
+}
 
-  bool onBorder(Index point) const { return this->OnBorder.count(point) > 0; }
-
-  std::vector<Frame> frames(const PatternSource& size) const
+/// The middle of the wires of a piece, turned as they fit those of the base best.
+Frame fittedFrame(const PatternSource& model, const PatternSource& size, Index piece)
+{
+  std::set<Index> points;
+  for (const SourceWire& wire : model.wires)
   {
-    std::vector<Frame> frames(this->Pieces);
-    for (std::size_t p = 0; p < this->Pieces; ++p)
+    if (wire.piece == piece)
     {
-      const SourceWire* wire = this->aligning(static_cast<Index>(p));
-      const Point2 way = wire
-        ? Point2(size.positions[wire->points.back()] - size.positions[wire->points.front()])
-        : Point2(Point2::Zero());
-      if (way.norm() > 0.0)
-      {
-        frames[p].origin = size.positions[wire->points.front()];
-        frames[p].along = (way.y() >= 0.0 ? 1.0 : -1.0) * way.normalized();
-        continue;
-      }
-      frames[p] = this->fit(size, static_cast<Index>(p));
+      points.insert(wire.points.begin(), wire.points.end());
     }
-    return frames;
   }
-
-  /// The points of a size in the frames of its pieces.
-  Points2 lay(const PatternSource& size, const std::vector<Frame>& frames) const
+  Frame frame;
+  Point2 middle = Point2::Zero(); // of the base
+  for (const Index point : points)
   {
-    const double scale = millimetresPer(this->Options.unit);
-    Points2 laid(size.positions.size(), Point2::Zero());
-    for (std::size_t t = 0; t < size.triangles.size(); ++t)
+    frame.origin += size.positions[point] / static_cast<double>(points.size());
+    middle += model.positions[point] / static_cast<double>(points.size());
+  }
+  double sine = 0.0;
+  double cosine = 0.0;
+  for (const Index point : points)
+  {
+    const Point2 here = size.positions[point] - frame.origin;
+    const Point2 there = model.positions[point] - middle;
+    sine += cross(here, there);
+    cosine += here.dot(there);
+  }
+  const double length = std::hypot(sine, cosine);
+  if (length > 0.0 && &size != &model)
+  {
+    frame.along = Point2(sine, cosine) / length;
+  }
+  return frame;
+}
+
+std::vector<Frame> framesOf(const PatternSource& model, const BorderEdges& border,
+  const GradingOptions& options, const PatternSource& size)
+{
+  std::vector<Frame> frames(pieceCount(model));
+  for (std::size_t p = 0; p < frames.size(); ++p)
+  {
+    const SourceWire* wire = aligningWire(model, border, options, static_cast<Index>(p));
+    const Point2 way = wire
+      ? Point2(size.positions[wire->points.back()] - size.positions[wire->points.front()])
+      : Point2(Point2::Zero());
+    if (way.norm() > 0.0)
     {
-      const Frame& frame = frames[static_cast<std::size_t>(size.pieceOfTriangle[t])];
-      for (const Index point : size.triangles[t])
-      {
-        const Point2 way = scale * (size.positions[point] - frame.origin);
-        laid[point] = { -cross(frame.along, way), frame.along.dot(way) };
-      }
+      frames[p].origin = size.positions[wire->points.front()];
+      frames[p].along = (way.y() >= 0.0 ? 1.0 : -1.0) * way.normalized();
+      continue;
     }
-    return laid;
+    frames[p] = fittedFrame(model, size, static_cast<Index>(p));
   }
+  return frames;
+}
 
-  /// Points with rules, without their deltas.
-  std::vector<GradeRule> points() const
+/// The points of a size in the frames of its pieces. \param scale millimetres per unit
+Points2 laidPoints(const PatternSource& size, const std::vector<Frame>& frames, double scale)
+{
+  Points2 laid(size.positions.size(), Point2::Zero());
+  for (std::size_t t = 0; t < size.triangles.size(); ++t)
   {
-    std::map<std::pair<Index, Index>, std::vector<std::string>> places;
-    for (const SourceWire& wire : this->Model.wires)
+    const Frame& frame = frames[static_cast<std::size_t>(size.pieceOfTriangle[t])];
+    for (const Index point : size.triangles[t])
     {
-      const bool closed = wire.points.front() == wire.points.back();
-      for (const Index end : { wire.points.front(), wire.points.back() })
+      const Point2 way = scale * (size.positions[point] - frame.origin);
+      laid[point] = { -cross(frame.along, way), frame.along.dot(way) };
+    }
+  }
+  return laid;
+}
+
+Indices cornersOf(const PatternSource& model, const SourceWire& wire, bool closed)
+{
+  Indices found;
+  const std::size_t count = wire.points.size();
+  for (std::size_t k = 1; k + (closed ? 0 : 1) < count; ++k)
+  {
+    const Point2& at = model.positions[wire.points[k]];
+    const Point2& next = model.positions[wire.points[k + 1 < count ? k + 1 : 1]];
+    const Point2 in = at - model.positions[wire.points[k - 1]];
+    const Point2 out = next - at;
+    if (std::abs(std::atan2(cross(in, out), in.dot(out))) > cornerAngle)
+    {
+      found.push_back(wire.points[k]);
+    }
+  }
+  return found;
+}
+
+/// Points with rules, without their deltas.
+std::vector<GradeRule> rulePoints(const PatternSource& model, const BorderEdges& border)
+{
+  std::unordered_set<Index> onBorder;
+  for (const auto& [edge, piece] : border)
+  {
+    onBorder.insert(startOf(edge));
+  }
+  std::map<std::pair<Index, Index>, std::vector<std::string>> places;
+  for (const SourceWire& wire : model.wires)
+  {
+    const bool closed = wire.points.front() == wire.points.back();
+    for (const Index end : { wire.points.front(), wire.points.back() })
+    {
+      if (!closed && onBorder.count(end) > 0)
       {
-        if (!closed && this->onBorder(end))
+        std::vector<std::string>& names = places[{ wire.piece, end }];
+        if (std::find(names.begin(), names.end(), wire.name) == names.end())
         {
-          std::vector<std::string>& names = places[{ wire.piece, end }];
-          if (std::find(names.begin(), names.end(), wire.name) == names.end())
-          {
-            names.push_back(wire.name);
-          }
+          names.push_back(wire.name);
         }
       }
-      if (wire.type == WireType::Boundary)
-      {
-        for (const Index corner : this->corners(wire, closed))
-        {
-          places.insert({ { wire.piece, corner }, { wire.name } });
-        }
-      }
     }
-    std::vector<GradeRule> rules;
-    for (const auto& [place, names] : places)
+    if (wire.type == WireType::Boundary)
     {
-      GradeRule rule;
-      rule.piece = place.first;
-      rule.point = place.second;
-      for (const std::string& name : names)
+      for (const Index corner : cornersOf(model, wire, closed))
       {
-        rule.name += (rule.name.empty() ? "" : ", ") + name;
+        places.insert({ { wire.piece, corner }, { wire.name } });
       }
-      rules.push_back(std::move(rule));
     }
-    return rules;
   }
-
-private:
-  /// The middle of the wires of a piece, turned as they fit those of the base best.
-  Frame fit(const PatternSource& size, Index piece) const
+  std::vector<GradeRule> rules;
+  for (const auto& [place, names] : places)
   {
-    std::set<Index> points;
-    for (const SourceWire& wire : this->Model.wires)
+    GradeRule& rule = rules.emplace_back();
+    rule.piece = place.first;
+    rule.point = place.second;
+    for (const std::string& name : names)
     {
-      if (wire.piece == piece)
-      {
-        points.insert(wire.points.begin(), wire.points.end());
-      }
+      rule.name += (rule.name.empty() ? "" : ", ") + name;
     }
-    Frame frame;
-    Point2 middle = Point2::Zero(); // of the base
-    for (const Index point : points)
-    {
-      frame.origin += size.positions[point] / static_cast<double>(points.size());
-      middle += this->Model.positions[point] / static_cast<double>(points.size());
-    }
-    double sine = 0.0;
-    double cosine = 0.0;
-    for (const Index point : points)
-    {
-      const Point2 here = size.positions[point] - frame.origin;
-      const Point2 there = this->Model.positions[point] - middle;
-      sine += cross(here, there);
-      cosine += here.dot(there);
-    }
-    const double length = std::hypot(sine, cosine);
-    if (length > 0.0 && &size != &this->Model)
-    {
-      frame.along = Point2(sine, cosine) / length;
-    }
-    return frame;
   }
-
-  /// The wire along which a piece is laid; null where there is none.
-  const SourceWire* aligning(Index piece) const
-  {
-    for (const SourceWire& wire : this->Model.wires)
-    {
-      const bool chosen = this->Options.alignment.empty()
-        ? wire.type == WireType::Key && !areOnBorder(this->Border, wire.points)
-        : wire.name == this->Options.alignment;
-      if (wire.piece == piece && chosen)
-      {
-        return &wire;
-      }
-    }
-    return nullptr;
-  }
-
-  Indices corners(const SourceWire& wire, bool closed) const
-  {
-    Indices found;
-    const std::size_t count = wire.points.size();
-    for (std::size_t k = 1; k + (closed ? 0 : 1) < count; ++k)
-    {
-      const Point2& at = this->Model.positions[wire.points[k]];
-      const Point2& next = this->Model.positions[wire.points[k + 1 < count ? k + 1 : 1]];
-      const Point2 in = at - this->Model.positions[wire.points[k - 1]];
-      const Point2 out = next - at;
-      if (std::abs(std::atan2(cross(in, out), in.dot(out))) > cornerAngle)
-      {
-        found.push_back(wire.points[k]);
-      }
-    }
-    return found;
-  }
-
-  const PatternSource& Model;
-  const GradingOptions& Options;
-  BorderEdges Border;
-  std::size_t Pieces;
-  std::unordered_set<Index> OnBorder;
-};
+  return rules;
+}
 }
 
 Status gradeSizes(
@@ -362,14 +342,14 @@ Status gradeSizes(
     return status;
   }
   const PatternSource& model = sizes[grading.base].source;
-  const SizeLaying laying(model, options);
+  const BorderEdges border = bordersOf(model);
   grading.wires = model.wires;
-  grading.rules = laying.points();
+  grading.rules = rulePoints(model, border);
   for (const PatternSize& size : sizes)
   {
-    const std::vector<Frame> frames = laying.frames(size.source);
+    const std::vector<Frame> frames = framesOf(model, border, options, size.source);
     grading.sizes.push_back(size.name);
-    grading.positions.push_back(laying.lay(size.source, frames));
+    grading.positions.push_back(laidPoints(size.source, frames, millimetresPer(options.unit)));
     for (std::size_t p = 0; &size.source == &model && p < frames.size(); ++p)
     {
       grading.grains.push_back(frames[p].along);
