@@ -456,13 +456,13 @@ std::vector<FairSpan> FairBorders::alongEdge(
   {
     return parts;
   }
+  const BorderChain& chain = this->Chains.chains()[place->chain];
   const std::vector<double>& places = this->Places[place->chain];
   const auto at = [&](double given) {
     const double fraction = place->backwards ? 1.0 - given : given;
     return fraction == 0.0 ? places[place->edge]
       : fraction == 1.0    ? places[place->edge + 1]
-                           : this->placeAt(place->chain,
-                               this->Chains.chains()[place->chain].arcWithin(place->edge, fraction));
+                           : this->placeAt(place->chain, chain.arcWithin(place->edge, fraction));
   };
   addParts(this->spans()[place->chain], at(fromFraction), at(toFraction), parts);
   return parts;
