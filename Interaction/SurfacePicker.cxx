@@ -89,7 +89,6 @@ double pixelSize(vtkRenderer* renderer, const std::array<double, 3>& point)
 }
 }
 
-//------------------------------------------------------------------------------
 void SurfacePicker::setSurface(vtkPolyData* surface)
 {
   const bool any = surface && surface->GetNumberOfCells() > 0;
@@ -103,7 +102,6 @@ void SurfacePicker::setSurface(vtkPolyData* surface)
   }
 }
 
-//------------------------------------------------------------------------------
 bool SurfacePicker::isInside(vtkIdType triangle, const std::array<double, 3>& way) const
 {
   double normal[3];
@@ -111,7 +109,6 @@ bool SurfacePicker::isInside(vtkIdType triangle, const std::array<double, 3>& wa
     this->Outwards * vtkMath::Dot(normal, way.data()) > 0.0;
 }
 
-//------------------------------------------------------------------------------
 bool SurfacePicker::pickPixel(vtkRenderer* renderer, double x, double y, SurfacePick& picked) const
 {
   const std::array<double, 3> start = worldAt(renderer, x, y, 0.0);
@@ -134,7 +131,6 @@ bool SurfacePicker::pickPixel(vtkRenderer* renderer, double x, double y, Surface
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool SurfacePicker::pick(
   vtkRenderer* renderer, const std::array<int, 2>& pixel, int around, SurfacePick& picked) const
 {
@@ -161,7 +157,6 @@ bool SurfacePicker::pick(
   return false;
 }
 
-//------------------------------------------------------------------------------
 Symmetry SurfacePicker::symmetry() const
 {
   Symmetry best;

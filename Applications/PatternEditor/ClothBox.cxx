@@ -16,7 +16,6 @@ namespace
 const char* const fileEntry = "from a file...";
 }
 
-//------------------------------------------------------------------------------
 ClothBox::ClothBox()
   : QGroupBox("Cloth")
   , Material(new QComboBox)
@@ -60,13 +59,11 @@ ClothBox::ClothBox()
   });
 }
 
-//------------------------------------------------------------------------------
 std::string ClothBox::material() const
 {
   return this->Material->currentData().toString().toStdString();
 }
 
-//------------------------------------------------------------------------------
 std::vector<std::string> ClothBox::grain() const
 {
   std::vector<std::string> all;

@@ -43,7 +43,6 @@ QString nameOf(vtkPolyData* surface)
 }
 }
 
-//------------------------------------------------------------------------------
 void CurveJournal::open(vtkPolyData* surface)
 {
   this->close();
@@ -76,13 +75,11 @@ void CurveJournal::open(vtkPolyData* surface)
   }
 }
 
-//------------------------------------------------------------------------------
 std::string CurveJournal::leftover() const
 {
   return QFileInfo(this->Path).size() > 0 ? this->Path.toStdString() : std::string();
 }
 
-//------------------------------------------------------------------------------
 void CurveJournal::write(vtkPolyData* curves) const
 {
   if (!this->Path.isEmpty())
@@ -91,7 +88,6 @@ void CurveJournal::write(vtkPolyData* curves) const
   }
 }
 
-//------------------------------------------------------------------------------
 void CurveJournal::clear() const
 {
   if (!this->Path.isEmpty())
@@ -100,7 +96,6 @@ void CurveJournal::clear() const
   }
 }
 
-//------------------------------------------------------------------------------
 void CurveJournal::close()
 {
   this->clear();

@@ -49,7 +49,6 @@ double lengthOf(const QString& word)
 }
 }
 
-//------------------------------------------------------------------------------
 CurveOptionsTable::CurveOptionsTable(const vtkPatternWriter* writer, const PieceEases& eases,
   std::set<std::string> curves, QWidget* parent)
   : QTableWidget(parent)
@@ -112,19 +111,16 @@ CurveOptionsTable::CurveOptionsTable(const vtkPatternWriter* writer, const Piece
   this->setMinimumWidth(std::min(width, mostWidth));
 }
 
-//------------------------------------------------------------------------------
 std::string CurveOptionsTable::curve(int row) const
 {
   return this->verticalHeaderItem(row)->text().toStdString();
 }
 
-//------------------------------------------------------------------------------
 QString CurveOptionsTable::text(int row, Option option) const
 {
   return this->item(row, option)->text().trimmed();
 }
 
-//------------------------------------------------------------------------------
 QString CurveOptionsTable::defect() const
 {
   QString defect;
@@ -136,7 +132,6 @@ QString CurveOptionsTable::defect() const
   return defect;
 }
 
-//------------------------------------------------------------------------------
 QString CurveOptionsTable::defectOfLengths(int row) const
 {
   for (const Option option : { Allowance, NotchesAt, FairTolerance, DartTip })
@@ -156,7 +151,6 @@ QString CurveOptionsTable::defectOfLengths(int row) const
   return {};
 }
 
-//------------------------------------------------------------------------------
 QString CurveOptionsTable::defectOfEase(int row) const
 {
   const QString of = " of " + this->verticalHeaderItem(row)->text() + ": ";
@@ -175,7 +169,6 @@ QString CurveOptionsTable::defectOfEase(int row) const
   return ease.isEmpty() && !piece.isEmpty() ? "Piece" + of + "there is no ease for it" : QString();
 }
 
-//------------------------------------------------------------------------------
 PieceEases CurveOptionsTable::eases() const
 {
   PieceEases eases;
@@ -191,7 +184,6 @@ PieceEases CurveOptionsTable::eases() const
   return eases;
 }
 
-//------------------------------------------------------------------------------
 void CurveOptionsTable::take(vtkPatternWriter* writer) const
 {
   writer->RemoveAllCurveAllowances();

@@ -15,7 +15,6 @@
 
 namespace editor
 {
-//------------------------------------------------------------------------------
 QColor colorOfType(int type)
 {
   std::array<unsigned char, 3> color;
@@ -52,7 +51,6 @@ QLabel* makeLegend()
 }
 }
 
-//------------------------------------------------------------------------------
 CurvePanel::CurvePanel(vtkFeatureCurveEditor* curves)
   : Curves(curves)
   , List(new QListWidget(this))
@@ -106,7 +104,6 @@ CurvePanel::CurvePanel(vtkFeatureCurveEditor* curves)
   this->show(-1);
 }
 
-//------------------------------------------------------------------------------
 void CurvePanel::apply(bool done)
 {
   if (!done)
@@ -117,7 +114,6 @@ void CurvePanel::apply(bool done)
   }
 }
 
-//------------------------------------------------------------------------------
 void CurvePanel::takeName()
 {
   const std::string name = this->Name->text().toStdString();
@@ -130,7 +126,6 @@ void CurvePanel::takeName()
   }
 }
 
-//------------------------------------------------------------------------------
 void CurvePanel::takeTolerance()
 {
   const double percents = this->Tolerance->value();
@@ -141,7 +136,6 @@ void CurvePanel::takeTolerance()
   }
 }
 
-//------------------------------------------------------------------------------
 void CurvePanel::takeTyped()
 {
   // Unless the curve has gone, and another one has its number.
@@ -155,14 +149,12 @@ void CurvePanel::takeTyped()
   this->ShownPercents = this->Tolerance->value();
 }
 
-//------------------------------------------------------------------------------
 void CurvePanel::setUnit(const QString& unit)
 {
   this->Unit = unit;
   this->show(this->Chosen);
 }
 
-//------------------------------------------------------------------------------
 void CurvePanel::show(int chosen)
 {
   if (chosen != this->Chosen)
@@ -200,7 +192,6 @@ void CurvePanel::show(int chosen)
   this->showChosen();
 }
 
-//------------------------------------------------------------------------------
 void CurvePanel::showChosen()
 {
   this->Showing = true;

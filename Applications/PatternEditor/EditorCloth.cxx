@@ -10,7 +10,6 @@
 
 namespace editor
 {
-//------------------------------------------------------------------------------
 void EditorWindow::makeCloth(QVBoxLayout* side)
 {
   side->insertWidget(1, this->Cloth);
@@ -21,7 +20,6 @@ void EditorWindow::makeCloth(QVBoxLayout* side)
     vtkCommand::MouseMoveEvent, this, &EditorWindow::readPlane);
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::followCloth()
 {
   const bool changed = this->Live->setCloth(this->Cloth->material(), this->Cloth->grain());
@@ -32,7 +30,6 @@ void EditorWindow::followCloth()
   }
 }
 
-//------------------------------------------------------------------------------
 figures::Coloring EditorWindow::shownColoring() const
 {
   const auto& threads = figures::threadColorings;
@@ -43,7 +40,6 @@ figures::Coloring EditorWindow::shownColoring() const
     : this->Coloring;
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::readPlane()
 {
   const int* const at = this->PlaneWidget->interactor()->GetEventPosition();

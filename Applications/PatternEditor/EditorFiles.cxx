@@ -128,13 +128,11 @@ bool EditorWindow::attempt(const Work& work)
   return false;
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::tellException()
 {
   this->attempt([] { throw; });
 }
 
-//------------------------------------------------------------------------------
 bool Application::notify(QObject* receiver, QEvent* event)
 {
   try
@@ -154,7 +152,6 @@ bool Application::notify(QObject* receiver, QEvent* event)
   }
 }
 
-//------------------------------------------------------------------------------
 bool EditorWindow::openSurface(const std::string& path)
 {
   return this->attempt([&] {
@@ -201,7 +198,6 @@ bool EditorWindow::openSurface(const std::string& path)
   });
 }
 
-//------------------------------------------------------------------------------
 bool EditorWindow::openCurves(const std::string& path)
 {
   return this->attempt([&] {
@@ -218,7 +214,6 @@ bool EditorWindow::openCurves(const std::string& path)
   });
 }
 
-//------------------------------------------------------------------------------
 bool EditorWindow::takeSeams(wirewarp::SeamSource source)
 {
   return this->attempt([&] {
@@ -238,7 +233,6 @@ bool EditorWindow::takeSeams(wirewarp::SeamSource source)
   });
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::takeUnit(const std::string& stated)
 {
   const int unit = this->Unit->findText(QString::fromStdString(stated));
@@ -259,7 +253,6 @@ void EditorWindow::takeUnit(const std::string& stated)
   }
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::proposeUnit()
 {
   if (!this->UnitStated)
@@ -274,7 +267,6 @@ void EditorWindow::proposeUnit()
   }
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::showCurves(vtkPolyData* lines, const std::string& note)
 {
   if (!this->Curves->SetCurves(lines))
@@ -289,7 +281,6 @@ void EditorWindow::showCurves(vtkPolyData* lines, const std::string& note)
   this->tell(odd, !odd.empty());
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::followSaving()
 {
   const bool unsaved = this->isUnsaved();
@@ -305,14 +296,12 @@ void EditorWindow::followSaving()
   }
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::keepUnsaved()
 {
   this->attempt(
     [&] { this->Journal.write(curvesIn(this->Unit->currentText(), this->Curves, this->Pattern)); });
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::offerLeftover()
 {
   const std::string path = this->Journal.leftover();
@@ -343,7 +332,6 @@ void EditorWindow::offerLeftover()
   });
 }
 
-//------------------------------------------------------------------------------
 bool EditorWindow::saveCurves(const std::string& path)
 {
   return this->attempt([&] {
@@ -354,7 +342,6 @@ bool EditorWindow::saveCurves(const std::string& path)
   });
 }
 
-//------------------------------------------------------------------------------
 bool EditorWindow::savePattern(const std::string& path)
 {
   return this->attempt([&] {
@@ -382,7 +369,6 @@ bool EditorWindow::savePattern(const std::string& path)
   });
 }
 
-//------------------------------------------------------------------------------
 bool EditorWindow::savePicture(const std::string& path)
 {
   return this->attempt([&] {
@@ -411,7 +397,6 @@ bool EditorWindow::savePicture(const std::string& path)
   });
 }
 
-//------------------------------------------------------------------------------
 bool EditorWindow::saveSurface(const std::string& path)
 {
   return this->attempt([&] {

@@ -99,7 +99,6 @@ void addEnabled(const QList<QAction*>& actions, std::map<QString, QAction*>& fou
 }
 }
 
-//------------------------------------------------------------------------------
 QAction* EditorWindow::addAction(
   QMenu* menu, const QString& name, const QString& key, const std::function<void()>& run)
 {
@@ -110,7 +109,6 @@ QAction* EditorWindow::addAction(
   return action;
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::makeFileMenu()
 {
   QMenu* const menu = this->menuBar()->addMenu("&File");
@@ -152,7 +150,6 @@ void EditorWindow::makeFileMenu()
   this->addAction(menu, "Quit", "Ctrl+Q", [this] { this->close(); });
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::makeHandActions()
 {
   QMenu* const edit = this->menuBar()->addMenu("&Edit");
@@ -188,7 +185,6 @@ void EditorWindow::makeHandActions()
     signIcon(signs[static_cast<std::size_t>(vtkFeatureCurveWidget::OFFSET)], *this));
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::makeProposalMenu(QVBoxLayout* side)
 {
   QMenu* const menu = this->menuBar()->addMenu("&Proposals");
@@ -199,7 +195,6 @@ void EditorWindow::makeProposalMenu(QVBoxLayout* side)
   this->connectProposals();
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::makeViewMenu()
 {
   QMenu* const menu = this->menuBar()->addMenu("&View");
@@ -238,7 +233,6 @@ void EditorWindow::makeViewMenu()
   }
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::makeBar()
 {
   auto* const bar = new QToolBar("Curves");
@@ -278,7 +272,6 @@ void EditorWindow::makeBar()
   this->addToolBar(Qt::LeftToolBarArea, bar);
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::askCommand()
 {
   std::map<QString, QAction*> all;
@@ -309,7 +302,6 @@ void EditorWindow::askCommand()
   }
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::askOpen(
   const QString& title, const QString& kinds, bool (EditorWindow::*open)(const std::string&))
 {
@@ -323,7 +315,6 @@ void EditorWindow::askOpen(
   }
 }
 
-//------------------------------------------------------------------------------
 std::string EditorWindow::askFile(const QString& title, const QString& name, const QString& kinds)
 {
   QString file =
@@ -349,7 +340,6 @@ std::string EditorWindow::askFile(const QString& title, const QString& name, con
     : file.toStdString();
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::askWrite(const QString& title, const QString& ending, const QString& kinds,
   bool (EditorWindow::*write)(const std::string&))
 {
@@ -360,13 +350,11 @@ void EditorWindow::askWrite(const QString& title, const QString& ending, const Q
   }
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::askSave()
 {
   this->askWrite("Save curves", "_curves.vtp", "Curves (*.vtp)", &EditorWindow::saveCurves);
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::askPatternOptions()
 {
   std::set<std::string> curves{ "boundary" };

@@ -21,7 +21,6 @@ constexpr double soon = 0.1;
 constexpr std::size_t tableRows = 6;
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::followCurves()
 {
   this->followChoice();
@@ -43,7 +42,6 @@ void EditorWindow::followCurves()
   this->expectPieces();
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::askForPieces(Care care)
 {
   this->Rest->stop();
@@ -52,13 +50,11 @@ void EditorWindow::askForPieces(Care care)
   this->Live->ask(curves, care);
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::customEvent(QEvent*)
 {
   this->takePieces();
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::takePieces()
 {
   if (this->Live->take())
@@ -82,7 +78,6 @@ void EditorWindow::takePieces()
   }
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::waitForPieces()
 {
   if (this->Rest->isActive())
@@ -98,7 +93,6 @@ void EditorWindow::waitForPieces()
   QApplication::restoreOverrideCursor();
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::expectPieces()
 {
   const double full = this->Live->seconds(Care::Full);
@@ -114,7 +108,6 @@ void EditorWindow::expectPieces()
   }
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::showBehind()
 {
   this->Late->stop();
@@ -127,7 +120,6 @@ void EditorWindow::showBehind()
   }
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::showMeasures()
 {
   QString table;
@@ -152,7 +144,6 @@ void EditorWindow::showMeasures()
   this->Readout->setEnabled(!this->Behind);
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::showResult()
 {
   this->showMeasures();

@@ -19,7 +19,6 @@ constexpr int dialogWidth = 420;
 const char* const everywhere = "everywhere alike";
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::askProposals()
 {
   const std::vector<std::string> arrays =
@@ -46,7 +45,6 @@ void EditorWindow::askProposals()
   }
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::propose(const std::string& weights)
 {
   if (!this->Surface)
@@ -85,7 +83,6 @@ void EditorWindow::propose(const std::string& weights)
   this->tell(words, bad);
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::connectProposals()
 {
   this->Proposed->onAccept = [this](const Proposal& proposal) {
@@ -112,7 +109,6 @@ void EditorWindow::connectProposals()
   };
 }
 
-//------------------------------------------------------------------------------
 bool EditorWindow::addOffset(double distance)
 {
   if (this->Hand->IsDrawing())
@@ -132,7 +128,6 @@ bool EditorWindow::addOffset(double distance)
   return done;
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::askOffset()
 {
   if (this->Hand->GetChosenCurve() < 0)

@@ -86,7 +86,6 @@ const char* const measureWords =
 const char* const broken = "color: #b00000; font-weight: bold";
 }
 
-//------------------------------------------------------------------------------
 EditorWindow::EditorWindow()
   : SpaceScene(this->Space)
   , PlaneScene(this->Plane)
@@ -173,7 +172,6 @@ EditorWindow::EditorWindow()
   this->Hint->setText("Open a surface: File > Open surface, Ctrl+O.");
 }
 
-//------------------------------------------------------------------------------
 EditorWindow::~EditorWindow()
 {
   this->Live.reset(); // its thread tells this window of what it finds
@@ -185,7 +183,6 @@ EditorWindow::~EditorWindow()
   this->hide();
 }
 
-//------------------------------------------------------------------------------
 QVTKOpenGLStereoWidget* EditorWindow::addView(vtkRenderer* renderer)
 {
   auto* const view = new QVTKOpenGLStereoWidget;
@@ -209,7 +206,6 @@ QVTKOpenGLStereoWidget* EditorWindow::addView(vtkRenderer* renderer)
   return view;
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::connectHand()
 {
   vtkRenderWindow* const window = this->SpaceWidget->renderWindow();
@@ -234,7 +230,6 @@ void EditorWindow::connectHand()
   this->Panel->onMirror = [this] { this->action(vtkFeatureCurveWidget::MIRROR)->trigger(); };
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::followChoice()
 {
   this->Panel->show(this->Hand->GetChosenCurve());
@@ -258,13 +253,11 @@ void EditorWindow::followChoice()
   }
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::showRefusal()
 {
   this->tell(this->Hand->GetHint(), true);
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::showSize()
 {
   this->Panel->setUnit(this->Unit->currentText());
@@ -281,7 +274,6 @@ void EditorWindow::showSize()
   }
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::tell(const std::string& words, bool bad)
 {
   const QString style = bad ? broken : "";
@@ -293,7 +285,6 @@ void EditorWindow::tell(const std::string& words, bool bad)
   this->Message->setText(QString::fromStdString(words));
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::resetViews()
 {
   this->SpaceScene.resetCamera();
@@ -301,7 +292,6 @@ void EditorWindow::resetViews()
   this->showResult();
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::lookAlong(int axis)
 {
   if (!this->Surface)
@@ -325,13 +315,11 @@ void EditorWindow::lookAlong(int axis)
   this->showResult();
 }
 
-//------------------------------------------------------------------------------
 bool EditorWindow::isUnsaved() const
 {
   return this->Curves->GetNumberOfCurves() > 0 && this->Curves->GetMTime() != this->Saved;
 }
 
-//------------------------------------------------------------------------------
 bool EditorWindow::mayForgetCurves()
 {
   if (!this->isUnsaved())
@@ -350,7 +338,6 @@ bool EditorWindow::mayForgetCurves()
   return answer == QMessageBox::Discard;
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::letGo()
 {
   for (const QVTKOpenGLStereoWidget* view : { this->SpaceWidget, this->PlaneWidget })
@@ -363,7 +350,6 @@ void EditorWindow::letGo()
   }
 }
 
-//------------------------------------------------------------------------------
 bool EditorWindow::event(QEvent* event)
 {
   if (event->type() == QEvent::WindowBlocked)
@@ -377,7 +363,6 @@ bool EditorWindow::event(QEvent* event)
   return QMainWindow::event(event);
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::takePalette()
 {
   // Lines and words on it are black.
@@ -393,7 +378,6 @@ void EditorWindow::takePalette()
   }
 }
 
-//------------------------------------------------------------------------------
 void EditorWindow::closeEvent(QCloseEvent* event)
 {
   if (this->mayForgetCurves())

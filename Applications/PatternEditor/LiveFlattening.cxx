@@ -49,7 +49,6 @@ public:
 };
 }
 
-//------------------------------------------------------------------------------
 LiveFlattening::LiveFlattening(std::function<void()> onDone)
   : OnDone(std::move(onDone))
 {
@@ -62,7 +61,6 @@ LiveFlattening::LiveFlattening(std::function<void()> onDone)
   this->Worker = std::thread([this] { this->work(); });
 }
 
-//------------------------------------------------------------------------------
 LiveFlattening::~LiveFlattening()
 {
   {
@@ -73,7 +71,6 @@ LiveFlattening::~LiveFlattening()
   this->Worker.join();
 }
 
-//------------------------------------------------------------------------------
 void LiveFlattening::setSurface(vtkPolyData* surface)
 {
   {
@@ -89,7 +86,6 @@ void LiveFlattening::setSurface(vtkPolyData* surface)
   this->Seconds = {};
 }
 
-//------------------------------------------------------------------------------
 bool LiveFlattening::setCloth(const std::string& material, const std::vector<std::string>& grain)
 {
   const bool others = material != this->Material || grain != this->Grain;
@@ -98,7 +94,6 @@ bool LiveFlattening::setCloth(const std::string& material, const std::vector<std
   return others;
 }
 
-//------------------------------------------------------------------------------
 void LiveFlattening::ask(vtkPolyData* curves, Care care)
 {
   Order order{ this->Surface, copyOf(curves), care, this->Material, this->Grain };
@@ -109,7 +104,6 @@ void LiveFlattening::ask(vtkPolyData* curves, Care care)
   this->Wake.notify_one();
 }
 
-//------------------------------------------------------------------------------
 bool LiveFlattening::take()
 {
   std::optional<Answer> answer;
@@ -132,14 +126,12 @@ bool LiveFlattening::take()
   return true;
 }
 
-//------------------------------------------------------------------------------
 bool LiveFlattening::isBusy() const
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
   return this->Waiting || this->Found || (this->Running && !this->Useless);
 }
 
-//------------------------------------------------------------------------------
 bool LiveFlattening::run(vtkPolyData* curves, Care care)
 {
   this->ask(curves, care);
@@ -151,7 +143,6 @@ bool LiveFlattening::run(vtkPolyData* curves, Care care)
   return flat;
 }
 
-//------------------------------------------------------------------------------
 bool LiveFlattening::isOvertaken()
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
@@ -159,7 +150,6 @@ bool LiveFlattening::isOvertaken()
     (this->Waiting && Clock::now() - this->Start > patience(this->Doing));
 }
 
-//------------------------------------------------------------------------------
 void LiveFlattening::work()
 {
   std::unique_lock<std::mutex> lock(this->Guard);
@@ -192,7 +182,6 @@ void LiveFlattening::work()
   }
 }
 
-//------------------------------------------------------------------------------
 std::optional<LiveFlattening::Answer> LiveFlattening::answer(const Order& order)
 {
   try
@@ -205,7 +194,6 @@ std::optional<LiveFlattening::Answer> LiveFlattening::answer(const Order& order)
   }
 }
 
-//------------------------------------------------------------------------------
 std::optional<LiveFlattening::Answer> LiveFlattening::flatten(const Order& order)
 {
   if (this->Known != order.surface)

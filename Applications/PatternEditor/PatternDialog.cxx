@@ -18,7 +18,6 @@ namespace editor
 {
 using flattening::OptionType;
 
-//------------------------------------------------------------------------------
 PatternDialog::PatternDialog(vtkPatternWriter* writer, const PieceEases& eases,
   const std::set<std::string>& curves, QWidget* parent)
   : QDialog(parent)
@@ -53,7 +52,6 @@ PatternDialog::PatternDialog(vtkPatternWriter* writer, const PieceEases& eases,
   layout->addWidget(buttons);
 }
 
-//------------------------------------------------------------------------------
 void PatternDialog::accept()
 {
   const QString defect = this->OfCurves->defect();
@@ -72,7 +70,6 @@ void PatternDialog::accept()
   this->QDialog::accept();
 }
 
-//------------------------------------------------------------------------------
 void PatternDialog::add(const flattening::Option& option)
 {
   const std::string& property = option.property;

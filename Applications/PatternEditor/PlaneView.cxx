@@ -62,7 +62,6 @@ figures::PolyData colored(const figures::PolyData& wires)
 }
 }
 
-//------------------------------------------------------------------------------
 PlaneView::PlaneView(vtkRenderer* renderer)
   : Renderer(renderer)
 {
@@ -86,7 +85,6 @@ PlaneView::PlaneView(vtkRenderer* renderer)
   renderer->AddViewProp(this->Title);
 }
 
-//------------------------------------------------------------------------------
 void PlaneView::start(vtkPolyData* surface, vtkCamera* camera)
 {
   figures::Vector right;
@@ -108,7 +106,6 @@ void PlaneView::start(vtkPolyData* surface, vtkCamera* camera)
   this->CameraSet = false;
 }
 
-//------------------------------------------------------------------------------
 void PlaneView::show(const figures::FlatPiece& piece, figures::Coloring coloring)
 {
   const figures::FlatPiece settled = this->Steady.settle(piece);
@@ -135,7 +132,6 @@ void PlaneView::show(const figures::FlatPiece& piece, figures::Coloring coloring
   this->Renderer->ResetCameraClippingRange();
 }
 
-//------------------------------------------------------------------------------
 void PlaneView::dim(bool on)
 {
   this->Dim = on;
@@ -145,7 +141,6 @@ void PlaneView::dim(bool on)
   }
 }
 
-//------------------------------------------------------------------------------
 void PlaneView::showScale(const figures::ColorMap& map)
 {
   // Shares of the view.
@@ -171,7 +166,6 @@ void PlaneView::showScale(const figures::ColorMap& map)
   this->Title->VisibilityOn();
 }
 
-//------------------------------------------------------------------------------
 void PlaneView::resetCamera(vtkPolyData* flat)
 {
   double bounds[6];

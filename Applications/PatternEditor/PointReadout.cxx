@@ -71,14 +71,12 @@ std::string threads(const CellValues& cell, double limit)
 }
 }
 
-//------------------------------------------------------------------------------
 void PointReadout::setPiece(const figures::FlatPiece& piece)
 {
   this->Piece = piece;
   this->Locator = nullptr;
 }
 
-//------------------------------------------------------------------------------
 vtkIdType PointReadout::cellAt(vtkRenderer* plane, int x, int y)
 {
   plane->SetDisplayPoint(x, y, 0.0); // at any depth: the view is parallel, and along z
@@ -98,7 +96,6 @@ vtkIdType PointReadout::cellAt(vtkRenderer* plane, int x, int y)
   return this->Locator->FindCell(point.data());
 }
 
-//------------------------------------------------------------------------------
 std::string PointReadout::at(vtkRenderer* plane, int x, int y)
 {
   const vtkIdType found =

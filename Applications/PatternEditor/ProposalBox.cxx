@@ -23,7 +23,6 @@ QString strainWords(double share)
 }
 }
 
-//------------------------------------------------------------------------------
 ProposalBox::ProposalBox(QMenu* menu)
   : QGroupBox("Proposals")
   , Words(new QLabel)
@@ -50,7 +49,6 @@ ProposalBox::ProposalBox(QMenu* menu)
   this->set({});
 }
 
-//------------------------------------------------------------------------------
 QAction* ProposalBox::addAction(
   QMenu* menu, const QString& name, const QString& key, void (ProposalBox::*run)())
 {
@@ -62,7 +60,6 @@ QAction* ProposalBox::addAction(
   return action;
 }
 
-//------------------------------------------------------------------------------
 void ProposalBox::set(Proposals proposals)
 {
   this->Waiting = std::move(proposals);
@@ -70,21 +67,18 @@ void ProposalBox::set(Proposals proposals)
   this->showChosen();
 }
 
-//------------------------------------------------------------------------------
 void ProposalBox::setUnit(const QString& unit)
 {
   this->Unit = unit;
   this->showChosen();
 }
 
-//------------------------------------------------------------------------------
 void ProposalBox::next()
 {
   this->Chosen = (this->Chosen + 1) % std::max<std::size_t>(this->Waiting.cuts.size(), 1);
   this->showChosen();
 }
 
-//------------------------------------------------------------------------------
 void ProposalBox::acceptChosen()
 {
   if (this->Chosen < this->Waiting.cuts.size())
@@ -98,7 +92,6 @@ void ProposalBox::acceptChosen()
   }
 }
 
-//------------------------------------------------------------------------------
 void ProposalBox::acceptAll()
 {
   this->Chosen = 0;
@@ -114,7 +107,6 @@ void ProposalBox::acceptAll()
   });
 }
 
-//------------------------------------------------------------------------------
 void ProposalBox::rejectChosen()
 {
   if (this->Chosen < this->Waiting.cuts.size())
@@ -123,7 +115,6 @@ void ProposalBox::rejectChosen()
   }
 }
 
-//------------------------------------------------------------------------------
 void ProposalBox::forget(std::size_t proposal)
 {
   this->Waiting.cuts.erase(this->Waiting.cuts.begin() + static_cast<std::ptrdiff_t>(proposal));
@@ -131,7 +122,6 @@ void ProposalBox::forget(std::size_t proposal)
   this->showChosen();
 }
 
-//------------------------------------------------------------------------------
 void ProposalBox::showChosen()
 {
   const std::vector<Proposal>& cuts = this->Waiting.cuts;

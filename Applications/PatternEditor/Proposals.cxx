@@ -61,7 +61,6 @@ Proposal proposalOf(vtkPolyData* curves, vtkIdType cell)
 }
 }
 
-//------------------------------------------------------------------------------
 Proposals propose(vtkPolyData* surface, vtkPolyData* curves, const std::string& weights,
   const std::function<bool(const std::string&)>& goOn)
 {
@@ -98,7 +97,6 @@ Proposals propose(vtkPolyData* surface, vtkPolyData* curves, const std::string& 
   return proposals;
 }
 
-//------------------------------------------------------------------------------
 std::vector<std::string> weightArrays(vtkPolyData* surface)
 {
   std::vector<std::string> names;
@@ -116,7 +114,6 @@ std::vector<std::string> weightArrays(vtkPolyData* surface)
   return names;
 }
 
-//------------------------------------------------------------------------------
 bool accept(const Proposal& proposal, vtkFeatureCurveEditor* curves)
 {
   const int curve = curves->GetNumberOfCurves();
@@ -132,7 +129,6 @@ bool accept(const Proposal& proposal, vtkFeatureCurveEditor* curves)
   return added;
 }
 
-//------------------------------------------------------------------------------
 figures::PolyData linesOf(const std::vector<Proposal>& proposals)
 {
   figures::PolyData lines = figures::PolyData::New();

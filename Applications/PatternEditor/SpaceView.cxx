@@ -23,7 +23,6 @@ constexpr std::array<unsigned char, 4> paleGhost{ 255, 150, 60, 130 };
 constexpr double surfaceMargin = 1.08;
 }
 
-//------------------------------------------------------------------------------
 SpaceView::SpaceView(vtkRenderer* renderer)
   : Renderer(renderer)
 {
@@ -50,7 +49,6 @@ SpaceView::SpaceView(vtkRenderer* renderer)
   renderer->AddViewProp(this->Boundary);
 }
 
-//------------------------------------------------------------------------------
 void SpaceView::setSurface(const figures::PolyData& surface)
 {
   this->Surface = surface;
@@ -68,7 +66,6 @@ void SpaceView::setSurface(const figures::PolyData& surface)
   this->resetCamera();
 }
 
-//------------------------------------------------------------------------------
 void SpaceView::color(const figures::FlatPiece& piece, figures::Coloring coloring)
 {
   const figures::ColorMap map = figures::makeColorMap(coloring, piece);
@@ -81,13 +78,11 @@ void SpaceView::color(const figures::FlatPiece& piece, figures::Coloring colorin
   this->Mapper->ScalarVisibilityOn();
 }
 
-//------------------------------------------------------------------------------
 void SpaceView::setEdges(bool shown)
 {
   this->Actor->GetProperty()->SetEdgeVisibility(shown ? 1 : 0);
 }
 
-//------------------------------------------------------------------------------
 void SpaceView::showGhosts(const figures::PolyData& lines, std::size_t chosen)
 {
   vtkNew<vtkUnsignedCharArray> colors;
@@ -103,7 +98,6 @@ void SpaceView::showGhosts(const figures::PolyData& lines, std::size_t chosen)
   this->Ghosts->SetVisibility(lines->GetNumberOfCells() > 0 ? 1 : 0);
 }
 
-//------------------------------------------------------------------------------
 void SpaceView::resetCamera()
 {
   if (this->Surface)
@@ -112,7 +106,6 @@ void SpaceView::resetCamera()
   }
 }
 
-//------------------------------------------------------------------------------
 void SpaceView::lookFrom(const figures::Vector& back)
 {
   if (!this->Surface)

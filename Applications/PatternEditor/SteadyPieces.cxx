@@ -105,7 +105,6 @@ void layInRows(const std::vector<SteadyPiece>& pieces, Layout& layout)
 }
 }
 
-//------------------------------------------------------------------------------
 void SteadyPieces::start(
   vtkPolyData* surface, const figures::Vector& right, const figures::Vector& up)
 {
@@ -118,7 +117,6 @@ void SteadyPieces::start(
   }
 }
 
-//------------------------------------------------------------------------------
 figures::FlatPiece SteadyPieces::settle(const figures::FlatPiece& piece)
 {
   vtkDataArray* const original = piece.flat->GetPointData()->GetArray("vtkOriginalPointIds");

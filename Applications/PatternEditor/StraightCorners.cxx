@@ -65,7 +65,6 @@ double turnAfter(const vtkFeatureCurveEditor* curves, int curve, int segment, vt
 }
 }
 
-//------------------------------------------------------------------------------
 std::string cornersOfStraightKeys(const vtkFeatureCurveEditor* curves)
 {
   for (int curve = 0; curve < curves->GetNumberOfCurves(); ++curve)

@@ -40,26 +40,22 @@ std::string describeRun(const Source* source)
 }
 }
 
-//------------------------------------------------------------------------------
 std::string remedyWords(const std::string& name)
 {
   return flattening::remedyWords(name, spellingOf);
 }
 
-//------------------------------------------------------------------------------
 std::string messageOf(const vtkFlatteningAlgorithm* filter)
 {
   return describeRun(filter);
 }
 
-//------------------------------------------------------------------------------
 std::string messageOf(const vtkPatternWriter* writer)
 {
   // What the pipeline refuses has no parts.
   return *writer->GetStatusDefect() ? describeRun(writer) : writer->GetErrorMessage();
 }
 
-//------------------------------------------------------------------------------
 std::string savedWords(const std::string& path, vtkPatternWriter* writer)
 {
   std::string words = "saved " + path;

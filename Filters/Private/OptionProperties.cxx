@@ -7,7 +7,6 @@
 
 namespace flattening::bridge
 {
-//------------------------------------------------------------------------------
 bool setNumber(OptionValues& values, const char* property, double number)
 {
   const Option& option = *values.find(property);
@@ -32,7 +31,6 @@ bool setNumber(OptionValues& values, const char* property, double number)
   return isOther;
 }
 
-//------------------------------------------------------------------------------
 bool setText(OptionValues& values, const char* property, const std::string& text)
 {
   const bool isOther = text != std::get<std::string>(values[property]);
@@ -43,7 +41,6 @@ bool setText(OptionValues& values, const char* property, const std::string& text
   return isOther;
 }
 
-//------------------------------------------------------------------------------
 const char* nameOfWord(const OptionValues& values, const char* property)
 {
   return values.find(property)
@@ -51,7 +48,6 @@ const char* nameOfWord(const OptionValues& values, const char* property)
     .name.c_str();
 }
 
-//------------------------------------------------------------------------------
 void print(const OptionValues& values, std::ostream& os, vtkIndent indent)
 {
   for (const Option* const option : values.options())
