@@ -9,8 +9,10 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace editor
 {
@@ -191,28 +193,26 @@ void CurveOptionsTable::take(vtkPatternWriter* writer) const
   writer->RemoveAllDoubleNotches();
   writer->RemoveAllCurveFairTolerances();
   writer->RemoveAllCurveDartTips();
+  using Setter = void (vtkPatternWriter::*)(const std::string&, double);
+  constexpr std::array<std::pair<Option, Setter>, 4> setters{
+    { { Allowance, &vtkPatternWriter::SetCurveAllowance },
+      { NotchesAt, &vtkPatternWriter::AddCurveNotch },
+      { FairTolerance, &vtkPatternWriter::SetCurveFairTolerance },
+      { DartTip, &vtkPatternWriter::SetCurveDartTip } }
+  };
   for (int row = 0; row < this->rowCount(); ++row)
   {
     const std::string name = this->curve(row);
-    for (const QString& word : wordsOf(this->text(row, Allowance)))
-    {
-      writer->SetCurveAllowance(name, lengthOf(word));
-    }
-    for (const QString& word : wordsOf(this->text(row, NotchesAt)))
-    {
-      writer->AddCurveNotch(name, lengthOf(word));
-    }
     if (this->item(row, DoubleNotches)->checkState() == Qt::Checked)
     {
       writer->AddDoubleNotches(name);
     }
-    for (const QString& word : wordsOf(this->text(row, FairTolerance)))
+    for (const auto& [option, set] : setters)
     {
-      writer->SetCurveFairTolerance(name, lengthOf(word));
-    }
-    for (const QString& word : wordsOf(this->text(row, DartTip)))
-    {
-      writer->SetCurveDartTip(name, lengthOf(word));
+      for (const QString& word : wordsOf(this->text(row, option)))
+      {
+        (writer->*set)(name, lengthOf(word));
+      }
     }
   }
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PieceEase.h"
-
 #include <QTableWidget>
 
+#include <map>
 #include <set>
 #include <string>
 
@@ -12,6 +11,15 @@ class vtkPatternWriter;
 
 namespace editor
 {
+/// By how much a curve is longer in one piece than on the surface, as vtkFeatureCurveEditor has it.
+struct PieceEase
+{
+  double fraction = 0.0; ///< 0: no ease
+  int piece = -1;        ///< from 0; -1: the only one that it is in
+};
+
+using PieceEases = std::map<std::string, PieceEase>; ///< by name
+
 /// What patterns show of single curves, a row each, where it is not as for all: seam allowance,
 /// notches, smoothness, tips of darts; and how much longer they are in one of their pieces. Fields
 /// that are empty leave it as for all.

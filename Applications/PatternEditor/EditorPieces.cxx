@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the flat pieces of EditorWindow follow the curves.
+// How the flat pieces of EditorWindow follow the curves and the cloth.
 #include "EditorWindow.h"
 
 #include "PatternPicture.h"
 #include "StraightCorners.h"
 
+#include <vtkCellData.h>
+#include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
 
 #include <QApplication>
+
+#include <algorithm>
 
 namespace editor
 {
@@ -161,5 +166,41 @@ void EditorWindow::showResult()
   this->Reader.setPiece(this->PlaneScene.shown());
   this->SpaceWidget->renderWindow()->Render();
   this->PlaneWidget->renderWindow()->Render();
+}
+
+void EditorWindow::makeCloth(QVBoxLayout* side)
+{
+  side->insertWidget(1, this->Cloth);
+  this->Readout->setWordWrap(true);
+  this->Readout->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  this->Cloth->onChange = [this] { this->followCloth(); };
+  this->PlaneWidget->interactor()->AddObserver(
+    vtkCommand::MouseMoveEvent, this, &EditorWindow::readPlane);
+}
+
+void EditorWindow::followCloth()
+{
+  const bool changed = this->Live->setCloth(this->Cloth->material(), this->Cloth->grain());
+  if (this->Surface && changed)
+  {
+    this->askForPieces(Care::Full);
+    this->expectPieces();
+  }
+}
+
+figures::Coloring EditorWindow::shownColoring() const
+{
+  const auto& threads = figures::threadColorings;
+  const bool ofThreads = std::find(threads.begin(), threads.end(), this->Coloring) != threads.end();
+  vtkPolyData* const flat = this->Live->result().flat;
+  return ofThreads && !(flat && flat->GetCellData()->HasArray("StrainWarp"))
+    ? figures::Coloring::Homogeneity
+    : this->Coloring;
+}
+
+void EditorWindow::readPlane()
+{
+  const int* const at = this->PlaneWidget->interactor()->GetEventPosition();
+  this->Readout->setText(QString::fromStdString(this->Reader.at(this->Plane, at[0], at[1])));
 }
 }
