@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFeatureCurveImprinter.h"
 
-#include "ImprintOutput.h"
+#include "SurfaceOutput.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -5,12 +5,12 @@
 #include "CurvedPolyData.h"
 #include "FilterExecution.h"
 #include "FlatteningOutput.h"
-#include "ImprintOutput.h"
 #include "ListChanges.h"
 #include "Options/OptionStructures.h"
 #include "Report/FlatteningRun.h"
 #include "Report/FlatteningTables.h"
 #include "SurfaceInput.h"
+#include "SurfaceOutput.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

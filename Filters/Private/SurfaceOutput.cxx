@@ -2,6 +2,7 @@
 #include "SurfaceOutput.h"
 
 #include "AttributeArrays.h"
+#include "Report/FlatteningData.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -61,22 +62,9 @@ void writeSurface(const CurvedPolyData& source, const Triangles& triangles,
   copyCellData(source.cellArrays, cellOfTriangle, output);
   output->GetFieldData()->PassData(source.fieldData);
 }
-}
 
-void copyCellData(
-  vtkCellData* input, const std::vector<std::int64_t>& cellOfTriangle, vtkPolyData* output)
-{
-  vtkCellData* cells = output->GetCellData();
-  cells->CopyGlobalIdsOff(); // a triangle can be one of several of its cell
-  cells->CopyAllocate(input, static_cast<vtkIdType>(cellOfTriangle.size()));
-  const bool any = input->GetNumberOfArrays() > 0;
-  for (std::size_t t = 0; any && t < cellOfTriangle.size(); ++t)
-  {
-    cells->CopyData(input, cellOfTriangle[t], static_cast<vtkIdType>(t));
-  }
-  addColumns(cells, { { "vtkOriginalCellIds", cellOfTriangle } });
-}
-
+/// Fills a data set with the imprinted surface, with the input's data, `vtkOriginalCellIds` and
+/// `vtkOriginalPointIds`.
 void writeImprintedSurface(const CurvedPolyData& source, vtkPolyData* output)
 {
   const TriangleMesh& mesh = source.imprinted.mesh;
@@ -94,6 +82,78 @@ void writeImprintedSurface(const CurvedPolyData& source, vtkPolyData* output)
   addRows<std::int64_t>(ids, "vtkOriginalPointIds", vertices.size(),
     [&](std::size_t v) { return source.pointOf(vertices[v]); });
   addColumns(output->GetPointData(), ids);
+}
+
+/// The cell arrays that all data sets of the curves have.
+void copyCurveData(
+  const CurvedPolyData& source, vtkCellData* cells, std::vector<std::string>& warnings)
+{
+  std::vector<vtkPolyData*> sources;
+  std::vector<vtkSmartPointer<vtkCellData>> arrays;
+  std::vector<int> sourceOfCurve;
+  const CurveInput& curves = source.curves;
+  for (const int number : curves.sourceOfPolyline)
+  {
+    vtkPolyData* const data = source.sources[static_cast<std::size_t>(number)];
+    const auto known = std::find(sources.begin(), sources.end(), data);
+    sourceOfCurve.push_back(static_cast<int>(known - sources.begin()));
+    if (known == sources.end())
+    {
+      sources.push_back(data);
+      arrays.push_back(wholeCellArrays(data, warnings));
+    }
+  }
+  vtkDataSetAttributes::FieldList common(static_cast<int>(sources.size()));
+  for (std::size_t s = 0; s < sources.size(); ++s)
+  {
+    if (s == 0)
+    {
+      common.InitializeFieldList(arrays[s]);
+    }
+    else
+    {
+      common.IntersectFieldList(arrays[s]);
+    }
+  }
+  const vtkIdType count = static_cast<vtkIdType>(curves.cellOfPolyline.size());
+  cells->CopyGlobalIdsOff(); // a curve can be joined from several cells
+  cells->CopyAllocate(common, count);
+  for (vtkIdType c = 0; c < count; ++c)
+  {
+    cells->CopyData(
+      common, arrays[sourceOfCurve[c]], sourceOfCurve[c], curves.cellOfPolyline[c], c);
+  }
+}
+}
+
+void copyCellData(
+  vtkCellData* input, const std::vector<std::int64_t>& cellOfTriangle, vtkPolyData* output)
+{
+  vtkCellData* cells = output->GetCellData();
+  cells->CopyGlobalIdsOff(); // a triangle can be one of several of its cell
+  cells->CopyAllocate(input, static_cast<vtkIdType>(cellOfTriangle.size()));
+  const bool any = input->GetNumberOfArrays() > 0;
+  for (std::size_t t = 0; any && t < cellOfTriangle.size(); ++t)
+  {
+    cells->CopyData(input, cellOfTriangle[t], static_cast<vtkIdType>(t));
+  }
+  addColumns(cells, { { "vtkOriginalCellIds", cellOfTriangle } });
+}
+
+void writeImprint(const CurvedPolyData& source, vtkPolyData* surface, vtkPolyData* curves,
+  std::vector<std::string>& warnings)
+{
+  writeImprintedSurface(source, surface);
+  const DataSet data = imprintData({}, source).curves;
+  curves->SetPoints(surface->GetPoints());
+  curves->SetLines(makeCells(data.lines));
+  curves->GetPointData()->ShallowCopy(surface->GetPointData());
+  addColumns(curves->GetPointData(), data.pointArrays);
+  if (data.lines.size() > 0)
+  {
+    copyCurveData(source, curves->GetCellData(), warnings);
+  }
+  addColumns(curves->GetCellData(), data.cellArrays);
 }
 
 void writeCutSurface(const CurvedPolyData& source, const CutSurface& cut, const CutArrays& arrays,

@@ -6,6 +6,7 @@
 #include "Report/FlatteningArrays.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 class vtkPoints;
@@ -16,12 +17,14 @@ namespace flattening::bridge
 void copyCellData(
   vtkCellData* input, const std::vector<std::int64_t>& cellOfTriangle, vtkPolyData* output);
 
-/// Fills a data set with the imprinted surface, with the input's point and cell data (interpolated
-/// at points made by imprinting) and field data, `vtkOriginalCellIds` and `vtkOriginalPointIds`.
-void writeImprintedSurface(const CurvedPolyData& source, vtkPolyData* output);
+/// Writes an imprinted surface and its curves as the two outputs that vtkFeatureCurveImprinter
+/// documents. \param warnings get a sentence for each array of the curves that is left out.
+void writeImprint(const CurvedPolyData& source, vtkPolyData* surface, vtkPolyData* curves,
+  std::vector<std::string>& warnings);
 
-/// The same for a cut surface over the given points. \param arrays its arrays beside those of the
-/// input
+/// Fills a data set with a cut surface over the given points, with the input's point and cell data
+/// (interpolated at points made by imprinting) and field data. \param arrays its arrays beside
+/// those of the input
 void writeCutSurface(const CurvedPolyData& source, const CutSurface& cut, const CutArrays& arrays,
   vtkPoints* points, vtkPolyData* output);
 }
