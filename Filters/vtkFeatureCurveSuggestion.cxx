@@ -29,12 +29,6 @@ vtkFeatureCurveSuggestion::vtkFeatureCurveSuggestion()
 }
 
 //------------------------------------------------------------------------------
-vtkTable* vtkFeatureCurveSuggestion::GetLeftOutLines() const
-{
-  return this->LeftOutLines;
-}
-
-//------------------------------------------------------------------------------
 void vtkFeatureCurveSuggestion::AddPreference(const std::string& curve, double weight)
 {
   flattening::bridge::changeEntry(this, this->Preferences, curve, weight);

@@ -34,11 +34,10 @@
 
 #include "vtkFiltersFlatteningModule.h" // for the export macro
 #include "vtkSmartPointer.h"            // for the lines left out
+#include "vtkTable.h"                   // for the lines left out
 #include "vtkWireWarpingFilter.h"
 
 #include <string> // for names
-
-class vtkTable;
 
 class VTKFILTERSFLATTENING_EXPORT vtkFeatureCurveSuggestion : public vtkWireWarpingFilter
 {
@@ -153,7 +152,7 @@ public:
    * (1: the line only costs too much, 0: it brings a warning, such as that triangles are turned
    * over), `Length`, `Gain`, `AreaErrorBefore`, `AreaErrorAfter`, `StrainBefore`, `StrainAfter`.
    */
-  vtkTable* GetLeftOutLines() const;
+  vtkTable* GetLeftOutLines() const { return this->LeftOutLines; }
 
 protected:
   vtkFeatureCurveSuggestion();

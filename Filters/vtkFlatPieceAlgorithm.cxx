@@ -191,7 +191,7 @@ vtkFlatPieceAlgorithm::vtkFlatPieceAlgorithm()
 {
   this->SetTablePort(piecePort);
   this->SetTablePort(curvePort);
-  this->Reports = std::make_unique<flattening::bridge::KeptTables>();
+  this->KeepTables({});
   this->SetDefaultOptions();
 }
 
@@ -227,33 +227,14 @@ vtkTable* vtkFlatPieceAlgorithm::GetCurves()
 }
 
 //------------------------------------------------------------------------------
-vtkTable* vtkFlatPieceAlgorithm::GetAngleIterations() const
+void vtkFlatPieceAlgorithm::KeepTables(const flattening::ReportTables& tables)
 {
-  return this->Reports->angleIterations;
-}
-
-//------------------------------------------------------------------------------
-vtkTable* vtkFlatPieceAlgorithm::GetIsometricIterations() const
-{
-  return this->Reports->isometricIterations;
-}
-
-//------------------------------------------------------------------------------
-vtkTable* vtkFlatPieceAlgorithm::GetReleases() const
-{
-  return this->Reports->releaseTrials;
-}
-
-//------------------------------------------------------------------------------
-vtkTable* vtkFlatPieceAlgorithm::GetPieceRemedies() const
-{
-  return this->Reports->pieceRemedies;
-}
-
-//------------------------------------------------------------------------------
-vtkTable* vtkFlatPieceAlgorithm::GetLeftOutPieces() const
-{
-  return this->Reports->leftOutPieces;
+  namespace bridge = flattening::bridge;
+  this->AngleIterations = bridge::makeTable(tables.angleIterations);
+  this->IsometricIterations = bridge::makeTable(tables.isometricIterations);
+  this->Releases = bridge::makeTable(tables.releaseTrials);
+  this->PieceRemedies = bridge::makeTable(tables.pieceRemedies);
+  this->LeftOutPieces = bridge::makeTable(tables.leftOutPieces);
 }
 
 //------------------------------------------------------------------------------
@@ -262,7 +243,7 @@ void vtkFlatPieceAlgorithm::FinishData(vtkInformationVector* outputVector)
   this->Superclass::FinishData(outputVector);
   if (this->IsRefused() && this->GetStatusCode() != NOT_RUN)
   {
-    this->Reports = std::make_unique<flattening::bridge::KeptTables>();
+    this->KeepTables({});
     this->SizeWarning.clear();
     std::fill_n(this->Seconds, 4, 0.0);
     flattening::bridge::writeTable(
@@ -360,7 +341,7 @@ bool vtkFlatPieceAlgorithm::TakeResult(const flattening::FlatteningRun& run,
     source, *result, unit, bridge::textsOfCells(flat, "PieceName"));
   bridge::writeTable(tables.pieces, vtkTable::GetData(outputVector, piecePort));
   bridge::writeTable(tables.curves, vtkTable::GetData(outputVector, curvePort));
-  this->Reports = std::make_unique<bridge::KeptTables>(tables);
+  this->KeepTables(tables);
   this->SizeWarning = flattening::sizeWarning(flattening::pieceSizes(*result), unit);
   if (!unit.empty() && !this->SizeWarning.empty())
   {

@@ -57,22 +57,18 @@
 
 #include "vtkFeatureCurveAlgorithm.h"
 #include "vtkFiltersFlatteningModule.h" // for the export macro
+#include "vtkSmartPointer.h"            // for the reports
+#include "vtkTable.h"                   // for the reports
 
-#include <memory> // for the reports
 #include <string> // for the texts
 #include <vector> // for the grain
-
-class vtkTable;
 
 namespace flattening
 {
 struct FlatteningOptions;
 struct FlatteningResult;
 struct FlatteningRun;
-namespace bridge
-{
-struct KeptTables;
-}
+struct ReportTables;
 }
 
 class VTKFILTERSFLATTENING_EXPORT vtkFlatPieceAlgorithm : public vtkFeatureCurveAlgorithm
@@ -98,8 +94,8 @@ public:
    * `Energy` (in mean triangle areas), `LengthError` (largest, in roots of the mean triangle area),
    * `Optimality` and `Move` (of the vertex that moved farthest, in the same unit).
    */
-  vtkTable* GetAngleIterations() const;
-  vtkTable* GetIsometricIterations() const;
+  vtkTable* GetAngleIterations() const { return this->AngleIterations; }
+  vtkTable* GetIsometricIterations() const { return this->IsometricIterations; }
   ///@}
 
   /**
@@ -108,19 +104,19 @@ public:
    * whole), `Tried`, and `Objective`, `AreaError` and `Homogeneity` of the piece flattened without
    * that by the same options; -1 where it was not tried or has no solution.
    */
-  vtkTable* GetReleases() const;
+  vtkTable* GetReleases() const { return this->Releases; }
 
   /**
    * The remedies of the pieces' statuses, the best first: `Piece`, `Remedy` (see
    * GetRemedySentence()) and `Subject`.
    */
-  vtkTable* GetPieceRemedies() const;
+  vtkTable* GetPieceRemedies() const { return this->PieceRemedies; }
 
   /**
    * The pieces that SkipClosed left out: `Reason` ("ClosedSurface" or "Handle"), `Cell` (the first
    * of its cells in the input) and `Triangles`.
    */
-  vtkTable* GetLeftOutPieces() const;
+  vtkTable* GetLeftOutPieces() const { return this->LeftOutPieces; }
 
   /**
    * A sentence on pieces that are unusually small or large for the unit of length; empty for none.
@@ -265,7 +261,14 @@ private:
   vtkFlatPieceAlgorithm(const vtkFlatPieceAlgorithm&) = delete;
   void operator=(const vtkFlatPieceAlgorithm&) = delete;
 
-  std::unique_ptr<flattening::bridge::KeptTables> Reports; // of the last run
+  void KeepTables(const flattening::ReportTables& tables);
+
+  // Of the last run.
+  vtkSmartPointer<vtkTable> AngleIterations;
+  vtkSmartPointer<vtkTable> IsometricIterations;
+  vtkSmartPointer<vtkTable> Releases;
+  vtkSmartPointer<vtkTable> PieceRemedies;
+  vtkSmartPointer<vtkTable> LeftOutPieces;
   std::string SizeWarning;
   double Seconds[4] = { 0.0, 0.0, 0.0, 0.0 };
   // Options have the defaults of the algorithms.

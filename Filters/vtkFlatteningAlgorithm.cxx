@@ -333,24 +333,6 @@ void vtkFlatteningAlgorithm::LeaveRun()
 }
 
 //------------------------------------------------------------------------------
-void vtkFlatteningAlgorithm::BeginRun(vtkInformationVector** vtkNotUsed(inputVector)) {}
-
-//------------------------------------------------------------------------------
-void vtkFlatteningAlgorithm::EndRun(
-  vtkDataObject* vtkNotUsed(input), vtkDataObject* vtkNotUsed(output))
-{
-}
-
-//------------------------------------------------------------------------------
-bool vtkFlatteningAlgorithm::TakesParts() const
-{
-  return false;
-}
-
-//------------------------------------------------------------------------------
-void vtkFlatteningAlgorithm::FinishData(vtkInformationVector* vtkNotUsed(outputVector)) {}
-
-//------------------------------------------------------------------------------
 bool vtkFlatteningAlgorithm::HasSurface(vtkInformationVector* outputVector)
 {
   const bool spread = this->Owners->parts > 1 && !this->TakesParts();
@@ -407,30 +389,6 @@ const char* vtkFlatteningAlgorithm::GetStatusName() const
   return this->StatusCode == NOT_RUN
     ? "NotRun"
     : flattening::statusName(static_cast<flattening::StatusCode>(this->StatusCode));
-}
-
-//------------------------------------------------------------------------------
-vtkIdTypeArray* vtkFlatteningAlgorithm::GetStatusIds() const
-{
-  return this->StatusIds;
-}
-
-//------------------------------------------------------------------------------
-vtkStringArray* vtkFlatteningAlgorithm::GetStatusRemedies() const
-{
-  return this->StatusRemedies;
-}
-
-//------------------------------------------------------------------------------
-vtkStringArray* vtkFlatteningAlgorithm::GetStatusRemedySubjects() const
-{
-  return this->StatusRemedySubjects;
-}
-
-//------------------------------------------------------------------------------
-vtkStringArray* vtkFlatteningAlgorithm::GetStatusWarnings() const
-{
-  return this->StatusWarnings;
 }
 
 //------------------------------------------------------------------------------

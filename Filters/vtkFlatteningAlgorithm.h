@@ -45,8 +45,10 @@
 #define vtkFlatteningAlgorithm_h
 
 #include "vtkFiltersFlatteningModule.h" // for the export macro
+#include "vtkIdTypeArray.h"             // for the ids
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // for the ids
+#include "vtkStringArray.h"  // for the remedies
 
 #include <map>    // for the processes
 #include <memory> // for the processes
@@ -55,8 +57,6 @@
 #include <vector> // for the warnings
 
 class vtkDataObject;
-class vtkIdTypeArray;
-class vtkStringArray;
 
 namespace flattening
 {
@@ -195,7 +195,7 @@ public:
    * as cells and "curve points" as points of the data set that holds the curve. Both are empty
    * where the status is OK or concerns no element. The array is never null.
    */
-  vtkIdTypeArray* GetStatusIds() const;
+  vtkIdTypeArray* GetStatusIds() const { return this->StatusIds; }
   const char* GetStatusIdKind() const { return this->StatusIdKind.c_str(); }
   ///@}
 
@@ -206,14 +206,14 @@ public:
    * where it needs no name. Never null.
    */
   const char* GetStatusDefect() const { return this->StatusDefect.c_str(); }
-  vtkStringArray* GetStatusRemedies() const;
-  vtkStringArray* GetStatusRemedySubjects() const;
+  vtkStringArray* GetStatusRemedies() const { return this->StatusRemedies; }
+  vtkStringArray* GetStatusRemedySubjects() const { return this->StatusRemedySubjects; }
   ///@}
 
   /**
    * The warnings of the last run that the status does not say, each once. Never null.
    */
-  vtkStringArray* GetStatusWarnings() const;
+  vtkStringArray* GetStatusWarnings() const { return this->StatusWarnings; }
 
   ///@{
   /**
@@ -305,14 +305,14 @@ protected:
    * Called before and after a run, once also where the input is a composite data set, for whose
    * blocks RequestData() is called one by one. The second gets the whole input and output.
    */
-  virtual void BeginRun(vtkInformationVector** inputVector);
-  virtual void EndRun(vtkDataObject* input, vtkDataObject* output);
+  virtual void BeginRun(vtkInformationVector** vtkNotUsed(inputVector)) {}
+  virtual void EndRun(vtkDataObject* vtkNotUsed(input), vtkDataObject* vtkNotUsed(output)) {}
 
   /**
    * Whether a process can do its part of a surface that is spread over several, with the ghost
    * cells that it has.
    */
-  virtual bool TakesParts() const;
+  virtual bool TakesParts() const { return false; }
 
   /**
    * The unit of the surface, or where that states none, of the first curves that do; empty for
@@ -323,7 +323,7 @@ protected:
   /**
    * Called after each run on one data set, whether it gave a result or not.
    */
-  virtual void FinishData(vtkInformationVector* outputVector);
+  virtual void FinishData(vtkInformationVector* vtkNotUsed(outputVector)) {}
 
   /**
    * Empties the outputs and forgets the status of the last run.

@@ -69,12 +69,6 @@ int vtkMakeFlattenable::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-vtkTable* vtkMakeFlattenable::GetTrials() const
-{
-  return this->Trials;
-}
-
-//------------------------------------------------------------------------------
 int vtkMakeFlattenable::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

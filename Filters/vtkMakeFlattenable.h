@@ -34,12 +34,11 @@
 
 #include "vtkFiltersFlatteningModule.h" // for the export macro
 #include "vtkSmartPointer.h"            // for the trials
+#include "vtkTable.h"                   // for the trials
 #include "vtkWireWarpingFilter.h"
 
 #include <set>    // for the kept curves
 #include <string> // for their names
-
-class vtkTable;
 
 class VTKFILTERSFLATTENING_EXPORT vtkMakeFlattenable : public vtkWireWarpingFilter
 {
@@ -104,7 +103,7 @@ public:
    * One row per flattening of the search: `Anchor` (stiffness of the springs, over that of the
    * cloth), `Share` (of the way from the design), `Strain`, `Shift` (mean, over Size) (double).
    */
-  vtkTable* GetTrials() const;
+  vtkTable* GetTrials() const { return this->Trials; }
 
 protected:
   vtkMakeFlattenable();

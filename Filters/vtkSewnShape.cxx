@@ -88,21 +88,9 @@ void vtkSewnShape::AddOtherOptions(flattening::OptionValues& values)
 }
 
 //------------------------------------------------------------------------------
-vtkPolyData* vtkSewnShape::GetDesignOutput()
-{
-  return this->GetOutput(1);
-}
-
-//------------------------------------------------------------------------------
 vtkTable* vtkSewnShape::GetShapes()
 {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
-}
-
-//------------------------------------------------------------------------------
-vtkTable* vtkSewnShape::GetIterations() const
-{
-  return this->Iterations;
 }
 
 //------------------------------------------------------------------------------

@@ -35,10 +35,9 @@
 #include "vtkFiltersFlatteningModule.h" // for the export macro
 #include "vtkFlatteningAlgorithm.h"
 #include "vtkSmartPointer.h" // for the iterations
+#include "vtkTable.h"        // for the iterations
 
 #include <string>
-
-class vtkTable;
 
 class VTKFILTERSFLATTENING_EXPORT vtkSewnShape : public vtkFlatteningAlgorithm
 {
@@ -67,7 +66,7 @@ public:
   /**
    * Output 1, the design with the arrays.
    */
-  vtkPolyData* GetDesignOutput();
+  vtkPolyData* GetDesignOutput() { return this->GetOutput(1); }
 
   /**
    * Output 2, one row for each shape (Test PANEL: a piece; PRODUCT: all that is sewn together), in
@@ -96,7 +95,7 @@ public:
    * `Force` (largest on a vertex, over modulus times the root of the mean triangle area), `Move`
    * (of the point that moved farthest, in roots of the mean triangle area).
    */
-  vtkTable* GetIterations() const;
+  vtkTable* GetIterations() const { return this->Iterations; }
 
   /// What is held while the cloth comes to rest.
   enum Tests

@@ -40,9 +40,3 @@ int vtkSurfaceDevelopability::RequestData(vtkInformation* vtkNotUsed(request),
   flattening::bridge::addColumns(output->GetPointData(), { developability });
   return 1;
 }
-
-//------------------------------------------------------------------------------
-bool vtkSurfaceDevelopability::TakesParts() const
-{
-  return true;
-}

@@ -43,7 +43,7 @@ protected:
   vtkSurfaceDevelopability() = default;
   ~vtkSurfaceDevelopability() override = default;
 
-  bool TakesParts() const override;
+  bool TakesParts() const override { return true; }
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -57,15 +57,6 @@ void dropDirections(vtkDataSetAttributes* arrays)
 }
 }
 
-KeptTables::KeptTables(const ReportTables& tables)
-  : angleIterations(makeTable(tables.angleIterations))
-  , isometricIterations(makeTable(tables.isometricIterations))
-  , releaseTrials(makeTable(tables.releaseTrials))
-  , pieceRemedies(makeTable(tables.pieceRemedies))
-  , leftOutPieces(makeTable(tables.leftOutPieces))
-{
-}
-
 void writeWires(
   const std::vector<Wire>& wires, const Columns& arrays, vtkPolyData* surface, vtkPolyData* output)
 {

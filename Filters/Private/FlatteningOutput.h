@@ -4,24 +4,9 @@
 #include "CurvedPolyData.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "Input/Columns.h"
-#include "Report/FlatteningTables.h"
-#include "vtkSmartPointer.h"
-#include "vtkTable.h"
 
 namespace flattening::bridge
 {
-/// The tables that vtkFlatPieceAlgorithm gives by methods.
-struct KeptTables
-{
-  explicit KeptTables(const ReportTables& tables = {});
-
-  vtkSmartPointer<vtkTable> angleIterations;
-  vtkSmartPointer<vtkTable> isometricIterations;
-  vtkSmartPointer<vtkTable> releaseTrials;
-  vtkSmartPointer<vtkTable> pieceRemedies;
-  vtkSmartPointer<vtkTable> leftOutPieces;
-};
-
 /// Writes a flattening as the three outputs that vtkWireWarpingFilter documents.
 void writeFlattening(const CurvedPolyData& source, const FlatteningResult& result,
   const FlatteningOptions& options, vtkPolyData* flat, vtkPolyData* wires, vtkPolyData* cut);
