@@ -27,37 +27,29 @@ namespace flattening::bridge
 class CurveEditorModel
 {
 public:
-  explicit CurveEditorModel(TriangleMesh mesh)
-    : CurveEditorModel(std::make_shared<const DrawingSurface>(std::move(mesh)))
-  {
-  }
-
-  /// Null where there is none.
-  const EditedCurve* curve(int id) const
-  {
-    return id >= 0 && static_cast<std::size_t>(id) < this->editor.curveCount()
-      ? &this->editor.curve(static_cast<std::size_t>(id))
-      : nullptr;
-  }
-
-  CurveEditor editor;
-  SegmentPreview preview;
-
-private:
   explicit CurveEditorModel(const std::shared_ptr<const DrawingSurface>& surface)
     : editor(surface)
     , preview(surface)
   {
   }
-};
 
-inline Point3 pointOf(const double point[3])
+  CurveEditor editor;
+  SegmentPreview preview;
+};
+}
+
+using namespace flattening;
+
+vtkStandardNewMacro(vtkFeatureCurveEditor);
+
+namespace
+{
+Point3 pointOf(const double point[3])
 {
   return { point[0], point[1], point[2] };
 }
 
-using flattening::isFinite;
-inline bool isFinite(const double point[3])
+bool isFinite(const double point[3])
 {
   return flattening::isFinite(pointOf(point));
 }
@@ -68,35 +60,23 @@ Value clampedKind(Value last, int kind)
   return static_cast<Value>(std::clamp(kind, 0, static_cast<int>(last)));
 }
 
-inline SegmentKind kindOf(int kind)
+SegmentKind kindOf(int kind)
 {
   return clampedKind(SegmentKind::Spline, kind);
 }
 
 /// An id of Core; one that does not exist stays so.
-inline std::size_t idOf(int id)
+std::size_t idOf(int id)
 {
   return static_cast<std::size_t>(id);
 }
-}
 
-using namespace flattening;
-using bridge::clampedKind;
-using bridge::idOf;
-using bridge::isFinite;
-using bridge::kindOf;
-using bridge::pointOf;
-
-vtkStandardNewMacro(vtkFeatureCurveEditor);
-
-namespace
-{
 /// Without nodes where there is none of the number.
 const EditedCurve& curveOf(const bridge::CurveEditorModel* drawn, int curve)
 {
   static const EditedCurve empty;
-  const EditedCurve* const found = drawn ? drawn->curve(curve) : nullptr;
-  return found ? *found : empty;
+  return drawn && idOf(curve) < drawn->editor.curveCount() ? drawn->editor.curve(idOf(curve))
+                                                           : empty;
 }
 
 const char* const noSurface = "there is no surface to draw on; give one by SetSurface()";
@@ -231,7 +211,7 @@ void vtkFeatureCurveEditor::GetNode(int curve, int node, double point[3]) const
 {
   const bool there = node >= 0 && node < this->GetNumberOfNodes(curve);
   const Point3 place =
-    there ? this->Drawn->curve(curve)->nodes[idOf(node)].position : Point3(Point3::Zero());
+    there ? curveOf(this->Drawn.get(), curve).nodes[idOf(node)].position : Point3(Point3::Zero());
   std::copy_n(place.data(), 3, point);
 }
 
@@ -245,7 +225,7 @@ int vtkFeatureCurveEditor::GetNumberOfSegments(int curve) const
 int vtkFeatureCurveEditor::GetSegmentKind(int curve, int segment) const
 {
   return segment >= 0 && segment < this->GetNumberOfSegments(curve)
-    ? static_cast<int>(this->Drawn->curve(curve)->kinds[idOf(segment)])
+    ? static_cast<int>(curveOf(this->Drawn.get(), curve).kinds[idOf(segment)])
     : 0;
 }
 
@@ -253,7 +233,7 @@ int vtkFeatureCurveEditor::GetSegmentKind(int curve, int segment) const
 double vtkFeatureCurveEditor::GetSegmentLength(int curve, int segment) const
 {
   return segment >= 0 && segment < this->GetNumberOfSegments(curve)
-    ? lengthOf(this->Drawn->curve(curve)->segments[idOf(segment)])
+    ? lengthOf(curveOf(this->Drawn.get(), curve).segments[idOf(segment)])
     : 0.0;
 }
 
@@ -333,7 +313,8 @@ bool vtkFeatureCurveEditor::SetSurface(vtkPolyData* surface)
     {
       return this->Refuse(flattening::inWords(loaded.outcome));
     }
-    this->Drawn = std::make_unique<bridge::CurveEditorModel>(std::move(loaded.prepared.mesh));
+    this->Drawn = std::make_unique<bridge::CurveEditorModel>(
+      std::make_shared<const DrawingSurface>(std::move(loaded.prepared.mesh)));
     this->Message.clear();
     for (const std::string& mending : loaded.mendings)
     {
@@ -669,8 +650,8 @@ bool vtkFeatureCurveEditor::FindNode(const double point[3], double reach, int fo
   {
     for (int node = 0; node < this->GetNumberOfNodes(curve); ++node)
     {
-      const double distance =
-        sight.distance(this->Drawn->curve(curve)->nodes[idOf(node)].position, pointOf(point));
+      const double distance = sight.distance(
+        curveOf(this->Drawn.get(), curve).nodes[idOf(node)].position, pointOf(point));
       if (distance < least)
       {
         least = distance;
@@ -691,8 +672,8 @@ bool vtkFeatureCurveEditor::FindSegment(const double point[3], double reach, int
   {
     for (int segment = 0; segment < this->GetNumberOfSegments(curve); ++segment)
     {
-      const double distance =
-        distanceTo(this->Drawn->curve(curve)->segments[idOf(segment)], sight, pointOf(point));
+      const double distance = distanceTo(
+        curveOf(this->Drawn.get(), curve).segments[idOf(segment)], sight, pointOf(point));
       if (distance < least)
       {
         least = distance;
