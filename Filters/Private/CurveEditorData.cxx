@@ -25,51 +25,28 @@ namespace flattening::bridge
 {
 namespace
 {
-/// Remembers which of several curves lies farthest from a surface.
-class FarthestCurve
+/// Words on the curve that lies farthest from a surface; empty where all lie on it as the filters'
+/// default has it. \pre The points are finite.
+std::string noteOnFarthest(const std::vector<const Polyline*>& lines, const DrawingSurface& surface)
 {
-public:
-  /// The surface must outlive it.
-  explicit FarthestCurve(const DrawingSurface& surface);
-
-  /// \pre The points are finite.
-  void offer(const Polyline& line);
-  /// Words on it; empty where it is on the surface as the filters' default has it.
-  std::string note() const;
-
-private:
-  const DrawingSurface& Surface;
-  double Distance = 0.0;
-  std::string Name;
-};
-
-FarthestCurve::FarthestCurve(const DrawingSurface& surface)
-  : Surface(surface)
-{
-}
-
-void FarthestCurve::offer(const Polyline& line)
-{
-  for (const Point3& point : line.points)
+  double largest = 0.0;
+  std::string name;
+  for (const Polyline* const line : lines)
   {
-    const double distance = this->Surface.locator().closest(point).distance;
-    if (distance > this->Distance)
+    for (const Point3& point : line->points)
     {
-      this->Distance = distance;
-      this->Name = line.name;
+      const double distance = surface.locator().closest(point).distance;
+      name = distance > largest ? line->name : name;
+      largest = std::max(largest, distance);
     }
   }
-}
-
-std::string FarthestCurve::note() const
-{
   Eigen::AlignedBox3d box;
-  for (const Point3& point : this->Surface.mesh().points())
+  for (const Point3& point : surface.mesh().points())
   {
     box.extend(point);
   }
-  return this->Distance > ImprintOptions().tolerance * box.diagonal().norm()
-    ? "the curve \"" + this->Name + "\" was up to " + shortNumber(this->Distance) +
+  return largest > ImprintOptions().tolerance * box.diagonal().norm()
+    ? "the curve \"" + name + "\" was up to " + shortNumber(largest) +
       " from the surface and is laid onto it; was it drawn on another one, or in another unit?"
     : "";
 }
@@ -383,7 +360,7 @@ CurveSetInput readCurveSet(vtkPolyData* data, const DrawingSurface& surface)
   const ControlPoints nodes = readNodes(data, surface);
   result.status = nodes.status;
   std::map<vtkIdType, std::size_t> curveOfCell;
-  FarthestCurve farthest(surface);
+  std::vector<const Polyline*> drawn;
   for (std::size_t k = 0; k < input.polylines.size() && result.status.ok(); ++k)
   {
     const Polyline& line = input.polylines[k];
@@ -404,12 +381,12 @@ CurveSetInput readCurveSet(vtkPolyData* data, const DrawingSurface& surface)
     {
       break;
     }
-    farthest.offer(line);
+    drawn.push_back(&line);
     curveOfCell[cell] = result.curves.size();
     result.curves.push_back(
       curveOf(line, found == nodes.curves.end() ? nullptr : &found->second, surface));
   }
-  result.note = farthest.note();
+  result.note = noteOnFarthest(drawn, surface);
   return result;
 }
 }
