@@ -15,34 +15,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <variant>
 
 namespace flattening::python
 {
-namespace
-{
-Points2 points2Of(const Numbers& values)
-{
-  Points2 points(static_cast<std::size_t>(values.shape(0)));
-  for (std::size_t k = 0; k < points.size(); ++k)
-  {
-    points[k] = Point2(values.data()[2 * k], values.data()[2 * k + 1]);
-  }
-  return points;
-}
-
-Points3 points3Of(const Numbers& values)
-{
-  Points3 points(static_cast<std::size_t>(values.shape(0)));
-  for (std::size_t k = 0; k < points.size(); ++k)
-  {
-    const double* const x = values.data() + 3 * k;
-    points[k] = Point3(x[0], x[1], x[2]);
-  }
-  return points;
-}
-}
-
 OptionValue valueOf(const Option& option, const py::handle& value)
 {
   switch (option.type)
@@ -159,10 +136,13 @@ DataSet dataSetOf(const py::dict& data)
 {
   DataSet set;
   const auto points = data["points"].cast<Numbers>();
-  Points3 places = points.shape(1) == 3 ? points3Of(points) : Points3();
-  for (const Point2& p : points.shape(1) == 2 ? points2Of(points) : Points2())
+  const auto components = points.shape(1); // of others there are no points
+  Points3 places;
+  places.reserve(static_cast<std::size_t>(points.shape(0)));
+  for (py::ssize_t k = 0; (components == 2 || components == 3) && k < points.shape(0); ++k)
   {
-    places.emplace_back(p.x(), p.y(), 0.0);
+    const double* const x = points.data() + components * k;
+    places.emplace_back(x[0], x[1], components == 3 ? x[2] : 0.0);
   }
   set.points = std::make_shared<const Points3>(std::move(places));
   const auto idsOf = [](const py::handle& values) {
@@ -307,6 +287,17 @@ py::tuple tupleOf(const Status& status)
     textOf(status.message), ids, kindName(status.ids.kind), remedies);
 }
 
+namespace
+{
+/// The rows of a list; none where it is not given.
+template <class... Values>
+std::vector<std::tuple<Values...>> rowsOf(const py::dict& values, const char* property)
+{
+  return values.contains(property) ? values[property].cast<std::vector<std::tuple<Values...>>>()
+                                   : std::vector<std::tuple<Values...>>();
+}
+}
+
 Settings::Settings(const std::string& owner, const py::dict& values)
 {
   const auto has = [&values](const char* property) { return values.contains(property); };
@@ -326,44 +317,36 @@ Settings::Settings(const std::string& owner, const py::dict& values)
     this->pins = { ids[0].cast<std::int64_t>(), ids[1].cast<std::int64_t>() };
   }
   this->weights = has("WeightArray") ? values["WeightArray"].cast<std::string>() : std::string();
-  const auto rows = [&](const char* property) {
-    return has(property) ? values[property].cast<py::list>() : py::list();
-  };
   const auto material = values["Material"].cast<std::string>();
   if (!material.empty())
   {
     std::vector<std::string> grain;
-    for (const py::handle item : rows("Grain"))
+    for (const auto& [entry] : rowsOf<std::string>(values, "Grain"))
     {
-      grain.push_back(item.cast<py::tuple>()[0].cast<std::string>());
+      grain.push_back(entry);
     }
     flattening.cloth = readCloth(material, grain);
   }
-  for (const py::handle item : rows("CurveTolerances"))
+  for (const auto& [curve, tolerance] : rowsOf<std::string, double>(values, "CurveTolerances"))
   {
-    const auto row = item.cast<py::tuple>();
-    const auto tolerance = row[1].cast<double>();
-    this->tolerances[row[0].cast<std::string>()] = tolerance;
-    if (row[0].cast<std::string>() == boundaryName)
+    this->tolerances[curve] = tolerance;
+    if (curve == boundaryName)
     {
       flattening.boundaryTolerance = tolerance;
     }
   }
-  for (const py::handle item : rows("Preferences"))
+  for (const auto& [curve, weight] : rowsOf<std::string, double>(values, "Preferences"))
   {
-    const auto row = item.cast<py::tuple>();
-    this->structures.search.preferences.push_back(
-      { row[0].cast<std::string>(), row[1].cast<double>() });
+    this->structures.search.preferences.push_back({ curve, weight });
   }
-  for (const py::handle item : rows("KeptCurves"))
+  for (const auto& [curve] : rowsOf<std::string>(values, "KeptCurves"))
   {
-    this->keptCurves.insert(item.cast<py::tuple>()[0].cast<std::string>());
+    this->keptCurves.insert(curve);
   }
-  for (const py::handle item : rows("CurveEases"))
+  for (const auto& [curve, piece, fraction] :
+    rowsOf<std::string, Index, double>(values, "CurveEases"))
   {
-    const auto row = item.cast<py::tuple>();
-    flattening.eases.push_back(
-      { row[0].cast<std::string>(), row[1].cast<Index>(), row[2].cast<double>() });
+    flattening.eases.push_back({ curve, piece, fraction });
   }
 }
 
