@@ -70,14 +70,11 @@ std::vector<std::filesystem::path> kept(
   const Options& options, const std::vector<const char*>& names)
 {
   std::vector<std::filesystem::path> paths;
-  for (const char* const name : names)
+  for (const char* const name : options.output.empty() ? std::vector<const char*>() : names)
   {
-    if (!options.output.empty())
-    {
-      const std::filesystem::path path = std::filesystem::u8path(options.output) / name;
-      paths.push_back(
-        path.has_extension() ? path : path.parent_path() / (std::string(name) + dataExtension));
-    }
+    const std::filesystem::path path = std::filesystem::u8path(options.output) / name;
+    paths.push_back(
+      path.has_extension() ? path : path.parent_path() / (std::string(name) + dataExtension));
   }
   return paths;
 }
@@ -163,16 +160,10 @@ void writeResult(const Options& options, FilesOfFlattening& written, OutputFiles
     files.add(report, makeReport(options, result));
     written.files.push_back(report.string());
   }
-  for (const std::filesystem::path& file : formerPatterns(options))
-  {
-    files.discard(file);
-  }
+  files.discard(formerPatterns(options));
   if (!result.sewn)
   {
-    for (const std::filesystem::path& file : kept(options, { sewnName }))
-    {
-      files.discard(file);
-    }
+    files.discard(kept(options, { sewnName }));
   }
   files.publish();
 }
@@ -186,15 +177,9 @@ void writeRefusal(const Options& options, const Flattening& result, OutputFiles&
     return;
   }
   files.add(reportFile(options), makeReport(options, result));
-  for (const std::filesystem::path& file : dataFiles(options))
-  {
-    files.discard(file);
-  }
-  for (const std::filesystem::path& file : formerPatterns(options))
-  {
-    files.discard(file);
-  }
-  files.discard(kept(options, { sewnName }).front());
+  files.discard(dataFiles(options));
+  files.discard(formerPatterns(options));
+  files.discard(kept(options, { sewnName }));
   files.publish();
 }
 
@@ -236,7 +221,6 @@ void demandPlaces(const Options& options, OutputFiles& files)
     files.demandPlace(report);
   }
 }
-
 }
 
 void refuseToReplaceInputs(const InputFiles& inputs, const Options& options)

@@ -123,6 +123,11 @@ std::string OutputFiles::add(
   return problem;
 }
 
+void OutputFiles::discard(const std::vector<std::filesystem::path>& files)
+{
+  this->Outdated.insert(this->Outdated.end(), files.begin(), files.end());
+}
+
 void OutputFiles::publish()
 {
   for (const Entry& entry : this->Entries)

@@ -59,8 +59,8 @@ public:
   void publish();
   /// Removes what is not published, as does the end.
   void abandon();
-  /// Lets publish() remove an earlier result of this name.
-  void discard(const std::filesystem::path& file) { this->Outdated.push_back(file); }
+  /// Lets publish() remove earlier results of these names.
+  void discard(const std::vector<std::filesystem::path>& files);
 
 private:
   struct Entry

@@ -62,18 +62,8 @@ void sewAgain(const Options& options, Flattening& result)
   }
   if (result.refused())
   {
-    Flattening refused;
-    refused.conclude(status);
-    refused.unit = result.unit;
-    refused.unitStated = result.unitStated;
-    refused.unitNote = result.unitNote;
-    refused.curveDistance = result.curveDistance;
-    refused.warnings = result.warnings;
-    refused.notes = result.notes;
-    refused.secondsRead = result.secondsRead;
-    refused.savedReport = result.savedReport;
-    refused.seconds = result.seconds;
-    result = std::move(refused);
+    result.flat = result.wires = result.cut = nullptr;
+    result.tables = {};
     return;
   }
   const flattening::SewnArrays arrays = flattening::sewnArrays(*design.points, input, sewn);
