@@ -91,6 +91,54 @@ auto keeperOf(flattening::OptionValues& values, const flattening::Option& option
   };
 }
 
+/// NAME:PIECE=+3%, where a name may hold both signs. Throws CLI::ValidationError.
+flattening::CurveEase easeOf(const std::string& entry)
+{
+  flattening::CurveEase ease;
+  const std::size_t sign = entry.rfind('=');
+  std::string value = sign == std::string::npos ? std::string() : entry.substr(sign + 1);
+  const bool percent = !value.empty() && value.back() == '%';
+  value.resize(value.size() - (percent ? 1 : 0));
+  value.erase(0, value.size() > 1 && value[0] == '+' && value[1] != '-' ? 1 : 0);
+  if (!percent || sign == 0 || !parseNumber(value, ease.fraction) ||
+    !(std::abs(ease.fraction) < 100.0))
+  {
+    throw CLI::ValidationError("--ease",
+      inQuotes(entry) + " is not NAME=PERCENT% or NAME:PIECE=PERCENT% with less than 100 %");
+  }
+  ease.fraction /= 100.0;
+  ease.curve = entry.substr(0, sign);
+  const std::size_t colon = ease.curve.rfind(':');
+  long long piece = 0;
+  if (colon != std::string::npos && colon > 0 && parseInteger(ease.curve.substr(colon + 1), piece))
+  {
+    if (piece < 1 || piece > std::numeric_limits<int>::max())
+    {
+      throw CLI::ValidationError("--ease", inQuotes(entry) + ": pieces are numbered from 1");
+    }
+    ease.piece = static_cast<int>(piece) - 1;
+    ease.curve.resize(colon);
+  }
+  return ease;
+}
+
+/// Checks a number within bounds that may be given in percent: 0.05 or 5%. \param range the bounds
+/// in words
+CLI::Validator percentage(double least, double most, const std::string& range)
+{
+  return checked(
+    [least, most](std::string& text) {
+      const bool percent = !text.empty() && text.back() == '%';
+      text.resize(text.size() - (percent ? 1 : 0));
+      double value = 0.0;
+      const bool read = parseNumber(text, value);
+      value /= percent ? 100.0 : 1.0;
+      text = exactly(value);
+      return read && value >= least && value <= most;
+    },
+    " is not a number in " + range + " or as much in %", "");
+}
+
 /// Adds the options of a subset one by one.
 class TableOptions
 {
@@ -283,7 +331,7 @@ private:
   {
     if (option.form == "NAME[:PIECE]=PERCENT%")
     {
-      easeRequest(entry);
+      easeOf(entry);
     }
     else if (option.form.find('=') != std::string::npos)
     {
@@ -333,36 +381,6 @@ std::pair<std::string, double> namedNumber(
   return named;
 }
 
-EaseRequest easeRequest(const std::string& entry)
-{
-  EaseRequest ease;
-  const std::size_t sign = entry.rfind('=');
-  std::string value = sign == std::string::npos ? std::string() : entry.substr(sign + 1);
-  const bool percent = !value.empty() && value.back() == '%';
-  value.resize(value.size() - (percent ? 1 : 0));
-  value.erase(0, value.size() > 1 && value[0] == '+' && value[1] != '-' ? 1 : 0);
-  if (!percent || sign == 0 || !parseNumber(value, ease.fraction) ||
-    !(std::abs(ease.fraction) < 100.0))
-  {
-    throw CLI::ValidationError("--ease",
-      inQuotes(entry) + " is not NAME=PERCENT% or NAME:PIECE=PERCENT% with less than 100 %");
-  }
-  ease.fraction /= 100.0;
-  ease.curve = entry.substr(0, sign);
-  const std::size_t colon = ease.curve.rfind(':');
-  long long piece = 0;
-  if (colon != std::string::npos && colon > 0 && parseInteger(ease.curve.substr(colon + 1), piece))
-  {
-    if (piece < 1 || piece > std::numeric_limits<int>::max())
-    {
-      throw CLI::ValidationError("--ease", inQuotes(entry) + ": pieces are numbered from 1");
-    }
-    ease.piece = static_cast<int>(piece) - 1;
-    ease.curve.resize(colon);
-  }
-  return ease;
-}
-
 CLI::Validator length(std::function<bool(double)> isValid, const std::string& range)
 {
   return checked(
@@ -383,21 +401,6 @@ CLI::Validator number(double least, double most, const std::string& range)
       return parseNumber(text, value) && value >= least && value <= most;
     },
     " is not a number in " + range, "in " + range);
-}
-
-CLI::Validator percentage(double least, double most, const std::string& range)
-{
-  return checked(
-    [least, most](std::string& text) {
-      const bool percent = !text.empty() && text.back() == '%';
-      text.resize(text.size() - (percent ? 1 : 0));
-      double value = 0.0;
-      const bool read = parseNumber(text, value);
-      value /= percent ? 100.0 : 1.0;
-      text = exactly(value);
-      return read && value >= least && value <= most;
-    },
-    " is not a number in " + range + " or as much in %", "");
 }
 
 CLI::Validator wholeNumber(long long least, long long most, const std::string& range)
@@ -478,8 +481,7 @@ flattening::OptionStructures structuresOf(const Options& options)
   }
   for (const std::string& entry : options.values.list("CurveEases"))
   {
-    const EaseRequest ease = easeRequest(entry);
-    structures.flattening.eases.push_back({ ease.curve, ease.piece, ease.fraction });
+    structures.flattening.eases.push_back(easeOf(entry));
   }
   return structures;
 }

@@ -35,22 +35,8 @@ std::vector<CLI::Option*> addOptions(
 std::pair<std::string, double> namedNumber(
   const std::string& entry, const flattening::Option& option);
 
-/// A curve that is longer in one piece than on the surface.
-struct EaseRequest
-{
-  std::string curve;
-  int piece = -1; ///< from 0; -1: the only one
-  double fraction = 0.0;
-};
-
-/// NAME:PIECE=+3%, where a name may hold both signs. Throws CLI::ValidationError.
-EaseRequest easeRequest(const std::string& entry);
-
 /// Checks that an option is a number within bounds. \param range the bounds in words: "[0, 1]".
 CLI::Validator number(double least, double most, const std::string& range);
-
-/// The same for a number that may be given in percent: 0.05 or 5%.
-CLI::Validator percentage(double least, double most, const std::string& range);
 
 /// Converts a length that may have a unit to millimetres; without one it is in mm.
 /// \param isValid of millimetres \param range what is valid in words
