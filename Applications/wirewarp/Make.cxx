@@ -6,9 +6,8 @@
 #include "Options.h"
 #include "PlainText.h"
 #include "Table.h"
+#include "TriangleList.h"
 #include "Units.h"
-
-#include <Eigen/Geometry>
 
 #include <CLI/CLI.hpp>
 
@@ -120,15 +119,9 @@ std::string rounded(double value)
 
 std::string surfaceLine(const Options& options, const Flattening& result)
 {
-  Eigen::AlignedBox3d box;
-  for (const Point3& point : *result.cut->points)
-  {
-    box.extend(point);
-  }
-  const Point3 sizes = box.sizes();
-  const std::string unit = result.unit;
+  const Point3 sizes = boxOf(*result.cut->points).sizes();
   return "surface: " + plainText(options.surface) + ", " + rounded(sizes.x()) + " x " +
-    rounded(sizes.y()) + " x " + rounded(sizes.z()) + ' ' + unit +
+    rounded(sizes.y()) + " x " + rounded(sizes.z()) + ' ' + result.unit +
     (result.unitStated ? "" : " (a likely unit; state it with --unit)") + '\n';
 }
 

@@ -76,7 +76,6 @@ Json rowReports(const Table& table, const std::vector<ReportKey>& keys)
 struct SewnBanks
 {
   std::string curve;
-  std::array<long long, 2> pieces{ 0, 0 };
   long long edges = 0;
   std::array<double, 2> lengths{ 0.0, 0.0 };
   /// Largest difference of two edges that are sewn together, as a fraction of their length.
@@ -105,13 +104,14 @@ double distance(const DataSet& flat, std::size_t a, std::size_t b)
 }
 
 /// One entry a curve and pair of pieces, in the order of the curves.
-std::vector<SewnBanks> sewnBanks(const Flattening& result)
+Json seamReports(const Flattening& result)
 {
+  Json seams = Json::array();
   const flattening::Column* const pairs =
     result.flat ? findColumn(result.flat->fieldArrays, "SeamPairs") : nullptr;
   if (!pairs || pairs->isText() || pairs->components != 5)
   {
-    return {};
+    return seams;
   }
   const std::vector<long long> pieces = pieceOfPoint(*result.flat);
   std::map<std::array<long long, 3>, SewnBanks> found;
@@ -129,7 +129,6 @@ std::vector<SewnBanks> sewnBanks(const Flattening& result)
     }
     SewnBanks& banks = found[{ static_cast<long long>(curve), sides[0], sides[1] }];
     banks.curve = textIn(result.tables.curves, curve, "Name");
-    banks.pieces = sides;
     ++banks.edges;
     banks.lengths[0] += lengths[0];
     banks.lengths[1] += lengths[1];
@@ -137,12 +136,13 @@ std::vector<SewnBanks> sewnBanks(const Flattening& result)
     banks.difference =
       std::max(banks.difference, larger > 0.0 ? std::abs(lengths[0] - lengths[1]) / larger : 0.0);
   }
-  std::vector<SewnBanks> list;
-  for (auto& entry : found)
+  for (const auto& [place, banks] : found)
   {
-    list.push_back(std::move(entry.second));
+    seams.push_back(
+      { { "curve", banks.curve }, { "pieces", { place[1], place[2] } }, { "edges", banks.edges },
+        { "lengths", banks.lengths }, { "largest_difference", banks.difference } });
   }
-  return list;
+  return seams;
 }
 
 /// What proposals keep to: a plane by its normal and offset, or an axis by its ends; null without.
@@ -190,18 +190,6 @@ void addColumn(const Json& rows, const ReportKey& column, Table& table)
   {
     setColumn(table, { column.column, std::move(numbers) });
   }
-}
-
-Json seamReports(const Flattening& result)
-{
-  Json seams = Json::array();
-  for (const SewnBanks& banks : sewnBanks(result))
-  {
-    seams.push_back(
-      { { "curve", banks.curve }, { "pieces", banks.pieces }, { "edges", banks.edges },
-        { "lengths", banks.lengths }, { "largest_difference", banks.difference } });
-  }
-  return seams;
 }
 
 Json remedyReports(const std::vector<Remedy>& remedies)
