@@ -416,6 +416,21 @@ void writeProperty(const Option& option, std::ostream& out)
   out << "      </" << tag << ">\n";
 }
 
+/// What an input of a filter may be. \param kind "composite" where its blocks are taken one by one,
+/// or "polydata"
+void writeInput(const std::string& kind, std::ostream& out)
+{
+  out << R"(        <ProxyGroupDomain name="groups">
+          <Group name="sources" />
+          <Group name="filters" />
+        </ProxyGroupDomain>
+        <DataTypeDomain name="input_type" composite_data_supported=")"
+      << (kind == "composite" ? 1 : 0) << R"(">
+          <DataType value="vtkPolyData" />
+        </DataTypeDomain>
+)";
+}
+
 constexpr const char* materialFile =
   R"(      <StringVectorProperty name="MaterialFile" label="Material File" command="SetMaterialFile" number_of_elements="1"
           default_values="">
@@ -561,7 +576,7 @@ std::string filled(const std::string& text)
     { "dxf", of(propertiesUnder("DXF")) },
     { "keywords",
       of([](OptionOwner owner, std::ostream& to) { writeKeywords(optionsOf(owner), to); }) },
-    { "keys", writeKeys },
+    { "input", writeInput }, { "keys", writeKeys },
     { "fields", [](const std::string& name, std::ostream& to) { writeFields(name, false, to); } },
     { "attributes", [](const std::string& name, std::ostream& to) { writeFields(name, true, to); } }
   };
