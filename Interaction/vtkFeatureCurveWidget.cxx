@@ -194,29 +194,11 @@ void vtkFeatureCurveWidget::SetEditor(vtkFeatureCurveEditor* editor)
 }
 
 //------------------------------------------------------------------------------
-vtkFeatureCurveEditor* vtkFeatureCurveWidget::GetEditor()
-{
-  return this->Editor;
-}
-
-//------------------------------------------------------------------------------
-vtkRenderer* vtkFeatureCurveWidget::GetCurveRenderer()
-{
-  return this->CurveRenderer;
-}
-
-//------------------------------------------------------------------------------
 void vtkFeatureCurveWidget::SetSurface(vtkPolyData* surface)
 {
   this->Picker->setSurface(surface);
   this->State = Mode::Choosing;
   this->Choose(-1, -1);
-}
-
-//------------------------------------------------------------------------------
-void vtkFeatureCurveWidget::SetCurveRenderer(vtkRenderer* renderer)
-{
-  this->CurveRenderer = renderer;
 }
 
 //------------------------------------------------------------------------------
@@ -549,16 +531,6 @@ void vtkFeatureCurveWidget::StartStroke()
 }
 
 //------------------------------------------------------------------------------
-void vtkFeatureCurveWidget::GoOnStroke(const Aim& aim)
-{
-  if (aim.onSurface)
-  {
-    this->Stroke->InsertNextPoint(aim.seen.data());
-    this->Drawn()->DrawStroke(this->Stroke);
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkFeatureCurveWidget::FinishStroke()
 {
   // Its ends snap, as nodes do.
@@ -600,7 +572,12 @@ void vtkFeatureCurveWidget::OnMove()
   }
   if (this->State == Mode::Stroking)
   {
-    this->GoOnStroke(this->AimAt(-1));
+    const Aim aim = this->AimAt(-1);
+    if (aim.onSurface)
+    {
+      this->Stroke->InsertNextPoint(aim.seen.data());
+      this->Drawn()->DrawStroke(this->Stroke);
+    }
     this->EventCallbackCommand->SetAbortFlag(1);
     this->RenderIfEnabled();
     return;

@@ -47,15 +47,16 @@
 #define vtkFeatureCurveWidget_h
 
 #include "vtkAbstractWidget.h"
+#include "vtkFeatureCurveEditor.h"          // for the editor
 #include "vtkInteractionFlatteningModule.h" // for the export macro
 #include "vtkNew.h"                         // for the stroke
+#include "vtkRenderer.h"                    // for the renderer
 #include "vtkSmartPointer.h"                // for the editor
 
 #include <array>  // for pixels
 #include <memory> // for the picker
 #include <string> // for words
 
-class vtkFeatureCurveEditor;
 class vtkFeatureCurveRepresentation;
 class vtkPoints;
 class vtkPolyData;
@@ -86,7 +87,7 @@ public:
    * is that of the surface: the one under the mouse where it is not set (SetDefaultRenderer()).
    */
   void SetEditor(vtkFeatureCurveEditor* editor);
-  vtkFeatureCurveEditor* GetEditor();
+  vtkFeatureCurveEditor* GetEditor() { return this->Editor; }
   void SetSurface(vtkPolyData* surface);
 
   ///@{
@@ -95,8 +96,8 @@ public:
    * camera in a layer above, so that the surface need not be drawn again (vtkStillRenderer).
    * Default: none. Set before the widget is enabled.
    */
-  void SetCurveRenderer(vtkRenderer* renderer);
-  vtkRenderer* GetCurveRenderer();
+  void SetCurveRenderer(vtkRenderer* renderer) { this->CurveRenderer = renderer; }
+  vtkRenderer* GetCurveRenderer() { return this->CurveRenderer; }
   ///@}
 
   void SetEnabled(int enabled) override;
@@ -254,7 +255,6 @@ private:
   bool StartDrag();
   void EndDrag();
   void StartStroke();
-  void GoOnStroke(const Aim& aim);
   void FinishStroke();
   /// It begins a drag of the style, which turns the camera.
   void HandPressOn();
