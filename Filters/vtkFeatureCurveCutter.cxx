@@ -3,7 +3,6 @@
 
 #include "AttributeArrays.h"
 #include "Flattening/WireReport.h"
-#include "FlatteningOutput.h"
 #include "Report/FlatteningArrays.h"
 #include "SurfaceOutput.h"
 

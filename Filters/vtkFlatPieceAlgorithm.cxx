@@ -6,7 +6,6 @@
 #include "Distribution.h"
 #include "FilterExecution.h"
 #include "Flattening/PieceArrangement.h"
-#include "FlatteningOutput.h"
 #include "Input/ClothInput.h"
 #include "Input/CurvedSurface.h"
 #include "ListChanges.h"
@@ -15,6 +14,7 @@
 #include "Report/FlatteningRun.h"
 #include "Report/FlatteningTables.h"
 #include "Report/PieceSizes.h"
+#include "SurfaceOutput.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCompositeDataIterator.h"

@@ -4,7 +4,6 @@
 #include "AttributeArrays.h"
 #include "CurvedPolyData.h"
 #include "FilterExecution.h"
-#include "FlatteningOutput.h"
 #include "ListChanges.h"
 #include "Options/OptionStructures.h"
 #include "Report/FlatteningRun.h"

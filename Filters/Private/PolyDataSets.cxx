@@ -24,29 +24,6 @@ namespace flattening::bridge
 {
 namespace
 {
-template <class Points>
-vtkSmartPointer<vtkPoints> makeDoublePoints(const Points& points)
-{
-  auto result = vtkSmartPointer<vtkPoints>::New();
-  result->SetDataTypeToDouble();
-  result->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
-  auto* out = static_cast<double*>(result->GetVoidPointer(0));
-  for (const auto& p : points)
-  {
-    *out++ = p[0];
-    *out++ = p[1];
-    if constexpr (Points::value_type::RowsAtCompileTime == 3)
-    {
-      *out++ = p[2];
-    }
-    else
-    {
-      *out++ = 0.0;
-    }
-  }
-  return result;
-}
-
 CellList cellsOf(vtkCellArray* cells)
 {
   CellList list;
@@ -204,12 +181,26 @@ void fill(vtkPolyData* output, const DataSet& data)
 
 vtkSmartPointer<vtkPoints> makePoints(const Points3& points)
 {
-  return makeDoublePoints(points);
+  auto result = vtkSmartPointer<vtkPoints>::New();
+  result->SetDataTypeToDouble();
+  result->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
+  auto* out = static_cast<double*>(result->GetVoidPointer(0));
+  for (const Point3& p : points)
+  {
+    out = std::copy_n(p.data(), 3, out);
+  }
+  return result;
 }
 
 vtkSmartPointer<vtkPoints> makePoints(const Points2& points)
 {
-  return makeDoublePoints(points);
+  Points3 places;
+  places.reserve(points.size());
+  for (const Point2& p : points)
+  {
+    places.emplace_back(p.x(), p.y(), 0.0);
+  }
+  return makePoints(places);
 }
 
 vtkSmartPointer<vtkCellArray> makeCells(const CellList& cells)

@@ -6,13 +6,16 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace flattening::bridge
 {
@@ -124,6 +127,41 @@ void copyCurveData(
       common, arrays[sourceOfCurve[c]], sourceOfCurve[c], curves.cellOfPolyline[c], c);
   }
 }
+
+/// The flat positions as active texture coordinates; those of the input stay among the point data.
+void writeTextureCoordinates(const Points2& positions, vtkPointData* points)
+{
+  std::vector<double> coordinates;
+  for (const Point2& position : positions)
+  {
+    coordinates.insert(coordinates.end(), { position.x(), position.y() });
+  }
+  addColumns(points, { { "FlatPositions", std::move(coordinates), 2 } });
+  points->SetActiveTCoords("FlatPositions");
+}
+
+/// What viewers color by until the user chooses; what the input chose stays.
+void setActiveScalars(vtkPolyData* data, const char* name)
+{
+  if (!data->GetPointData()->GetScalars() && !data->GetCellData()->GetScalars())
+  {
+    data->GetCellData()->SetActiveScalars(name);
+  }
+}
+
+/// Normals and tangents of the surface in space, which would shade the flat pieces by its shape.
+void dropDirections(vtkDataSetAttributes* arrays)
+{
+  for (const int attribute : { vtkDataSetAttributes::NORMALS, vtkDataSetAttributes::TANGENTS })
+  {
+    int place[vtkDataSetAttributes::NUM_ATTRIBUTES];
+    arrays->GetAttributeIndices(place);
+    if (place[attribute] >= 0)
+    {
+      arrays->RemoveArray(place[attribute]);
+    }
+  }
+}
 }
 
 void copyCellData(
@@ -163,5 +201,44 @@ void writeCutSurface(const CurvedPolyData& source, const CutSurface& cut, const 
   writeSurface(source, cut.mesh.triangles(), cells, arrays.originalVertex, points, output);
   addColumns(output->GetPointData(), arrays.pointArrays);
   addColumns(output->GetCellData(), arrays.cellArrays);
+}
+
+void writeWires(
+  const std::vector<Wire>& wires, const Columns& arrays, vtkPolyData* surface, vtkPolyData* output)
+{
+  vtkNew<vtkCellArray> lines;
+  for (const Wire& wire : wires)
+  {
+    lines->InsertNextCell(static_cast<int>(wire.vertices.size()));
+    for (const Index v : wire.vertices)
+    {
+      lines->InsertCellPoint(v);
+    }
+  }
+  output->SetPoints(surface->GetPoints());
+  output->SetLines(lines);
+  output->GetPointData()->ShallowCopy(surface->GetPointData());
+  addColumns(output->GetCellData(), arrays);
+}
+
+void writeFlattening(const CurvedPolyData& source, const FlatteningResult& result,
+  const FlatteningOptions& options, vtkPolyData* flat, vtkPolyData* wires, vtkPolyData* cut)
+{
+  const FlatteningArrays arrays = flatteningArrays(source, result, options);
+  writeCutSurface(source, *result.cut, arrays, makePoints(arrays.positions), flat);
+  setActiveScalars(flat, "HomogeneityOfDistortion");
+
+  // In space the same data over the original points.
+  cut->SetPoints(makePoints(arrays.points));
+  cut->SetPolys(flat->GetPolys());
+  cut->GetPointData()->ShallowCopy(flat->GetPointData());
+  cut->GetCellData()->ShallowCopy(flat->GetCellData());
+  writeTextureCoordinates(arrays.positions, cut->GetPointData());
+  dropDirections(flat->GetPointData());
+  dropDirections(flat->GetCellData());
+
+  writeWires(result.wires, arrays.wireArrays, flat, wires);
+  setActiveScalars(wires, "WireKind");
+  addColumns(flat->GetFieldData(), arrays.fieldArrays);
 }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "CurvedPolyData.h"
+#include "Flattening/SurfaceFlattening.h"
 #include "PolyDataSets.h"
 #include "Report/FlatteningArrays.h"
 
@@ -27,4 +28,13 @@ void writeImprint(const CurvedPolyData& source, vtkPolyData* surface, vtkPolyDat
 /// those of the input
 void writeCutSurface(const CurvedPolyData& source, const CutSurface& cut, const CutArrays& arrays,
   vtkPoints* points, vtkPolyData* output);
+
+/// Writes a flattening as the three outputs that vtkWireWarpingFilter documents.
+void writeFlattening(const CurvedPolyData& source, const FlatteningResult& result,
+  const FlatteningOptions& options, vtkPolyData* flat, vtkPolyData* wires, vtkPolyData* cut);
+
+/// Writes wires as polylines over the points and point data of `surface`. \param arrays those of
+/// wireArrays()
+void writeWires(
+  const std::vector<Wire>& wires, const Columns& arrays, vtkPolyData* surface, vtkPolyData* output);
 }
