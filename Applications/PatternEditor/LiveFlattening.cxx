@@ -164,7 +164,15 @@ void LiveFlattening::work()
     this->Running = true;
     this->Useless = false;
     lock.unlock();
-    std::optional<Answer> answer = this->answer(order);
+    std::optional<Answer> answer;
+    try
+    {
+      answer = this->flatten(order);
+    }
+    catch (const std::bad_alloc&)
+    {
+      answer = Answer{ {}, "there is not enough memory to flatten the surface", order.care, 0.0 };
+    }
     lock.lock();
     this->Running = false;
     const bool useful = answer && !this->Useless;
@@ -179,18 +187,6 @@ void LiveFlattening::work()
       this->OnDone();
       lock.lock();
     }
-  }
-}
-
-std::optional<LiveFlattening::Answer> LiveFlattening::answer(const Order& order)
-{
-  try
-  {
-    return this->flatten(order);
-  }
-  catch (const std::bad_alloc&)
-  {
-    return Answer{ {}, "there is not enough memory to flatten the surface", order.care, 0.0 };
   }
 }
 

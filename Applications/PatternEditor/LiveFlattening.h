@@ -87,7 +87,6 @@ private:
   };
 
   void work();
-  std::optional<Answer> answer(const Order& order);
   std::optional<Answer> flatten(const Order& order);
   /// Whether the run under way is for nothing.
   bool isOvertaken();

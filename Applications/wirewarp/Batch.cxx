@@ -3,6 +3,7 @@
 
 #include "FlattenToFiles.h"
 #include "InputError.h"
+#include "Options.h"
 #include "OutputFiles.h"
 #include "OutputPaths.h"
 #include "PlainText.h"
@@ -21,8 +22,10 @@
 #include <iostream>
 #include <optional>
 #include <set>
+#include <string>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 namespace wirewarp
 {
@@ -32,6 +35,14 @@ using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* batchName = "batch.json";
+
+/// One surface of a list and the folder of its files.
+struct BatchEntry
+{
+  std::string surface;
+  std::vector<std::string> curves;
+  std::string folder; ///< in the output folder: the surface's name, numbered where it comes again
+};
 
 /// The next name off the front of a line; empty at its end or at a comment.
 std::string takeEntry(std::string_view& rest, const LineReader& lines)
@@ -47,6 +58,47 @@ std::string takeEntry(std::string_view& rest, const LineReader& lines)
     lines.refuse("a name in quotes has no end or is empty; write \"a name\"");
   }
   return *name;
+}
+
+/// Reads a list of surfaces, one a line with its files of curves: words divided by blanks, in
+/// double quotes where a name holds blanks; '#' starts a comment. Throws InputError.
+std::vector<BatchEntry> readBatch(const std::string& path)
+{
+  const std::string text = readWholeFile(path);
+  LineReader lines(path, text);
+  std::set<std::string> taken{ batchName };
+  std::vector<BatchEntry> entries;
+  std::string line;
+  while (lines.next(line))
+  {
+    std::string_view rest(line);
+    BatchEntry entry;
+    entry.surface = takeEntry(rest, lines);
+    if (entry.surface.empty())
+    {
+      continue;
+    }
+    for (std::string name = takeEntry(rest, lines); !name.empty(); name = takeEntry(rest, lines))
+    {
+      entry.curves.push_back(std::move(name));
+    }
+    const std::string stem = std::filesystem::u8path(entry.surface).stem().string();
+    if (stem.empty() || stem == "." || stem == "..") // its folder would be none of its own
+    {
+      lines.refuse(inQuotes(entry.surface) + " is not the name of a file");
+    }
+    entry.folder = stem;
+    for (int copy = 2; !taken.insert(entry.folder).second; ++copy)
+    {
+      entry.folder = stem + "_" + std::to_string(copy);
+    }
+    entries.push_back(std::move(entry));
+  }
+  if (entries.empty())
+  {
+    throw InputError(path, "names no surface; write SURFACE [CURVES...], one surface a line");
+  }
+  return entries;
 }
 
 Options optionsOf(const Options& options, const BatchEntry& entry)
@@ -161,45 +213,6 @@ std::string textOf(const Json& json, int indent)
 {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
-}
-
-std::vector<BatchEntry> readBatch(const std::string& path)
-{
-  const std::string text = readWholeFile(path);
-  LineReader lines(path, text);
-  std::set<std::string> taken{ batchName };
-  std::vector<BatchEntry> entries;
-  std::string line;
-  while (lines.next(line))
-  {
-    std::string_view rest(line);
-    BatchEntry entry;
-    entry.surface = takeEntry(rest, lines);
-    if (entry.surface.empty())
-    {
-      continue;
-    }
-    for (std::string name = takeEntry(rest, lines); !name.empty(); name = takeEntry(rest, lines))
-    {
-      entry.curves.push_back(std::move(name));
-    }
-    const std::string stem = std::filesystem::u8path(entry.surface).stem().string();
-    if (stem.empty() || stem == "." || stem == "..") // its folder would be none of its own
-    {
-      lines.refuse(inQuotes(entry.surface) + " is not the name of a file");
-    }
-    entry.folder = stem;
-    for (int copy = 2; !taken.insert(entry.folder).second; ++copy)
-    {
-      entry.folder = stem + "_" + std::to_string(copy);
-    }
-    entries.push_back(std::move(entry));
-  }
-  if (entries.empty())
-  {
-    throw InputError(path, "names no surface; write SURFACE [CURVES...], one surface a line");
-  }
-  return entries;
 }
 
 int runBatch(const Options& options)

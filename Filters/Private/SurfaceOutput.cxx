@@ -109,14 +109,7 @@ void copyCurveData(
   vtkDataSetAttributes::FieldList common(static_cast<int>(sources.size()));
   for (std::size_t s = 0; s < sources.size(); ++s)
   {
-    if (s == 0)
-    {
-      common.InitializeFieldList(arrays[s]);
-    }
-    else
-    {
-      common.IntersectFieldList(arrays[s]);
-    }
+    s == 0 ? common.InitializeFieldList(arrays[s]) : common.IntersectFieldList(arrays[s]);
   }
   const vtkIdType count = static_cast<vtkIdType>(curves.cellOfPolyline.size());
   cells->CopyGlobalIdsOff(); // a curve can be joined from several cells

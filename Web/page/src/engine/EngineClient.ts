@@ -34,7 +34,7 @@ export class EngineClient {
     const id = ++this.count;
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve, reject, progress });
-      this.send({ id, call, given });
+      this.worker.postMessage({ id, call, given } satisfies WorkerRequest);
     });
   }
 
@@ -67,10 +67,6 @@ export class EngineClient {
     const given = [...this.waiting.values()];
     this.waiting.clear();
     given.forEach(({ reject }) => reject(error));
-  }
-
-  private send(request: WorkerRequest): void {
-    this.worker.postMessage(request);
   }
 
   private take(reply: WorkerReply): void {
