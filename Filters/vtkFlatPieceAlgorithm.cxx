@@ -212,7 +212,10 @@ void vtkFlatPieceAlgorithm::RemoveAllGrains()
 }
 
 //------------------------------------------------------------------------------
-vtkFlatPieceAlgorithm::~vtkFlatPieceAlgorithm() = default;
+void vtkFlatPieceAlgorithm::SetMaterialFile(const char* path)
+{
+  flattening::bridge::change(this, this->MaterialFile, std::string(path ? path : ""));
+}
 
 //------------------------------------------------------------------------------
 vtkTable* vtkFlatPieceAlgorithm::GetPieces()

@@ -166,7 +166,7 @@ public:
    * A JSON file of a material, which then counts instead of Material: for panels that list the
    * materials known by name. Default: empty.
    */
-  void SetMaterialFile(const char* path) { this->SetText(this->MaterialFile, path); }
+  void SetMaterialFile(const char* path);
   vtkGetCharFromStdStringMacro(MaterialFile);
   ///@}
 
@@ -225,7 +225,7 @@ public:
 
 protected:
   vtkFlatPieceAlgorithm();
-  ~vtkFlatPieceAlgorithm() override;
+  ~vtkFlatPieceAlgorithm() override = default;
 
   void FinishData(vtkInformationVector* outputVector) override;
   void EndRun(vtkDataObject* input, vtkDataObject* output) override;

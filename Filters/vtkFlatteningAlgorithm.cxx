@@ -6,7 +6,6 @@
 #include "Base/Memory.h"
 #include "Distribution.h"
 #include "Input/StatusWords.h"
-#include "ListChanges.h"
 #include "OptionProperties.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
@@ -210,12 +209,6 @@ flattening::OptionValues vtkFlatteningAlgorithm::AllOptions()
   flattening::OptionValues values = *this->Options;
   this->AddOtherOptions(values);
   return values;
-}
-
-//------------------------------------------------------------------------------
-void vtkFlatteningAlgorithm::SetText(std::string& kept, const char* text)
-{
-  flattening::bridge::change(this, kept, std::string(text ? text : ""));
 }
 
 //------------------------------------------------------------------------------

@@ -291,11 +291,6 @@ protected:
   virtual void AddOtherOptions(flattening::OptionValues& vtkNotUsed(values)) {}
 
   /**
-   * Sets a text, null for an empty one; modified by a change alone.
-   */
-  void SetText(std::string& kept, const char* text);
-
-  /**
    * The values of all options, for Core.
    */
   flattening::OptionStructures OptionsForCore();

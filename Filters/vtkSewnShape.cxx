@@ -5,7 +5,6 @@
 #include "FilterExecution.h"
 #include "Input/ClothInput.h"
 #include "Input/StatusWords.h"
-#include "ListChanges.h"
 #include "Options/OptionStructures.h"
 #include "Options/OptionValues.h"
 #include "PolyDataSets.h"
