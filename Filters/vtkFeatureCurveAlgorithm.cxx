@@ -119,11 +119,7 @@ void vtkFeatureCurveAlgorithm::RemoveAllCurveTolerances()
 //------------------------------------------------------------------------------
 int vtkFeatureCurveAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  }
-  else
+  if (port == 1)
   {
     // A composite data set first: a group of curves is taken whole, never iterated over.
     info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
@@ -131,8 +127,9 @@ int vtkFeatureCurveAlgorithm::FillInputPortInformation(int port, vtkInformation*
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+    return 1;
   }
-  return 1;
+  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 //------------------------------------------------------------------------------

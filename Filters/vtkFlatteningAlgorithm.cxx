@@ -385,11 +385,28 @@ const char* vtkFlatteningAlgorithm::GetStatusName() const
 }
 
 //------------------------------------------------------------------------------
+int vtkFlatteningAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (this->OptionalPorts.count(port) != 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+//------------------------------------------------------------------------------
 int vtkFlatteningAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(),
     this->TablePorts.count(port) != 0 ? "vtkTable" : "vtkPolyData");
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkFlatteningAlgorithm::SetOptionalPort(int port)
+{
+  this->OptionalPorts.insert(port);
+  this->SetNumberOfInputPorts(std::max(this->GetNumberOfInputPorts(), port + 1));
 }
 
 //------------------------------------------------------------------------------

@@ -52,7 +52,7 @@
 
 #include <map>    // for the processes
 #include <memory> // for the processes
-#include <set>    // for the tables
+#include <set>    // for the ports
 #include <string> // for the message
 #include <vector> // for the warnings
 
@@ -261,12 +261,17 @@ protected:
   vtkFlatteningAlgorithm();
   ~vtkFlatteningAlgorithm() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 
+  ///@{
   /**
-   * Makes an output a vtkTable; the filter has at least the outputs up to it.
+   * Makes an input one that need not be there, and an output a vtkTable; the filter has at least
+   * the ports up to it.
    */
+  void SetOptionalPort(int port);
   void SetTablePort(int port);
+  ///@}
 
   /**
    * Gives all options their defaults; the constructor of each class that has some calls it.
@@ -368,6 +373,7 @@ private:
   vtkSmartPointer<vtkStringArray> StatusRemedies;
   vtkSmartPointer<vtkStringArray> StatusRemedySubjects;
   vtkSmartPointer<vtkStringArray> StatusWarnings;
+  std::set<int> OptionalPorts;
   std::set<int> TablePorts;
 };
 

@@ -19,36 +19,11 @@
 
 vtkStandardNewMacro(vtkFlatteningQuality);
 
-namespace flattening::bridge
-{
-namespace
-{
-/// Measures a mapped surface and writes what vtkFlatteningQuality documents.
-void writeQuality(vtkPolyData* input, const MappedSurface& map, std::size_t mostListedOverlaps,
-  const Execution& execution, vtkPolyData* output, vtkTable* measures,
-  std::vector<std::string>& warnings)
-{
-  const QualityReport report = reportQuality(map, mostListedOverlaps, execution);
-  const std::vector<std::string>& mendings = map.surface.mendings;
-  warnings.insert(warnings.end(), mendings.begin(), mendings.end());
-  output->SetPoints(input->GetPoints());
-  output->SetPolys(makeTriangles(map.surface.input.triangles));
-  output->GetPointData()->ShallowCopy(wholePointArrays(input, warnings));
-  copyCellData(wholeCellArrays(input, warnings), map.surface.input.cellOfTriangle, output);
-  addColumns(output->GetCellData(), report.cells);
-
-  vtkFieldData* field = output->GetFieldData();
-  field->PassData(fieldArrays(input, warnings));
-  addColumns(field, { report.overlapEdges });
-  writeTable(report.measures, measures);
-}
-}
-}
-
 //------------------------------------------------------------------------------
 vtkFlatteningQuality::vtkFlatteningQuality()
 {
-  this->SetNumberOfInputPorts(3);
+  this->SetOptionalPort(1);
+  this->SetOptionalPort(2);
   this->SetTablePort(1);
   this->MaximumOverlaps = static_cast<int>(flattening::mostListedOverlaps);
 }
@@ -60,30 +35,29 @@ vtkTable* vtkFlatteningQuality::GetMeasures()
 }
 
 //------------------------------------------------------------------------------
-int vtkFlatteningQuality::FillInputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  if (port > 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
-}
-
-//------------------------------------------------------------------------------
 int vtkFlatteningQuality::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  namespace bridge = flattening::bridge;
   this->Begin(outputVector);
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  const flattening::MappedSurface map = flattening::bridge::loadMappedSurface(
+  const flattening::MappedSurface map = bridge::loadMappedSurface(
     surface, vtkPolyData::GetData(inputVector[1]), vtkPolyData::GetData(inputVector[2]));
   if (this->Conclude(map.outcome))
   {
-    std::vector<std::string> warnings;
-    flattening::bridge::writeQuality(surface, map, static_cast<std::size_t>(this->MaximumOverlaps),
-      flattening::bridge::executionOf(this), output, vtkTable::GetData(outputVector, 1), warnings);
+    const flattening::QualityReport report = flattening::reportQuality(
+      map, static_cast<std::size_t>(this->MaximumOverlaps), bridge::executionOf(this));
+    std::vector<std::string> warnings = map.surface.mendings;
+    output->SetPoints(surface->GetPoints());
+    output->SetPolys(bridge::makeTriangles(map.surface.input.triangles));
+    output->GetPointData()->ShallowCopy(bridge::wholePointArrays(surface, warnings));
+    bridge::copyCellData(
+      bridge::wholeCellArrays(surface, warnings), map.surface.input.cellOfTriangle, output);
+    bridge::addColumns(output->GetCellData(), report.cells);
+    output->GetFieldData()->PassData(bridge::fieldArrays(surface, warnings));
+    bridge::addColumns(output->GetFieldData(), { report.overlapEdges });
+    bridge::writeTable(report.measures, vtkTable::GetData(outputVector, 1));
     this->Warn(warnings);
   }
   this->WriteRunStatus(output);

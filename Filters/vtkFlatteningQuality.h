@@ -89,7 +89,6 @@ protected:
   vtkFlatteningQuality();
   ~vtkFlatteningQuality() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

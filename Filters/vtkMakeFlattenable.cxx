@@ -33,7 +33,7 @@ constexpr int measurePort = 9;
 //------------------------------------------------------------------------------
 vtkMakeFlattenable::vtkMakeFlattenable()
 {
-  this->SetNumberOfInputPorts(3);
+  this->SetOptionalPort(2);
   this->SetTablePort(piecesBeforePort);
   this->SetTablePort(measurePort);
   this->Trials = vtkSmartPointer<vtkTable>::New();
@@ -53,18 +53,6 @@ void vtkMakeFlattenable::AddKeptCurve(const std::string& curve)
 void vtkMakeFlattenable::RemoveAllKeptCurves()
 {
   flattening::bridge::changeToNone(this, this->KeptCurves);
-}
-
-//------------------------------------------------------------------------------
-int vtkMakeFlattenable::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port < 2)
-  {
-    return this->Superclass::FillInputPortInformation(port, info);
-  }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return 1;
 }
 
 //------------------------------------------------------------------------------

@@ -109,7 +109,6 @@ protected:
   vtkMakeFlattenable();
   ~vtkMakeFlattenable() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   // Options have the defaults of the algorithms.

@@ -72,7 +72,7 @@ Columns seamsOf(vtkPolyData* flat)
 //------------------------------------------------------------------------------
 vtkSewnShape::vtkSewnShape()
 {
-  this->SetNumberOfInputPorts(3);
+  this->SetOptionalPort(2);
   this->SetTablePort(2);
   this->Iterations = vtkSmartPointer<vtkTable>::New();
   this->SetDefaultOptions();
@@ -90,17 +90,6 @@ void vtkSewnShape::AddOtherOptions(flattening::OptionValues& values)
 vtkTable* vtkSewnShape::GetShapes()
 {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
-}
-
-//------------------------------------------------------------------------------
-int vtkSewnShape::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 2)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  return 1;
 }
 
 //------------------------------------------------------------------------------

@@ -184,7 +184,6 @@ protected:
 
   void AddOtherOptions(flattening::OptionValues& values) override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

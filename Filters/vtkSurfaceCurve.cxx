@@ -68,7 +68,7 @@ std::vector<Points3> readControlPoints(vtkPolyData* data)
 //------------------------------------------------------------------------------
 vtkSurfaceCurve::vtkSurfaceCurve()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetOptionalPort(1);
 }
 
 //------------------------------------------------------------------------------
@@ -136,17 +136,6 @@ void vtkSurfaceCurve::SetCurveName(const std::string& name)
     this->CurveName = name;
     this->Modified();
   }
-}
-
-//------------------------------------------------------------------------------
-int vtkSurfaceCurve::FillInputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  if (port == 1)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
 }
 
 //------------------------------------------------------------------------------
