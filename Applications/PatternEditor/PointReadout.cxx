@@ -21,53 +21,38 @@ std::string format(const char* how, double value)
   return text.data();
 }
 
-/// The arrays of one cell.
-class CellValues
+/// Of a cell array; 0 where there is none of the name.
+double valueOf(vtkPolyData* flat, vtkIdType cell, const char* name)
 {
-public:
-  CellValues(vtkPolyData* flat, vtkIdType cell)
-    : Flat(flat)
-    , Cell(cell)
-  {
-  }
-
-  bool has(const char* name) const { return this->Flat->GetCellData()->HasArray(name) != 0; }
-  double value(const char* name) const
-  {
-    vtkDataArray* const array = this->Flat->GetCellData()->GetArray(name);
-    return array ? array->GetTuple1(this->Cell) : 0.0;
-  }
-
-private:
-  vtkPolyData* Flat;
-  vtkIdType Cell;
-};
-
-std::string measures(const CellValues& cell)
-{
-  return "cell " + format("%.0f", cell.value("vtkOriginalCellIds")) + " of piece " +
-    format("%.0f", cell.value("PieceId")) + ": area " +
-    format("%.1f %%", 100.0 * cell.value("AreaRatio")) + ", homogeneity " +
-    format("%.3f", cell.value("HomogeneityOfDistortion")) + ", aspect ratio " +
-    format("%.3f", cell.value("AspectRatio"));
+  vtkDataArray* const array = flat->GetCellData()->GetArray(name);
+  return array ? array->GetTuple1(cell) : 0.0;
 }
 
-std::string threads(const CellValues& cell, double limit)
+std::string measures(vtkPolyData* flat, vtkIdType cell)
 {
+  const auto value = [&](const char* name) { return valueOf(flat, cell, name); };
+  return "cell " + format("%.0f", value("vtkOriginalCellIds")) + " of piece " +
+    format("%.0f", value("PieceId")) + ": area " + format("%.1f %%", 100.0 * value("AreaRatio")) +
+    ", homogeneity " + format("%.3f", value("HomogeneityOfDistortion")) + ", aspect ratio " +
+    format("%.3f", value("AspectRatio"));
+}
+
+std::string threads(vtkPolyData* flat, vtkIdType cell, double limit)
+{
+  const auto value = [&](const char* name) { return valueOf(flat, cell, name); };
   constexpr std::array<const char*, 3> directions{ "warp", "weft", "bias" };
-  const auto dominant = static_cast<std::size_t>(cell.value("DominantThread"));
-  const double shear = cell.value("ShearAngle");
-  std::string text = "warp " + format("%+.2f %%", 100.0 * cell.value("StrainWarp")) + ", weft " +
-    format("%+.2f %%", 100.0 * cell.value("StrainWeft")) + ", shear " +
-    format("%+.1f\xC2\xB0", shear) + ", threads at " +
-    format("%.1f\xC2\xB0", 90.0 - std::abs(shear));
+  const auto dominant = static_cast<std::size_t>(value("DominantThread"));
+  const double shear = value("ShearAngle");
+  std::string text = "warp " + format("%+.2f %%", 100.0 * value("StrainWarp")) + ", weft " +
+    format("%+.2f %%", 100.0 * value("StrainWeft")) + ", shear " + format("%+.1f\xC2\xB0", shear) +
+    ", threads at " + format("%.1f\xC2\xB0", 90.0 - std::abs(shear));
   if (limit < 90.0)
   {
     text += " (limit at " + format("%.0f\xC2\xB0", 90.0 - limit) + ")";
   }
   text += std::string(", most in the ") + directions[std::min<std::size_t>(dominant, 2)] + ": " +
-    format("%.1f %%", cell.value("DominantStretch"));
-  return text + (cell.value("OutOfLimit") != 0.0 ? ", beyond the limits" : "");
+    format("%.1f %%", value("DominantStretch"));
+  return text + (value("OutOfLimit") != 0.0 ? ", beyond the limits" : "");
 }
 }
 
@@ -98,19 +83,18 @@ vtkIdType PointReadout::cellAt(vtkRenderer* plane, int x, int y)
 
 std::string PointReadout::at(vtkRenderer* plane, int x, int y)
 {
-  const vtkIdType found =
-    this->Piece.flat && this->Piece.flat->GetNumberOfCells() > 0 ? this->cellAt(plane, x, y) : -1;
-  if (found < 0)
+  vtkPolyData* const flat = this->Piece.flat;
+  const vtkIdType cell = flat && flat->GetNumberOfCells() > 0 ? this->cellAt(plane, x, y) : -1;
+  if (cell < 0)
   {
     return {};
   }
-  const CellValues cell(this->Piece.flat, found);
-  std::string text = measures(cell);
-  if (cell.has("StrainWarp"))
+  std::string text = measures(flat, cell);
+  if (flat->GetCellData()->HasArray("StrainWarp"))
   {
     const double limit =
-      this->Piece.number("ShearLimit", static_cast<vtkIdType>(cell.value("PieceId")));
-    text += "; " + threads(cell, std::isnan(limit) ? 90.0 : limit);
+      this->Piece.number("ShearLimit", static_cast<vtkIdType>(valueOf(flat, cell, "PieceId")));
+    text += "; " + threads(flat, cell, std::isnan(limit) ? 90.0 : limit);
   }
   return text;
 }

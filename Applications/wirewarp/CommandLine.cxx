@@ -148,27 +148,6 @@ void addGlobals(CLI::App& app, Options& options)
   app.add_flag("-q,--quiet", options.quiet, "Print errors and warnings alone")->group(group);
 }
 
-void addOutput(CLI::App& app, Options& options, const char* type, const char* text)
-{
-  app.add_option("-o,--output", options.outputs, text)->type_name(type)->allow_extra_args(false);
-}
-
-void addSurface(CLI::App& app, Options& options, const char* name)
-{
-  app
-    .add_option(name, options.surface,
-      name == std::string("SURFACE")
-        ? "The surface: .vtp .vtk .obj .ply .stl .off .gltf .glb"
-        : "A surface, or the folder that 'wirewarp flatten' has written")
-    ->type_name("");
-}
-
-void addCurves(CLI::App& app, Options& options)
-{
-  app.add_option("CURVES", options.curves, "Feature curves: .vtp .vtk .obj .dxf .csv, or text")
-    ->type_name("");
-}
-
 /// How a surface becomes flat, for every command that may be given one.
 void addFlattening(CLI::App& app, Options& options)
 {
@@ -218,15 +197,23 @@ void declare(const Command& command, CLI::App& app, Options& options)
 {
   if (command.operand)
   {
-    addSurface(app, options, command.operand);
+    app
+      .add_option(command.operand, options.surface,
+        command.operand == std::string_view("SURFACE")
+          ? "The surface: .vtp .vtk .obj .ply .stl .off .gltf .glb"
+          : "A surface, or the folder that 'wirewarp flatten' has written")
+      ->type_name("");
   }
   if (command.operand && command.flattens())
   {
-    addCurves(app, options);
+    app.add_option("CURVES", options.curves, "Feature curves: .vtp .vtk .obj .dxf .csv, or text")
+      ->type_name("");
   }
   if (command.outputType)
   {
-    addOutput(app, options, command.outputType, command.outputText);
+    app.add_option("-o,--output", options.outputs, command.outputText)
+      ->type_name(command.outputType)
+      ->allow_extra_args(false);
   }
   command.addOwn(app, options);
   if (command.flattens())

@@ -185,26 +185,29 @@ void writeMembers(OptionOwner owner, std::ostream& out)
   }
 }
 
-/// Keywords of a function in a stub.
-void writeKeywords(const std::vector<const Option*>& options, std::ostream& out)
+/// Keywords with their types.
+void writeTyped(
+  const std::vector<const Option*>& options, const std::string& margin, std::ostream& out)
 {
   for (const Option* const option : options)
   {
-    out << "    " << argument(*option) << ": " << pythonType(*option) << " = "
+    out << margin << argument(*option) << ": " << pythonType(*option) << " = "
         << pythonDefault(*option) << ",\n";
   }
+}
+
+/// Those of a function in a stub.
+void writeKeywords(OptionOwner owner, std::ostream& out)
+{
+  writeTyped(optionsOf(owner), "    ", out);
   out << "    paper_method: bool = False,\n"
          "    progress: Optional[Callable[[float], Any]] = None,\n";
 }
 
-/// Keywords of a method with their types.
+/// Those of a method.
 void writeParameters(OptionOwner owner, std::ostream& out)
 {
-  for (const Option* const option : ownOptions(owner))
-  {
-    out << "        " << argument(*option) << ": " << pythonType(*option) << " = "
-        << pythonDefault(*option) << ",\n";
-  }
+  writeTyped(ownOptions(owner), "        ", out);
 }
 
 /// A text with a narrower margin from its second line on. \param lead of its first line
@@ -573,9 +576,7 @@ std::string filled(const std::string& text)
     { "arguments", of(writeArguments) }, { "drawing", of(propertiesUnder("Drawing")) },
     { "details", of(propertiesUnder("Details")) }, { "cloth", of(propertiesUnder("Cloth")) },
     { "pdf", of(propertiesUnder("PDF")) }, { "svg", of(propertiesUnder("SVG")) },
-    { "dxf", of(propertiesUnder("DXF")) },
-    { "keywords",
-      of([](OptionOwner owner, std::ostream& to) { writeKeywords(optionsOf(owner), to); }) },
+    { "dxf", of(propertiesUnder("DXF")) }, { "keywords", of(writeKeywords) },
     { "input", writeInput }, { "keys", writeKeys },
     { "fields", [](const std::string& name, std::ostream& to) { writeFields(name, false, to); } },
     { "attributes", [](const std::string& name, std::ostream& to) { writeFields(name, true, to); } }

@@ -252,11 +252,6 @@ std::map<std::pair<std::string, std::string>, std::string> namesOfOptions(const 
   return names;
 }
 
-py::dict materials()
-{
-  return dictOf(materialTable());
-}
-
 /// With the arguments of this package's functions.
 std::string argumentOf(const std::string& property, const std::string& value)
 {
@@ -303,7 +298,7 @@ PYBIND11_MODULE(_core, module)
   module.def("make_flattenable", &makeFlattenable);
   module.def("describe_idle", &describeIdle);
   module.def("options_of", &namesOfOptions);
-  module.def("materials", &materials);
+  module.def("materials", [] { return dictOf(flattening::materialTable()); });
   module.def("make_message", &messageOf);
 #ifdef FLATTENING_WITH_COMMAND
   module.def("run_command", &runCommand);
