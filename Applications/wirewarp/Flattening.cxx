@@ -119,7 +119,7 @@ void chooseUnit(const Options& options, const CurveFiles& curves, const SurfaceC
     stated = stated.empty() ? unit : stated;
     if (!unit.empty() && unit != stated)
     {
-      std::string& note = result.notes.emplace_back(inQuotes(path) + " was saved in " + unit);
+      std::string& note = result.warnings.emplace_back(inQuotes(path) + " was saved in " + unit);
       note.append(", and ").append(inQuotes(options.surface)).append(" is taken in ");
       note.append(stated).append("; check --unit");
     }
@@ -146,7 +146,7 @@ void chooseUnit(const Options& options, const CurveFiles& curves, const SurfaceC
 DataSet mended(const Options& options, const SurfaceContents& contents, Flattening& result)
 {
   MendedSurface mend = mendedSurface(options, contents, result.unit);
-  result.notes.insert(result.notes.end(), mend.notes.begin(), mend.notes.end());
+  result.warnings.insert(result.warnings.end(), mend.notes.begin(), mend.notes.end());
   return std::move(mend.surface);
 }
 
@@ -163,7 +163,7 @@ DataSet readSeams(const std::string& path, const SurfaceContents& contents, cons
     DataSet seams = seamsOf(contents.surface, contents.labels, options.seamsFrom);
     if (seams.lines.size() == 0)
     {
-      result.notes.emplace_back("--seams-from found no edge to cut along");
+      result.warnings.emplace_back("--seams-from found no edge to cut along");
     }
     return seams;
   }
@@ -266,7 +266,7 @@ RunInput readInput(const Options& options, const std::string& base, Flattening& 
     const std::string note = notesOfNumberNames(owner, curves);
     if (!note.empty())
     {
-      result.notes.push_back(inQuotes(path) + ": " + note);
+      result.warnings.push_back(inQuotes(path) + ": " + note);
     }
     if (!base.empty())
     {
@@ -298,7 +298,7 @@ RunInput readInput(const Options& options, const std::string& base, Flattening& 
     const CurveContents curves = before == saved.end() ? readCurves(path, owner) : before->second;
     if (!curves.note.empty())
     {
-      result.notes.push_back(inQuotes(path) + ": " + curves.note);
+      result.warnings.push_back(inQuotes(path) + ": " + curves.note);
     }
     connect(path, curves.curves);
   }
@@ -360,7 +360,8 @@ public:
         this->take(this->Run.flatten(this->Settings.flattening, pinsOf(this->Given), execution));
       }
     }
-    this->Result.warnings = this->Run.warnings;
+    std::vector<std::string>& warnings = this->Result.warnings;
+    warnings.insert(warnings.begin(), this->Run.warnings.begin(), this->Run.warnings.end());
   }
 
 private:

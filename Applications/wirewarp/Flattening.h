@@ -81,9 +81,9 @@ struct Flattening
   bool unitStated = false; ///< by --unit or by a file; else it is the likely one
   std::string unitNote;    ///< says which is taken; empty where it is stated
 
-  double curveDistance = 0.0;        ///< of the curves' points from the surface, at most
-  std::vector<std::string> warnings; ///< of the flattening
-  std::vector<std::string> notes;    ///< what the command itself warns of
+  double curveDistance = 0.0; ///< of the curves' points from the surface, at most
+  /// Of the flattening, and behind them what the command itself warns of.
+  std::vector<std::string> warnings;
   /// What was done to the pieces of a pattern.
   std::vector<std::string> patternNotes;
   /// What the pieces take of the cloth of --roll-width: lengths in mm; 0: not laid.

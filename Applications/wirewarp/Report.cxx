@@ -213,16 +213,6 @@ Json pieceJson(const flattening::ReportTables& tables)
   return pieces;
 }
 
-Json warningReports(const Flattening& result)
-{
-  Json warnings = result.warnings;
-  for (const std::string& note : result.notes)
-  {
-    warnings.push_back(note);
-  }
-  return warnings;
-}
-
 Json sizeReports(const Flattening& result)
 {
   Json sizes = Json::array();
@@ -323,7 +313,7 @@ std::string makeReport(const Options& options, const Flattening& result)
     { "skip_closed", options.values.flag("SkipClosed") }, { "version", WIREWARP_VERSION },
     { "exit_code", result.outcome() }, { "status", result.status }, { "message", result.message },
     { "ids", result.ids }, { "id_kind", result.idKind },
-    { "remedies", remedyReports(result.remedies) }, { "warnings", warningReports(result) },
+    { "remedies", remedyReports(result.remedies) }, { "warnings", result.warnings },
     { "pattern_notes", result.patternNotes }, { "lay", layReport(result) },
     { "unwritten", result.unwritten }, { "unit", result.unit },
     { "unit_stated", result.unitStated },

@@ -85,8 +85,8 @@ void sewAgain(const Options& options, Flattening& result)
   setUnit(data, result.unitStated ? result.unit : std::string());
   result.sewn = std::make_shared<const DataSet>(std::move(data));
   result.sewnShapes = arrays.shapes;
-  result.notes.insert(result.notes.end(), warnings.begin(), warnings.end());
-  result.notes.insert(result.notes.end(), arrays.warnings.begin(), arrays.warnings.end());
+  result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
+  result.warnings.insert(result.warnings.end(), arrays.warnings.begin(), arrays.warnings.end());
 }
 
 std::string resewingTable(bool product, const Flattening& result)

@@ -83,7 +83,7 @@ void gradeSizes(const Options& options, Flattening& result)
     }
     if (other.exitCode != Done)
     {
-      result.notes.push_back("size " + inQuotes(size.name) + ": " + other.message);
+      result.warnings.push_back("size " + inQuotes(size.name) + ": " + other.message);
       result.exitCode = std::max(result.exitCode, other.exitCode);
     }
     if (other.unit != result.unit)

@@ -288,10 +288,6 @@ std::string warnings(const Flattening& result, const std::string& where)
   {
     text += messageLine("warning", where + warning);
   }
-  for (const std::string& note : result.notes)
-  {
-    text += messageLine("warning", where + note);
-  }
   return text;
 }
 
