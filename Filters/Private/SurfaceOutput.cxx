@@ -66,27 +66,6 @@ void writeSurface(const CurvedPolyData& source, const Triangles& triangles,
   output->GetFieldData()->PassData(source.fieldData);
 }
 
-/// Fills a data set with the imprinted surface, with the input's data, `vtkOriginalCellIds` and
-/// `vtkOriginalPointIds`.
-void writeImprintedSurface(const CurvedPolyData& source, vtkPolyData* output)
-{
-  const TriangleMesh& mesh = source.imprinted.mesh;
-  Indices vertices(mesh.vertexCount());
-  std::iota(vertices.begin(), vertices.end(), 0);
-  std::vector<std::int64_t> cellOfTriangle;
-  cellOfTriangle.reserve(mesh.triangleCount());
-  for (Index t = 0; t < mesh.triangleCount(); ++t)
-  {
-    cellOfTriangle.push_back(source.cellOf(t));
-  }
-  writeSurface(
-    source, mesh.triangles(), cellOfTriangle, vertices, makePoints(mesh.points()), output);
-  Columns ids;
-  addRows<std::int64_t>(ids, "vtkOriginalPointIds", vertices.size(),
-    [&](std::size_t v) { return source.pointOf(vertices[v]); });
-  addColumns(output->GetPointData(), ids);
-}
-
 /// The cell arrays that all data sets of the curves have.
 void copyCurveData(
   const CurvedPolyData& source, vtkCellData* cells, std::vector<std::string>& warnings)
@@ -174,8 +153,14 @@ void copyCellData(
 void writeImprint(const CurvedPolyData& source, vtkPolyData* surface, vtkPolyData* curves,
   std::vector<std::string>& warnings)
 {
-  writeImprintedSurface(source, surface);
-  const DataSet data = imprintData({}, source).curves;
+  const ImprintData made = imprintData({}, source);
+  const TriangleMesh& mesh = source.imprinted.mesh;
+  const auto& cells = std::get<std::vector<std::int64_t>>(made.surface.cellArrays.front().values);
+  Indices vertices(static_cast<std::size_t>(mesh.vertexCount()));
+  std::iota(vertices.begin(), vertices.end(), 0);
+  writeSurface(source, mesh.triangles(), cells, vertices, makePoints(mesh.points()), surface);
+  addColumns(surface->GetPointData(), made.surface.pointArrays);
+  const DataSet& data = made.curves;
   curves->SetPoints(surface->GetPoints());
   curves->SetLines(makeCells(data.lines));
   curves->GetPointData()->ShallowCopy(surface->GetPointData());
