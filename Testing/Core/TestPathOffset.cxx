@@ -257,25 +257,6 @@ TEST(PathOffset, OfALineThatMeetsTheSideAtAnAngleEndsOnTheSide)
   EXPECT_NEAR(end.y(), 8.5, 1e-9);
 }
 
-TEST(PathOffset, OfASquareIsASquareInsideAndRoundOutside)
-{
-  const Surface surface = square(20, 10.0);
-  const PathGraph graph(surface.mesh);
-  const SurfacePath loop =
-    through(graph, Points3{ { 3, 3, 0 }, { 7, 3, 0 }, { 7, 7, 0 }, { 3, 7, 0 }, { 3, 3, 0 } });
-  const PathOffset inside = offsetPath(graph, loop, 0.8);
-  ASSERT_EQ(inside.parts.size(), 1U);
-  EXPECT_TRUE(samePlace(inside.parts[0].points.front(), inside.parts[0].points.back()));
-  EXPECT_NEAR(lengthOf(inside.parts[0]), 4.0 * (4.0 - 1.6), 1e-9);
-  const PathOffset outside = offsetPath(graph, loop, -0.8);
-  ASSERT_EQ(outside.parts.size(), 1U);
-  EXPECT_TRUE(samePlace(outside.parts[0].points.front(), outside.parts[0].points.back()));
-  // Arcs by tangents that turn by 5 degrees at most.
-  const double arcs = 2.0 * pi * 0.8;
-  EXPECT_GT(lengthOf(outside.parts[0]), 16.0 + arcs);
-  EXPECT_LT(lengthOf(outside.parts[0]), 16.0 + arcs * std::tan(pi / 72.0) / (pi / 72.0));
-}
-
 TEST(PathOffset, RoundACylinderIsTheNextRound)
 {
   // Forty sides, closed, so that every round is a polygon of one length.

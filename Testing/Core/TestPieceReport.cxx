@@ -304,35 +304,6 @@ TEST(WireReport, ACurveThatNothingCutsIsOneWireInItsOwnOrder)
   EXPECT_EQ(edgeCount(wires), 6 + 20);
 }
 
-TEST(WireReport, ADartHasTwoSidesOfOneLength)
-{
-  Surface surface = cushion(6, 4, 0.2);
-  surface.curves = { curveOf(CurveType::Dart, "dart", { 3, 10, 17 }) };
-  const CutSurface cut = cutSurface(surface.mesh, surface.curves);
-  std::vector<Wire> wires = traceWires(surface.mesh, cut, surface.curves);
-  std::vector<Wire> sides = wiresOf(wires, 0);
-  ASSERT_EQ(sides.size(), 2U);
-  EXPECT_EQ(sides[0].vertices.back(), sides[1].vertices.back()) << "the tip";
-  EXPECT_NE(sides[0].vertices.front(), sides[1].vertices.front());
-  Points2 positions;
-  for (const Point3& p : cut.mesh.points())
-  {
-    positions.emplace_back(p.x(), p.y());
-  }
-  for (Wire& wire : sides)
-  {
-    measureWire(cut, positions, wire);
-  }
-  EXPECT_DOUBLE_EQ(sides[0].restLength, sides[1].restLength);
-  // The curve counts once.
-  const std::vector<CurveReport> reports =
-    summarizeCurves(surface.mesh, cut, surface.curves, sides);
-  ASSERT_EQ(reports.size(), 1U);
-  EXPECT_EQ(reports[0].name, "dart");
-  EXPECT_NEAR(reports[0].restLength, sides[0].restLength, 1e-15);
-  EXPECT_NEAR(reports[0].flatLength, surface.mesh.point(17).y(), 1e-12) << "its projection";
-}
-
 TEST(WireReport, ACurveAcrossADartGoesOnOnBothItsSides)
 {
   Surface surface = cushion(6, 4, 0.2);

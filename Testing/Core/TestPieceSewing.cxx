@@ -190,16 +190,6 @@ TEST(PieceSewing, ThreadsChangeNoBit)
   EXPECT_EQ(one.shapes.front().measures.distanceMean, three.shapes.front().measures.distanceMean);
 }
 
-TEST(PieceSewing, ALonePanelWithAFreeBoundaryIsRefused)
-{
-  const SewingResult result = sewn(dome(), product());
-  EXPECT_EQ(result.status.code, StatusCode::InvalidOption);
-  EXPECT_NE(result.status.message.find("sewn to nothing"), std::string::npos);
-  ASSERT_EQ(result.status.remedies.size(), 1U);
-  EXPECT_EQ(result.status.remedies.front().remedy, Remedy::TestPanels);
-  EXPECT_TRUE(result.points.empty());
-}
-
 TEST(PieceSewing, RefusesWhatItCannotSew)
 {
   const FlatteningResult pieces = flatten(dome());
@@ -506,25 +496,4 @@ TEST(SewnCloth, TurningThePiecesByARightAngleIsSwappingWarpAndWeft)
   const double plain = sheet.shapes.front().measures.distanceMean;
   EXPECT_GT(std::abs(plain - a.measures.distanceMean), 1e-3 * a.measures.distanceMean);
   EXPECT_TRUE(sheet.threads.empty());
-}
-
-TEST(SewnCloth, WeightThatNothingHoldsAndClothWithoutMeaningAreRefused)
-{
-  SewingOptions options = product();
-  options.gravity = { 0.0, 0.0, -1e-3 };
-  const Status falling = sewn(frustum(16, 4, 0.5), options).status;
-  EXPECT_EQ(falling.code, StatusCode::InvalidOption);
-  EXPECT_NE(falling.message.find("weight"), std::string::npos);
-  for (const double z : { 2.0, std::nan("") })
-  {
-    options = panel();
-    options.gravity = { 0.0, 0.0, z };
-    EXPECT_EQ(sewn(dome(), options).status.code, StatusCode::InvalidOption);
-  }
-  options = panel();
-  options.material.emplace();
-  const SewingResult refused = sewn(dome(), options);
-  EXPECT_EQ(refused.status.code, StatusCode::InvalidOption);
-  EXPECT_NE(refused.status.message.find("stiffness"), std::string::npos);
-  EXPECT_TRUE(refused.points.empty());
 }

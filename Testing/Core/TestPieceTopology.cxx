@@ -144,28 +144,6 @@ TEST(PieceTopology, WhatIsSkippedChangesNothingOfTheRest)
   }
 }
 
-TEST(PieceTopology, KeptTrianglesAndVerticesAreThoseOfTheSurface)
-{
-  const Surface surface = together({ partOf(tetrahedron()), shirt(), partOf(ring()) });
-  const FlatteningResult result = flatten(surface, skipping());
-  const CutSurface& cut = *result.cut;
-  ASSERT_EQ(cut.mesh.triangleCount(), 2 * 8 * 6);
-  std::set<Index> triangles;
-  for (Index t = 0; t < cut.mesh.triangleCount(); ++t)
-  {
-    triangles.insert(cut.originalTriangle(t));
-    for (int k = 0; k < 3; ++k)
-    {
-      const Index v = cut.mesh.triangle(t)[k];
-      EXPECT_EQ(cut.originalVertex[v], surface.mesh.triangle(cut.originalTriangle(t))[k]);
-      EXPECT_EQ(cut.mesh.point(v), surface.mesh.point(cut.originalVertex[v]));
-    }
-  }
-  EXPECT_EQ(*triangles.begin(), 4);
-  EXPECT_EQ(*triangles.rbegin(), 4 + 2 * 8 * 6 - 1);
-  EXPECT_EQ(triangles.size(), 2U * 8 * 6);
-}
-
 TEST(PieceTopology, WhereNothingWouldRemainTheSurfaceIsRefused)
 {
   const FlatteningResult result =

@@ -93,17 +93,6 @@ double squareIntegral(const TriangleMesh& mesh, const std::vector<double>& u)
   return sum;
 }
 
-/// Column i of a patch from row 0 up to row `last`.
-Indices column(Index columns, Index i, Index last)
-{
-  Indices path;
-  for (Index j = 0; j <= last; ++j)
-  {
-    path.push_back(j * (columns + 1) + i);
-  }
-  return path;
-}
-
 double largest(const std::vector<double>& values)
 {
   double result = 0.0;
@@ -112,13 +101,6 @@ double largest(const std::vector<double>& values)
     result = std::max(result, std::abs(value));
   }
   return result;
-}
-
-TriangleMesh movedAndScaled(const TriangleMesh& mesh, double scale)
-{
-  const Eigen::AngleAxisd turn(0.7, Point3(1.0, -2.0, 0.5).normalized());
-  return moved(
-    mesh, [&](const Point3& p) -> Point3 { return scale * (turn * p + Point3(3.0, -1.0, 8.0)); });
 }
 
 /// The sphere's cap down to an angle from its pole.
@@ -190,11 +172,14 @@ TEST(ScaleFactor, IsThatOfTheSpheresCap)
 TEST(ScaleFactor, DoesNotDependOnPlaceAndUnit)
 {
   const TriangleMesh mesh = cushion(12, 9, 0.3).mesh;
-  const Indices cut = column(12, 6, 4);
+  const Indices cut = columnCurve(12, 4, 6).vertices;
   const ScaleFactor factor(mesh, {}, {});
+  const Eigen::AngleAxisd turn(0.7, Point3(1.0, -2.0, 0.5).normalized());
   for (double scale : { 1e-3, 1.0, 1e3 })
   {
-    const ScaleFactor other(movedAndScaled(mesh, scale), {}, {});
+    const TriangleMesh placed = moved(
+      mesh, [&](const Point3& p) -> Point3 { return scale * (turn * p + Point3(3.0, -1.0, 8.0)); });
+    const ScaleFactor other(placed, {}, {});
     for (Index v = 0; v < mesh.vertexCount(); ++v)
     {
       EXPECT_NEAR(other.values()[v], factor.values()[v], 1e-12);
@@ -276,7 +261,7 @@ TEST(ScaleFactor, ADartIntoASaddleIsToldToOverlap)
       return Point3(x, y, 0.3 * (x * x + sign * y * y));
     }).mesh;
   };
-  const Indices cut = column(16, 8, 8);
+  const Indices cut = columnCurve(16, 8, 8).vertices;
   const TriangleMesh dome = saddle(1.0);
   const TriangleMesh dip = saddle(-1.0);
   EXPECT_GT(ScaleFactor(dome, {}, {}).forecast(cut).opening(0.0), 0.0);
@@ -297,7 +282,7 @@ TEST(ScaleFactor, FindsTheBestCutThroughFewClustersAsThroughAllVertices)
     {
       for (Index last : { 7, 15, 22, 30, 45 })
       {
-        gains.back().push_back(factor.forecast(column(60, i, last)).gain);
+        gains.back().push_back(factor.forecast(columnCurve(60, last, i).vertices).gain);
       }
     }
   }
@@ -327,8 +312,8 @@ TEST(ScaleFactor, WeighsWhatMattersMore)
   {
     left.weight.push_back(p.x() < 0.5 ? 1.0 : 0.0);
   }
-  const Indices near = column(20, 5, 10);
-  const Indices far = column(20, 15, 10);
+  const Indices near = columnCurve(20, 10, 5).vertices;
+  const Indices far = columnCurve(20, 10, 15).vertices;
   const ScaleFactor even(mesh, {}, {});
   const ScaleFactor weighted(mesh, left, {});
   EXPECT_NEAR(even.forecast(near).gain, even.forecast(far).gain, 0.05 * even.forecast(far).gain);

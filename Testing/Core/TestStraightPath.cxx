@@ -79,31 +79,6 @@ void expectExact(const Surface& surface, double innerRadius)
 }
 }
 
-TEST(StraightPath, IsALineOnAPlane)
-{
-  // Far enough inside that no line meets the wavy boundary.
-  Surface surface = flatPatch(30, 25);
-  const PathGraph graph(surface.mesh);
-  std::mt19937 random(1);
-  for (int k = 0; k < 200; ++k)
-  {
-    SurfacePoint ends[2];
-    for (SurfacePoint& end : ends)
-    {
-      Point2 place;
-      do
-      {
-        end = randomPoint(surface.mesh, random);
-        place = unrolled(surface.mesh, surface.unrolled, end);
-      } while (place.x() < 0.5 || place.x() > 29.5 || place.y() < 0.5 || place.y() > 24.5);
-    }
-    const StraightPath path = straightPath(graph, ends[0], ends[1]);
-    ASSERT_TRUE(path.status.ok());
-    const double distance = (ends[1].position - ends[0].position).norm();
-    EXPECT_NEAR(path.length, distance, exactly * distance);
-  }
-}
-
 TEST(StraightPath, IsALineOnAnUnrolledCylinder)
 {
   expectExact(cylinder(40, 30), 0.0);

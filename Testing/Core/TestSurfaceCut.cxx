@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 
 using namespace flattening;
@@ -50,17 +51,6 @@ void expectRefusal(const CutSurface& cut, StatusCode code, ElementKind kind, con
 }
 }
 
-TEST(SurfaceCut, LeavesASurfaceWithoutDartsAndSeamsWhole)
-{
-  const Surface surface = cushion(4, 4, 0.3);
-  const CutSurface cut =
-    cutSurface(surface.mesh, { rowCurve(4, 2), curveOf(CurveType::Key, "k", { 2, 7, 12 }) });
-  ASSERT_TRUE(cut.status.ok());
-  EXPECT_EQ(cut.mesh.triangles(), surface.mesh.triangles());
-  EXPECT_TRUE(cut.seamPairs.empty());
-  EXPECT_EQ(cut.pieceCount, 1);
-}
-
 TEST(SurfaceCut, OpensCutsButNotTheirTipsAndPartsThePieces)
 {
   const auto v = [](Index i, Index j) { return at(6, i, j); };
@@ -75,6 +65,8 @@ TEST(SurfaceCut, OpensCutsButNotTheirTipsAndPartsThePieces)
     Index euler;
   };
   const std::vector<Case> cases{
+    { "what cuts nothing", { rowCurve(6, 2), curveOf(CurveType::Key, "k", { v(2, 0), v(2, 1) }) },
+      {}, 0, 1, 1 },
     { "a dart from the boundary", { dart({ v(3, 0), v(3, 1), v(3, 2) }) },
       { { v(3, 0), 2 }, { v(3, 1), 2 }, { v(3, 2), 1 } }, 2, 1, 1 },
     { "one inside, which leaves a hole", { dart({ v(3, 1), v(3, 2), v(3, 3), v(3, 4) }) },
@@ -205,79 +197,41 @@ TEST(SurfaceCut, NamesCurvesThatAreNoChainsOfEdges)
     ElementKind::Points, { -1 });
 }
 
-namespace
+TEST(CutEnds, AreNamedWithTheVertexThatContinuesThemToTheBoundary)
 {
-constexpr Index squares = 6;
-
-/// Vertex (i, j) of a flat patch of 6 x 6 squares.
-Index at(Index i, Index j)
-{
-  return j * (squares + 1) + i;
-}
-
-std::vector<ShortEnd> ends(const std::vector<FeatureCurve>& curves)
-{
-  return endsShortOfBoundary(flatPatch(squares, 6).mesh, curves);
-}
-
-void expectEnd(const ShortEnd& end, Index curve, Index vertex, Index boundary)
-{
-  EXPECT_EQ(end.curve, curve);
-  EXPECT_EQ(end.vertex, vertex);
-  EXPECT_EQ(end.boundary, boundary);
-}
-}
-
-TEST(CutEnds, NamesTheVertexThatContinuesADart)
-{
-  const std::vector<ShortEnd> found =
-    ends({ curveOf(CurveType::Dart, "d", { at(3, 1), at(3, 2), at(3, 3) }) });
-  ASSERT_EQ(found.size(), 1U);
-  expectEnd(found[0], 0, at(3, 1), at(3, 0));
-}
-
-TEST(CutEnds, FindsTheEndOfADartThatWasDrawnFromItsTip)
-{
-  const std::vector<ShortEnd> found =
-    ends({ curveOf(CurveType::Accessory, "a", { at(0, 3), at(1, 3) }),
-      curveOf(CurveType::Dart, "d", { at(3, 3), at(4, 3), at(5, 3) }) });
-  ASSERT_EQ(found.size(), 1U);
-  expectEnd(found[0], 1, at(5, 3), at(6, 3));
-}
-
-TEST(CutEnds, NamesBothEndsOfASeam)
-{
-  const std::vector<ShortEnd> found =
-    ends({ curveOf(CurveType::Seam, "s", { at(3, 1), at(3, 2), at(3, 3), at(3, 4), at(3, 5) }) });
-  ASSERT_EQ(found.size(), 2U);
-  expectEnd(found[0], 0, at(3, 1), at(3, 0));
-  expectEnd(found[1], 0, at(3, 5), at(3, 6));
-}
-
-TEST(CutEnds, NamesOneEndOfAShortDart)
-{
-  FeatureCurve dart = curveOf(CurveType::Dart, "d", { at(3, 1), at(3, 2), at(3, 3), at(3, 4) });
-  dart.vertices.push_back(at(3, 5));
-  EXPECT_EQ(ends({ dart }).size(), 1U) << "the other is its tip";
-}
-
-TEST(CutEnds, TakesWhatReachesTheBoundaryOrAnotherCut)
-{
-  EXPECT_TRUE(ends({ curveOf(CurveType::Dart, "d", { at(3, 0), at(3, 1) }) }).empty())
-    << "the tip of a short dart";
-  EXPECT_TRUE(ends({ curveOf(CurveType::Seam, "s", { at(3, 0), at(3, 1), at(3, 2) }),
-                     curveOf(CurveType::Dart, "d", { at(3, 1), at(2, 1) }) })
-                .empty())
-    << "a dart from a seam";
-  EXPECT_TRUE(ends({ curveOf(CurveType::Key, "k", { at(3, 1), at(3, 2), at(3, 3) }) }).empty())
-    << "a curve that cuts nothing";
-}
-
-TEST(CutEnds, TakesADartFarFromTheBoundary)
-{
-  EXPECT_TRUE(ends({ curveOf(CurveType::Dart, "eye", { at(3, 2), at(3, 3), at(3, 4) }) }).empty());
-  EXPECT_TRUE(
-    ends({ curveOf(CurveType::Seam, "ring", { at(1, 1), at(2, 1), at(2, 2), at(1, 2), at(1, 1) }) })
-      .empty())
-    << "a closed seam has no end";
+  const auto v = [](Index i, Index j) { return at(6, i, j); };
+  const auto seam = [](Indices vertices) { return curveOf(CurveType::Seam, "s", vertices); };
+  const auto dart = [](Indices vertices) { return curveOf(CurveType::Dart, "d", vertices); };
+  struct Case
+  {
+    const char* name;
+    std::vector<FeatureCurve> curves;
+    std::vector<std::array<Index, 3>> ends; ///< curve, its vertex, and that of the boundary
+  };
+  const std::vector<Case> cases{
+    { "a dart", { dart({ v(3, 1), v(3, 2), v(3, 3) }) }, { { 0, v(3, 1), v(3, 0) } } },
+    { "a dart that was drawn from its tip",
+      { accessory("a", { v(0, 3), v(1, 3) }), dart({ v(3, 3), v(4, 3), v(5, 3) }) },
+      { { 1, v(5, 3), v(6, 3) } } },
+    { "both ends of a seam", { seam({ v(3, 1), v(3, 2), v(3, 3), v(3, 4), v(3, 5) }) },
+      { { 0, v(3, 1), v(3, 0) }, { 0, v(3, 5), v(3, 6) } } },
+    { "the nearer end of a dart, whose other is its tip",
+      { dart({ v(3, 1), v(3, 2), v(3, 3), v(3, 4), v(3, 5) }) }, { { 0, v(3, 5), v(3, 6) } } },
+    { "the tip of a short dart", { dart({ v(3, 0), v(3, 1) }) }, {} },
+    { "a dart from a seam", { seam({ v(3, 0), v(3, 1), v(3, 2) }), dart({ v(3, 1), v(2, 1) }) },
+      {} },
+    { "what cuts nothing", { curveOf(CurveType::Key, "k", { v(3, 1), v(3, 2), v(3, 3) }) }, {} },
+    { "a dart far from the boundary", { dart({ v(3, 2), v(3, 3), v(3, 4) }) }, {} },
+    { "a closed seam", { seam({ v(1, 1), v(2, 1), v(2, 2), v(1, 2), v(1, 1) }) }, {} },
+  };
+  for (const Case& one : cases)
+  {
+    SCOPED_TRACE(one.name);
+    const std::vector<ShortEnd> found = endsShortOfBoundary(flatPatch(6, 6).mesh, one.curves);
+    ASSERT_EQ(found.size(), one.ends.size());
+    for (std::size_t k = 0; k < found.size(); ++k)
+    {
+      EXPECT_EQ((std::array{ found[k].curve, found[k].vertex, found[k].boundary }), one.ends[k]);
+    }
+  }
 }

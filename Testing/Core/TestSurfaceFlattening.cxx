@@ -32,31 +32,6 @@ const Wire& wireOfCurve(const FlatteningResult& result, Index curve)
 }
 }
 
-TEST(SurfaceFlattening, TheQuarterSphereGivesTheRowsOfTable1)
-{
-  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
-  {
-    FlatteningOptions options = optionsOf(Scheme::Global);
-    options.angles.method = method;
-    const PieceReport piece = flatten(quarterSphere(), options).pieces.at(0);
-    EXPECT_NEAR(piece.objective, 0.197157, 5e-7);
-    EXPECT_LT(piece.quality.maximumEdgeLengthError, 1e-13);
-    EXPECT_NEAR(piece.quality.angleError, 0.148796, 5e-7);
-    EXPECT_NEAR(piece.quality.globalHomogeneity, 0.40397, 5e-6);
-    EXPECT_EQ(piece.wirePatches, 2);
-    EXPECT_EQ(piece.wireNodes, 24);
-    EXPECT_EQ(piece.freeWireNodes, 24);
-    EXPECT_EQ(piece.constraints, 3 * 2 + 3);
-
-    options.scheme = Scheme::Progressive;
-    const PieceReport progressive = flatten(quarterSphere(), options).pieces.at(0);
-    EXPECT_LT(progressive.quality.maximumEdgeLengthError, 1e-13);
-    EXPECT_NEAR(progressive.quality.angleError, 0.159115, 5e-7);
-    EXPECT_NEAR(progressive.quality.globalHomogeneity, 0.39359, 5e-6);
-    EXPECT_EQ(progressive.warpingOrder, (Indices{ 0, 1 }));
-  }
-}
-
 TEST(SurfaceFlattening, OnTheTwoArcsOfFigure14ThePapersIterationFailsAndNewtonFindsTheBetterMinimum)
 {
   FlatteningOptions options = optionsOf(Scheme::Global);
@@ -219,37 +194,6 @@ TEST(SurfaceFlattening, PiecesAreFlattenedAsIfEachWereAlone)
   EXPECT_EQ(patches, (std::set<Index>{ 0, 1, 2, 3 }));
 }
 
-TEST(SurfaceFlattening, ArrangedPiecesAreMovedRigidlyAndLieApart)
-{
-  Surface surface = cushion(9, 6, 0.2);
-  surface.curves = { columnCurve(9, 6, 4, CurveType::Seam) };
-  FlatteningOptions options = optionsOf(Scheme::Global);
-  const FlatteningResult apart = flatten(surface, options);
-  options.arrange = true;
-  const FlatteningResult arranged = flatten(surface, options);
-  std::array<Eigen::AlignedBox2d, 2> boxes;
-  for (Index p = 0; p < 2; ++p)
-  {
-    Points2 before;
-    Points2 after;
-    for (Index t = 0; t < arranged.cut->mesh.triangleCount(); ++t)
-    {
-      for (const Index v : arranged.cut->mesh.triangle(t))
-      {
-        if (arranged.cut->pieceOfTriangle[t] == p)
-        {
-          before.push_back(apart.positions[v]);
-          after.push_back(arranged.positions[v]);
-          boxes[p].extend(arranged.positions[v]);
-        }
-      }
-    }
-    EXPECT_LT(rigidDistance(before, after), 1e-13);
-  }
-  EXPECT_FALSE(boxes[0].intersects(boxes[1]));
-  EXPECT_EQ(arranged.pieces[0].overlaps.count, 0u);
-}
-
 namespace
 {
 void expectEmpty(const FlatteningResult& result)
@@ -318,21 +262,4 @@ TEST(FlatteningEnds, ToldToStopItLeavesNothingWheneverThatIs)
       expectEmpty(result);
     }
   }
-}
-
-TEST(FlatteningEnds, ReportsProgressInOrder)
-{
-  Surface surface = cushion(9, 6, 0.2);
-  surface.curves = { columnCurve(9, 6, 4, CurveType::Seam) };
-  std::vector<double> fractions;
-  Execution execution;
-  execution.progress = [&fractions](double fraction, const char* phase) {
-    EXPECT_NE(std::string(phase), "");
-    fractions.push_back(fraction);
-  };
-  flatten(surface, {}, execution);
-  ASSERT_GE(fractions.size(), 3U);
-  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
-  EXPECT_DOUBLE_EQ(fractions.front(), 0.0);
-  EXPECT_DOUBLE_EQ(fractions.back(), 1.0);
 }

@@ -306,18 +306,6 @@ TEST(SurfaceHealing, LeavesOutSpecks)
   EXPECT_EQ(healSurface(sheet.points, sheet.triangles).mesh.triangleCount(), first + 1);
 }
 
-TEST(SurfaceHealing, RefusesWhatHasNothingLeft)
-{
-  Sheet sheet;
-  for (Point3& p : sheet.points)
-  {
-    p = Point3(p.x(), 0.0, 0.0);
-  }
-  const HealedSurface surface = healSurface(sheet.points, sheet.triangles);
-  EXPECT_EQ(surface.status.code, StatusCode::DegenerateTriangle);
-  EXPECT_EQ(surface.status.ids.values.size(), static_cast<std::size_t>(sheet.size()));
-}
-
 TEST(SurfaceHealing, KeepsToTheSameWhateverOrderAndSizeTrianglesHave)
 {
   Sheet sheet;

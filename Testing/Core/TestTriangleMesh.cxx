@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/CompressedRows.h"
 #include "Base/Types.h"
+#include "ClosedMeshes.h"
 #include "Surface/VertexFan.h"
 #include "TestMeshes.h"
 
@@ -12,33 +13,11 @@
 using namespace flattening;
 using namespace testmeshes;
 
-namespace
-{
-/// A band of quads around a circle of `count` corners, two boundary loops.
-TriangleMesh ring(Index count, double inner, double outer)
-{
-  Points3 points;
-  Triangles triangles;
-  for (Index i = 0; i < count; ++i)
-  {
-    const Point3 direction(std::cos(2.0 * pi * i / count), std::sin(2.0 * pi * i / count), 0.0);
-    points.emplace_back(inner * direction);
-    points.emplace_back(outer * direction);
-  }
-  for (Index i = 0; i < count; ++i)
-  {
-    const Index a = 2 * i;
-    const Index b = 2 * ((i + 1) % count);
-    triangles.push_back({ a, a + 1, b + 1 });
-    triangles.push_back({ a, b + 1, b });
-  }
-  return { std::move(points), std::move(triangles) };
-}
-}
-
 TEST(TriangleMesh, BoundaryLoopsAreClosedChainsWithTheLongestFirst)
 {
-  const TriangleMesh mesh = ring(9, 1.0, 2.0);
+  const TriangleMesh mesh = rolledUp(9, 1, [](double turn, double across) -> Point3 {
+    return (1.0 + across) * Point3(std::cos(turn), std::sin(turn), 0.0);
+  });
   const std::vector<Indices> loops = mesh.boundaryLoops();
   ASSERT_EQ(loops.size(), 2U);
   for (const Indices& loop : loops)
@@ -50,7 +29,7 @@ TEST(TriangleMesh, BoundaryLoopsAreClosedChainsWithTheLongestFirst)
       EXPECT_EQ(mesh.to(loop[k]), mesh.from(loop[(k + 1) % loop.size()]));
     }
   }
-  EXPECT_EQ(mesh.from(loops.front().front()) % 2, 1) << "the outer circle has the odd vertices";
+  EXPECT_GE(mesh.from(loops.front().front()), 9) << "the outer circle has the later vertices";
   EXPECT_EQ(eulerCharacteristic(mesh), 0);
 }
 

@@ -94,20 +94,6 @@ TEST(WireStiffness, WiresThatAreDrawnStaySoftAndPressedOnesGetStiffer)
   }
 }
 
-TEST(WireStiffness, AnEnlargedPieceHasItsEnergyEnlargedLikeItsArea)
-{
-  // Forces of a sheet grow like lengths, energies like areas.
-  const double scale = 3.0;
-  const WireStiffness small(weight, area, 1.0);
-  const WireStiffness large(weight, scale * scale * area, 1.0);
-  for (double force : { 0.0, 1.0, 4.0, 30.0 })
-  {
-    const double one = small.underForce(smoothHinge(1.0, false), force);
-    const double other = large.underForce(smoothHinge(scale, false), scale * force);
-    EXPECT_NEAR(other, scale * scale * one, 1e-12 * other);
-  }
-}
-
 TEST(WireStiffness, AMeshOfFourTimesTheTrianglesGivesTheSameShape)
 {
   for (const auto& place : panels())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fig. 11: the quarter-sphere in space, and by the progressive scheme, the global scheme and LSCM
-// with the paper's interior. Its numbers are those of Table 1.
+// with the paper's interior. Tests of the filters have its numbers, those of Table 1.
 #include "FigureTest.h"
 
 #include "vtkLeastSquaresConformalFilter.h"
@@ -98,14 +98,6 @@ int TestFigure11QuarterSphere(int argc, char* argv[])
 
     figureTest::expectExactWires(progressive, "progressive", checks);
     figureTest::expectExactWires(global, "global", checks);
-    checks.near(progressive.number("AngleErrorMean"), 0.1591, 5e-5, "E_ang, progressive");
-    checks.near(progressive.number("GlobalHomogeneity"), 0.394, 5e-4, "E_h, progressive");
-    checks.near(global.number("AngleErrorMean"), 0.1488, 5e-5, "E_ang, global");
-    checks.near(global.number("GlobalHomogeneity"), 0.404, 5e-4, "E_h, global");
-    checks.near(conformal.number("EdgeLengthError"), 0.0643, 5e-5, "E_len, LSCM");
-    checks.near(conformal.number("AngleErrorMean"), 0.04215, 5e-5, "E_ang, LSCM, cut off at 42.1");
-    checks.near(conformal.number("GlobalHomogeneity"), 0.582, 5e-4, "E_h, LSCM");
-    checks.near(conformal.number("GlobalAspectRatio"), 0.672, 5e-4, "E_r, LSCM");
 
     // What the paper says of the symmetry of the three.
     checks.near(asymmetry(progressive, false), 0.0, 1e-9, "progressive, side for side");
