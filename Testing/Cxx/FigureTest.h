@@ -10,21 +10,13 @@
 #include "vtkIdList.h"
 #include "vtkRegressionTestImage.h"
 #include "vtkRenderWindowInteractor.h"
-#include "vtkTestUtilities.h"
 
 #include <exception>
-#include <memory>
 
 namespace figureTest
 {
 using flatteningTesting::Checks;
-
-/// Folder of the pieces, from the option -D.
-inline std::string dataFolder(int argc, char* argv[])
-{
-  const std::unique_ptr<char[]> folder(vtkTestUtilities::GetDataRoot(argc, argv));
-  return folder.get();
-}
+using flatteningTesting::dataDirectory;
 
 /// Largest error, in VTK's measure, of a picture that passes.
 constexpr double imageThreshold = 5.0;
@@ -162,7 +154,7 @@ inline void drawFrontAndBack(figures::Figure& figure, const std::vector<figures:
 inline int drawMethods(int argc, char* argv[], const char* front, const char* back)
 {
   return run([&](Checks& checks) {
-    const std::string data = dataFolder(argc, argv);
+    const std::string data = dataDirectory(argc, argv);
     const std::vector<figures::Piece> pieces{ figures::readPiece(data, front),
       figures::readPiece(data, back) };
     const Methods methods(pieces);

@@ -231,6 +231,22 @@ inline vtkSmartPointer<vtkPolyData> makeCurves(
   return curves;
 }
 
+/// An array of one value throughout.
+template <class Array>
+vtkSmartPointer<Array> filled(
+  const char* name, int components, vtkIdType tuples, const vtkVariant& value)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  for (vtkIdType k = 0; k < components * tuples; ++k)
+  {
+    array->SetVariantValue(k, value);
+  }
+  return array;
+}
+
 /// The arc half-way between the poles of the quarter-sphere.
 inline vtkSmartPointer<vtkPolyData> makeQuarterSphereArc(vtkPolyData* surface)
 {
@@ -355,6 +371,26 @@ inline void sameArrays(
         after->GetVariantValue(i) == before->GetVariantValue(i), what + ": " + before->GetName());
     }
   }
+}
+
+/// A filter that has run.
+template <class Filter>
+vtkSmartPointer<Filter> updated(vtkPolyData* surface)
+{
+  auto filter = vtkSmartPointer<Filter>::New();
+  filter->SetInputData(surface);
+  filter->Update();
+  return filter;
+}
+
+template <class Filter>
+vtkSmartPointer<Filter> updated(vtkPolyData* surface, vtkPolyData* curves)
+{
+  auto filter = vtkSmartPointer<Filter>::New();
+  filter->SetInputData(surface);
+  filter->SetCurvesData(curves);
+  filter->Update();
+  return filter;
 }
 }
 

@@ -22,7 +22,7 @@ inline double meanChange(const figures::FlatPiece& piece)
 inline int drawQualityMaps(int argc, char* argv[], const char* front, const char* back)
 {
   return run([&](Checks& checks) {
-    const std::string folder = dataFolder(argc, argv);
+    const std::string folder = dataDirectory(argc, argv);
     const std::vector<figures::Piece> pieces{ figures::readPiece(folder, front),
       figures::readPiece(folder, back) };
     const std::array<std::vector<figures::FlatPiece>, 4> columns{

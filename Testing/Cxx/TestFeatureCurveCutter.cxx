@@ -32,10 +32,8 @@ std::map<vtkIdType, int> countCopies(vtkPolyData* cut)
 void aDartOpens(Checks& check)
 {
   const auto grid = makeGrid(4, 4);
-  vtkNew<vtkFeatureCurveCutter> cutter;
-  cutter->SetInputData(grid);
-  cutter->SetCurvesData(makeCurves(grid, { { 2, 7, 12 } }, { vtkFeatureCurveCutter::DART }));
-  cutter->Update();
+  const auto cutter = updated<vtkFeatureCurveCutter>(
+    grid, makeCurves(grid, { { 2, 7, 12 } }, { vtkFeatureCurveCutter::DART }));
   vtkPolyData* cut = cutter->GetOutput();
   check.equal(cut->GetNumberOfPoints(), 27, "points with an open dart");
   for (const auto& entry : countCopies(cut))

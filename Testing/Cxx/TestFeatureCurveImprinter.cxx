@@ -66,10 +66,7 @@ void dataOfTheInputComeAlong(Checks& check)
   }
   grid->GetPointData()->AddArray(linear);
   grid->GetCellData()->AddArray(label);
-  vtkNew<vtkFeatureCurveImprinter> filter;
-  filter->SetInputData(grid);
-  filter->SetCurvesData(makeCrossing());
-  filter->Update();
+  const auto filter = updated<vtkFeatureCurveImprinter>(grid, makeCrossing());
   vtkPolyData* surface = filter->GetOutput(0);
   vtkDataArray* values = surface->GetPointData()->GetArray("Linear");
   auto* points =

@@ -38,10 +38,7 @@ void typesMayBeNumbersOrNames(Checks& check)
   byName->GetCellData()->AddArray(makeStrings("CurveType", { "accessory", "key", "dart", "seam" }));
   for (vtkPolyData* curves : { byNumber.Get(), byName.Get() })
   {
-    vtkNew<vtkWireWarpingFilter> filter;
-    filter->SetInputData(grid);
-    filter->SetCurvesData(curves);
-    filter->Update();
+    const auto filter = updated<vtkWireWarpingFilter>(grid, curves);
     check.equal(std::string(filter->GetStatusName()), "Ok", "status");
     check.equal(curveCount(filter), 4, "number of curves");
     const std::array<const char*, 4> types{ "accessory", "key", "dart", "seam" };
@@ -89,10 +86,7 @@ void twoPointLinesAreJoined(Checks& check)
   const auto grid = makeGrid(4, 4);
   const auto curves = makeCurves(grid,
     { { 12, 13 }, { 2, 7 }, { 11, 10 }, { 13, 14 }, { 12, 7 }, { 11, 12 } }, { 0, 2, 0, 0, 2, 0 });
-  vtkNew<vtkWireWarpingFilter> filter;
-  filter->SetInputData(grid);
-  filter->SetCurvesData(curves);
-  filter->Update();
+  const auto filter = updated<vtkWireWarpingFilter>(grid, curves);
   check.equal(std::string(filter->GetStatusName()), "Ok", "status");
   check.equal(curveCount(filter), 2, "number of curves");
   check.near(number(filter->GetCurves(), "RestLength", 0), 1.0, 1e-12, "the accessory curve");
@@ -105,10 +99,7 @@ void namesKeepTwoPointLinesApart(Checks& check)
   const auto grid = makeGrid(4, 4);
   const auto curves = makeCurves(grid, { { 10, 11 }, { 11, 12 }, { 12, 13 }, { 13, 14 } });
   curves->GetCellData()->AddArray(makeStrings("CurveName", { "left", "left", "right", "right" }));
-  vtkNew<vtkWireWarpingFilter> filter;
-  filter->SetInputData(grid);
-  filter->SetCurvesData(curves);
-  filter->Update();
+  const auto filter = updated<vtkWireWarpingFilter>(grid, curves);
   check.equal(curveCount(filter), 2, "number of curves");
   check.equal(text(filter->GetCurves(), "Name", 0), "left", "first name");
   check.equal(text(filter->GetCurves(), "Name", 1), "right", "second name");
@@ -150,10 +141,7 @@ void aClosedCurveMayComeInEdges(Checks& check)
   }
   for (const std::vector<Cell>& lines : { std::vector<Cell>{ loop }, edges })
   {
-    vtkNew<vtkWireWarpingFilter> filter;
-    filter->SetInputData(grid);
-    filter->SetCurvesData(makeCurves(grid, lines));
-    filter->Update();
+    const auto filter = updated<vtkWireWarpingFilter>(grid, makeCurves(grid, lines));
     check.equal(std::string(filter->GetStatusName()), "Ok", "status");
     check.equal(curveCount(filter), 1, "number of curves");
     check.near(number(filter->GetCurves(), "RestLength"), 2.0, 1e-12, "length of the loop");

@@ -90,7 +90,7 @@ int TestFigure11QuarterSphere(int argc, char* argv[])
 {
   return figureTest::run([&](figureTest::Checks& checks) {
     const figures::Piece piece =
-      figures::readPiece(figureTest::dataFolder(argc, argv), "quarter_sphere");
+      figures::readPiece(figureTest::dataDirectory(argc, argv), "quarter_sphere");
     const auto progressive =
       figures::flatten(piece, figures::Method::Progressive, figures::Interior::Paper);
     const auto global = figures::flatten(piece, figures::Method::Global, figures::Interior::Paper);

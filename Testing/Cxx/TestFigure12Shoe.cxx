@@ -7,7 +7,7 @@ int TestFigure12Shoe(int argc, char* argv[])
 {
   return figureTest::run([&](figureTest::Checks& checks) {
     const figures::Piece piece =
-      figures::readPiece(figureTest::dataFolder(argc, argv), "shoe_upper");
+      figures::readPiece(figureTest::dataDirectory(argc, argv), "shoe_upper");
     const std::vector<figures::FlatPiece> flat =
       figures::flattenAll({ piece }, figures::Method::Global);
     figureTest::expectExactWires(flat[0], "shoe", checks);

@@ -60,7 +60,7 @@ int TestFigure2WirePatches(int argc, char* argv[])
 {
   return figureTest::run([&](figureTest::Checks& checks) {
     const figures::Piece piece =
-      figures::readPiece(figureTest::dataFolder(argc, argv), "shirt_front");
+      figures::readPiece(figureTest::dataDirectory(argc, argv), "shirt_front");
     const figures::FlatPiece flat = figures::flatten(piece, figures::Method::Global);
 
     vtkDataArray* const patches = flat.cut->GetCellData()->GetArray("WirePatchId");

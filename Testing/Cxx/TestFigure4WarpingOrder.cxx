@@ -10,7 +10,7 @@ int TestFigure4WarpingOrder(int argc, char* argv[])
 {
   return figureTest::run([&](figureTest::Checks& checks) {
     const figures::Piece piece =
-      figures::readPiece(figureTest::dataFolder(argc, argv), "shirt_front");
+      figures::readPiece(figureTest::dataDirectory(argc, argv), "shirt_front");
     const std::vector<figures::FlatPiece> flats =
       figures::flattenAll({ piece }, figures::Method::Progressive);
     const figures::FlatPiece& flat = flats[0];

@@ -55,7 +55,7 @@ double largestDefect(vtkPolyData* surface)
 int TestFigure7Developability(int argc, char* argv[])
 {
   return figureTest::run([&](figureTest::Checks& checks) {
-    const std::string data = figureTest::dataFolder(argc, argv);
+    const std::string data = figureTest::dataDirectory(argc, argv);
     std::vector<figures::Piece> pieces;
     double expected = 0.0;
     for (const char* name : { "shirt_front", "shirt_back", "shirt_shoulder" })

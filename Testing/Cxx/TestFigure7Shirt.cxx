@@ -6,7 +6,7 @@
 int TestFigure7Shirt(int argc, char* argv[])
 {
   return figureTest::run([&](figureTest::Checks& checks) {
-    const std::string data = figureTest::dataFolder(argc, argv);
+    const std::string data = figureTest::dataDirectory(argc, argv);
     const figureTest::Methods methods({ figures::readPiece(data, "shirt_front"),
       figures::readPiece(data, "shirt_back"), figures::readPiece(data, "shirt_shoulder") });
     methods.expect(checks);

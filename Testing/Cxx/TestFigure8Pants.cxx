@@ -7,7 +7,7 @@
 int TestFigure8Pants(int argc, char* argv[])
 {
   return figureTest::run([&](figureTest::Checks& checks) {
-    const std::string data = figureTest::dataFolder(argc, argv);
+    const std::string data = figureTest::dataDirectory(argc, argv);
     const auto read = [&](const char* set) {
       return std::vector<figures::Piece>{ figures::readPiece(data, "pants_front", set),
         figures::readPiece(data, "pants_back", set) };

@@ -186,14 +186,9 @@ void aRunThatDoesNotConvergeIsMarked(Checks& check)
 void developabilityIsAnArrayOfPoints(Checks& check)
 {
   const vtkSmartPointer<vtkPolyData> surface = makeQuarterSphere();
-  vtkNew<vtkDoubleArray> carried;
-  carried->SetName("Carried");
-  carried->SetNumberOfTuples(surface->GetNumberOfPoints());
-  carried->FillValue(7.0);
+  const auto carried = filled<vtkDoubleArray>("Carried", 1, surface->GetNumberOfPoints(), 7.0);
   surface->GetPointData()->AddArray(carried);
-  vtkNew<vtkSurfaceDevelopability> filter;
-  filter->SetInputData(surface);
-  filter->Update();
+  const auto filter = updated<vtkSurfaceDevelopability>(surface);
   vtkPointData* const points = filter->GetOutput()->GetPointData();
   check.that(points->GetArray("Carried") == carried, "point data of the input is carried along");
   check.equal(points->GetArray("Developability")->GetNumberOfTuples(), surface->GetNumberOfPoints(),

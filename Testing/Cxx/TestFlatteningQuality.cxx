@@ -77,13 +77,11 @@ void overlapsAreListed(Checks& check)
 void theFiltersNumbersComeOutAgain(Checks& check)
 {
   const auto surface = makeQuarterSphere();
-  vtkNew<vtkWireWarpingFilter> filter;
-  filter->SetInputData(surface);
-  filter->SetCurvesData(makeCurves(surface,
-    { { lunePoint(0, 4), lunePoint(1, 4), lunePoint(2, 4) },
-      { lunePoint(0, 2), lunePoint(1, 2), lunePoint(2, 2), lunePoint(3, 2), lunePoint(4, 2) } },
-    { 2, 0 }));
-  filter->Update();
+  const auto filter = updated<vtkWireWarpingFilter>(surface,
+    makeCurves(surface,
+      { { lunePoint(0, 4), lunePoint(1, 4), lunePoint(2, 4) },
+        { lunePoint(0, 2), lunePoint(1, 2), lunePoint(2, 2), lunePoint(3, 2), lunePoint(4, 2) } },
+      { 2, 0 }));
   vtkPolyData* flat = filter->GetOutput(0);
   for (const bool twoSurfaces : { false, true })
   {

@@ -106,10 +106,7 @@ vtkSmartPointer<vtkPolyData> part(vtkPolyData* whole, vtkIdType cells)
 template <class Filter>
 vtkSmartPointer<Filter> run(vtkPolyData* input)
 {
-  auto filter = vtkSmartPointer<Filter>::New();
-  filter->SetInputData(input);
-  filter->Update();
-  return filter;
+  return updated<Filter>(input);
 }
 
 template <>
@@ -202,9 +199,7 @@ void developabilityNeedsDuplicates(Checks& checks)
 void aChangeOfGhostsIsSeenByTheCache(Checks& checks)
 {
   const auto grid = makeGrid(columns, rows, height);
-  vtkNew<vtkWireWarpingFilter> filter;
-  filter->SetInputData(grid);
-  filter->Update();
+  const auto filter = updated<vtkWireWarpingFilter>(grid);
   checks.equal(filter->GetOutput()->GetNumberOfCells(), vtkIdType{ 60 }, "all cells");
   mark(grid, [](vtkIdType k) { return k < 48 ? 0 : duplicate; });
   filter->Update();

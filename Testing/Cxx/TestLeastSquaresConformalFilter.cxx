@@ -9,8 +9,8 @@ using namespace flatteningTesting;
 
 namespace
 {
-// Table 1 prints E_len 64.3, E_ang 42.1 (in thousandths), E_h 0.582, E_r 0.672; more digits are from
-// a separate implementation.
+// Table 1 prints E_len 64.3, E_ang 42.1 (in thousandths), E_h 0.582, E_r 0.672; more digits are
+// from a separate implementation.
 void tableOneIsReproduced(Checks& check)
 {
   const auto surface = makeQuarterSphere();
@@ -30,16 +30,11 @@ void tableOneIsReproduced(Checks& check)
 void dartsAreOpenedFirst(Checks& check)
 {
   const auto surface = makeQuarterSphere();
-  vtkNew<vtkLeastSquaresConformalFilter> filter;
-  filter->SetInputData(surface);
-  filter->SetCurvesData(
-    makeCurves(surface, { { lunePoint(0, 4), lunePoint(1, 4), lunePoint(2, 4) } }, { 2 }));
-  filter->Update();
+  const auto filter = updated<vtkLeastSquaresConformalFilter>(
+    surface, makeCurves(surface, { { lunePoint(0, 4), lunePoint(1, 4), lunePoint(2, 4) } }, { 2 }));
   check.equal(filter->GetOutput()->GetNumberOfPoints(), 39, "points with an open dart");
   const double closedError = [&surface] {
-    vtkNew<vtkLeastSquaresConformalFilter> closed;
-    closed->SetInputData(surface);
-    closed->Update();
+    const auto closed = updated<vtkLeastSquaresConformalFilter>(surface);
     return number(closed, "AreaError");
   }();
   check.that(number(filter, "AreaError") < closedError, "a dart lowers E_area");

@@ -18,10 +18,7 @@ namespace
 void singlePrecisionRoundsThePointsAlone(Checks& check)
 {
   const auto surface = makeQuarterSphere();
-  vtkNew<vtkWireWarpingFilter> exact;
-  exact->SetInputData(surface);
-  exact->SetCurvesData(makeQuarterSphereArc(surface));
-  exact->Update();
+  const auto exact = updated<vtkWireWarpingFilter>(surface, makeQuarterSphereArc(surface));
   vtkNew<vtkWireWarpingFilter> rounded;
   rounded->SetInputData(surface);
   rounded->SetCurvesData(makeQuarterSphereArc(surface));

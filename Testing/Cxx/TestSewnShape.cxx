@@ -63,9 +63,7 @@ void distancesAreThoseThatALocatorFinds(Checks& check)
 
 void whatCannotBeSewnIsRefused(Checks& check)
 {
-  vtkNew<vtkWireWarpingFilter> flattening;
-  flattening->SetInputData(makeDome());
-  flattening->Update();
+  const auto flattening = updated<vtkWireWarpingFilter>(makeDome());
   vtkNew<vtkSewnShape> sewn;
   const Messages messages(sewn);
   sewn->SetInputData(flattening->GetOutput(0));

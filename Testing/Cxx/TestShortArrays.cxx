@@ -48,8 +48,7 @@ const std::vector<std::pair<std::string, Maker>> kinds{
 };
 
 /// Ways in which an array can be among the attributes.
-const std::vector<std::string> roles{ "plain", "scalars", "vectors", "normals", "tcoords",
-  "tensors", "ids" };
+const std::vector<std::string> roles{ "plain", "scalars", "vectors", "normals", "tcoords", "ids" };
 
 void add(vtkDataSetAttributes* attributes, vtkAbstractArray* array, const std::string& role)
 {
@@ -95,16 +94,9 @@ vtkSmartPointer<vtkPolyData> surface()
   grid->GetPoint(1, p);
   grid->GetPoints()->SetPoint(b, 0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]));
   addLine(grid, { a, b });
-  vtkNew<vtkDoubleArray> whole;
-  whole->SetName("whole");
-  whole->SetNumberOfTuples(grid->GetNumberOfPoints());
-  whole->Fill(3.0);
-  grid->GetPointData()->AddArray(whole);
-  vtkNew<vtkDoubleArray> wholeCells;
-  wholeCells->SetName("whole");
-  wholeCells->SetNumberOfTuples(grid->GetNumberOfCells());
-  wholeCells->Fill(4.0);
-  grid->GetCellData()->AddArray(wholeCells);
+  grid->GetPointData()->AddArray(
+    filled<vtkDoubleArray>("whole", 1, grid->GetNumberOfPoints(), 3.0));
+  grid->GetCellData()->AddArray(filled<vtkDoubleArray>("whole", 1, grid->GetNumberOfCells(), 4.0));
   return grid;
 }
 
@@ -345,13 +337,8 @@ void textsWithNulCanBeWrittenAndRead(Checks& checks)
   for (vtkFieldData* data :
     { static_cast<vtkFieldData*>(grid->GetPointData()), grid->GetFieldData() })
   {
-    vtkNew<vtkStringArray> texts;
-    texts->SetName("texts");
-    for (vtkIdType k = 0; k < grid->GetNumberOfPoints(); ++k)
-    {
-      texts->InsertNextValue(nul);
-    }
-    data->AddArray(texts);
+    data->AddArray(
+      filled<vtkStringArray>("texts", 1, grid->GetNumberOfPoints(), vtkVariant(vtkStdString(nul))));
   }
   for (const Run& run : runs())
   {

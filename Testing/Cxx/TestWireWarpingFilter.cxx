@@ -164,10 +164,7 @@ void dataIsCarriedAndTheInputIsLeftAlone(Checks& check)
   before->DeepCopy(surface);
   const vtkMTimeType time = surface->GetMTime();
 
-  vtkNew<vtkWireWarpingFilter> filter;
-  filter->SetInputData(surface);
-  filter->SetCurvesData(makeQuarterSphereArc(surface));
-  filter->Update();
+  const auto filter = updated<vtkWireWarpingFilter>(surface, makeQuarterSphereArc(surface));
 
   check.equal(surface->GetMTime(), time, "modification time of the input");
   check.equal(surface->GetPointData()->GetNumberOfArrays(), 1, "point arrays of the input");
@@ -229,9 +226,7 @@ void polygonsAreTriangulatedAndPointsJoined(Checks& check)
   vtkNew<vtkCellArray> strips;
   strips->InsertNextCell({ 5, 8, 6, 9 });
   surface->SetStrips(strips);
-  vtkNew<vtkWireWarpingFilter> filter;
-  filter->SetInputData(surface);
-  filter->Update();
+  const auto filter = updated<vtkWireWarpingFilter>(surface);
   check.equal(
     filter->GetPieces()->GetNumberOfRows(), 2, "pieces while the doubled points are kept apart");
   filter->SetCoincidentPointsToJoin();

@@ -87,29 +87,26 @@ void noChangeIsMissed(Checks& check, vtkPolyData* surface, vtkPolyData* curves, 
   run.filter->SetSchemeToProgressive();
   run.compare("another scheme");
   run.filter->SetSchemeToGlobal();
+  const auto ofFirstCurve = [](vtkDataArray* array, double value) {
+    array->SetComponent(0, 0, value);
+    array->Modified();
+  };
   vtkDataArray* types = run.curves->GetCellData()->GetArray("CurveType");
   for (const double type : { 1.0, 2.0, 0.0, 3.0, 0.0 })
   {
-    types->SetComponent(0, 0, type);
-    types->Modified();
+    ofFirstCurve(types, type);
     run.compare("a curve of type " + std::to_string(static_cast<int>(type)));
   }
-  vtkNew<vtkDoubleArray> tolerances;
-  tolerances->SetName("LengthTolerance");
-  tolerances->SetNumberOfValues(run.curves->GetNumberOfCells());
-  tolerances->Fill(0.02);
+  const vtkIdType count = run.curves->GetNumberOfCells();
+  const auto tolerances = filled<vtkDoubleArray>("LengthTolerance", 1, count, 0.02);
   run.curves->GetCellData()->AddArray(tolerances);
   run.compare("elastic curves");
   tolerances->Fill(0.0);
   tolerances->Modified();
   run.compare("rigid curves");
-  vtkNew<vtkIntArray> shapes;
-  shapes->SetName("KeyShape");
-  shapes->SetNumberOfValues(run.curves->GetNumberOfCells());
-  shapes->Fill(1);
+  const auto shapes = filled<vtkIntArray>("KeyShape", 1, count, 1);
   run.curves->GetCellData()->AddArray(shapes);
-  types->SetComponent(0, 0, 1.0);
-  types->Modified();
+  ofFirstCurve(types, 1.0);
   run.compare("a straight key");
   auto* names =
     vtkStringArray::SafeDownCast(run.curves->GetCellData()->GetAbstractArray("CurveName"));
@@ -117,12 +114,9 @@ void noChangeIsMissed(Checks& check, vtkPolyData* surface, vtkPolyData* curves, 
   names->SetValue(0, "renamed");
   names->Modified();
   run.compare("another name");
-  shapes->SetValue(0, 2);
-  shapes->Modified();
-  vtkNew<vtkDoubleArray> planar;
-  planar->SetName("PlanarShape");
-  planar->SetNumberOfComponents(2);
-  planar->SetNumberOfTuples(run.curves->GetNumberOfPoints());
+  ofFirstCurve(shapes, 2.0);
+  const auto planar =
+    filled<vtkDoubleArray>("PlanarShape", 2, run.curves->GetNumberOfPoints(), 0.0);
   for (const double bend : { 0.0, 0.1 })
   {
     for (vtkIdType p = 0; p < run.curves->GetNumberOfPoints(); ++p)
@@ -134,14 +128,11 @@ void noChangeIsMissed(Checks& check, vtkPolyData* surface, vtkPolyData* curves, 
     run.curves->GetPointData()->AddArray(planar);
     run.compare("a planar shape with the bend " + std::to_string(bend));
   }
-  shapes->SetValue(0, 1);
-  shapes->Modified();
-  types->SetComponent(0, 0, 9.0);
-  types->Modified();
+  ofFirstCurve(shapes, 1.0);
+  ofFirstCurve(types, 9.0);
   check.equal(
     run.compare("no type of a curve"), int{ vtkWireWarpingFilter::INVALID_CURVE }, "is refused");
-  types->SetComponent(0, 0, 0.0);
-  types->Modified();
+  ofFirstCurve(types, 0.0);
   check.equal(run.compare("a type again"), int{ vtkWireWarpingFilter::OK }, "is flattened");
 }
 

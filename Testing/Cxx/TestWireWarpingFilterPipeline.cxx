@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The filter as a part of a pipeline: composite input and progress.
+// The filter as a part of a pipeline: composite input, with a table of pieces per block, and
+// progress.
 #include "FlatteningTesting.h"
 
 #include "vtkMultiBlockDataSet.h"
@@ -22,9 +23,7 @@ vtkSmartPointer<vtkPolyData> makePieceWithCurves()
 // Line cells of the surface's own data set are its curves, so a block is a piece with its curves.
 void compositeInputFlattensBlockByBlock(Checks& check)
 {
-  vtkNew<vtkWireWarpingFilter> alone;
-  alone->SetInputData(makePieceWithCurves());
-  alone->Update();
+  const auto alone = updated<vtkWireWarpingFilter>(makePieceWithCurves());
   check.equal(number(alone, "WirePatches"), 2.0, "wire-patches of the piece alone");
 
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -68,6 +67,14 @@ void compositeInputFlattensBlockByBlock(Checks& check)
       check.equal(text(vtkPolyData::SafeDownCast(output->GetBlock(0)), "RunStatus"), "Ok",
         "status of a good block");
     }
+  }
+  auto* const tables = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(3));
+  check.that(tables && tables->GetNumberOfBlocks() == 3, "tables of three blocks");
+  for (const unsigned int k : { 0U, 2U })
+  {
+    auto* const table = vtkTable::SafeDownCast(tables ? tables->GetBlock(k) : nullptr);
+    check.that(table && table->GetNumberOfRows() == 1, "rows of a block");
+    check.equal(table ? text(table, "Status") : "", k == 2 ? "EmptySurface" : "Ok", "its status");
   }
 }
 

@@ -65,7 +65,7 @@ int TestWrongPicturesFail(int argc, char* argv[])
 {
   return figureTest::run([&](figureTest::Checks& checks) {
     const figures::Piece piece =
-      figures::readPiece(figureTest::dataFolder(argc, argv), "quarter_sphere");
+      figures::readPiece(figureTest::dataDirectory(argc, argv), "quarter_sphere");
     const FlatPiece global =
       figures::flatten(piece, figures::Method::Global, figures::Interior::Paper);
     const FlatPiece progressive =
