@@ -63,10 +63,19 @@ Surface dome()
 }
 }
 
-TEST(PieceSewing, DevelopablePanelsReturnToTheirDesign)
+TEST(PieceSewing, DevelopablePanelsOfSheetsAndThreadsReturnToTheirDesign)
 {
+  SewingOptions threads = panel(1e-6);
+  threads.material = *findPreset("twill");
   for (const Surface& surface : { cylinder(24, 12), cone(24, 12) })
   {
+    const SewingResult woven = sewn(surface, threads);
+    ASSERT_TRUE(woven.status.ok()) << woven.status.message;
+    const SewnReport& report = woven.shapes.front();
+    EXPECT_LT(report.measures.distanceMax, 1e-6 * report.measures.size);
+    EXPECT_LT(report.threads->summary.warpRms + report.threads->summary.weftRms, 1e-7);
+    EXPECT_EQ(woven.threads.size(), surface.mesh.triangles().size());
+
     const SewingResult result = sewn(surface, panel(1e-6));
     ASSERT_TRUE(result.status.ok()) << result.status.message;
     ASSERT_EQ(result.shapes.size(), 1U);
@@ -137,9 +146,6 @@ TEST(PieceSewing, APanelKeepsItsBoundaryAndMovesInside)
   const SewnReport& report = result.shapes.front();
   EXPECT_GT(farthest, 1e-3);
   EXPECT_GT(report.measures.distanceMean, 0.0);
-  EXPECT_LE(report.measures.distanceMean, report.measures.distanceRms);
-  EXPECT_LE(report.measures.distanceRms, report.measures.distanceMax);
-  EXPECT_LE(report.measures.distanceP95, report.measures.distanceMax);
   EXPECT_LT(report.history.back().energy, report.history.front().energy);
   // At rest it bears less than the flattening says of the design.
   EXPECT_LT(report.measures.strainP95, pieces.pieces.front().quality.strainP95);
@@ -204,15 +210,8 @@ TEST(PieceSewing, RefusesWhatItCannotSew)
   EXPECT_EQ(sewPieces({}, {}, panel(), {}).status.code, StatusCode::EmptySurface);
 }
 
-TEST(PieceSewing, SaysWhereItIsNotAtRestAndStopsWhenTold)
+TEST(PieceSewing, LeavesNothingWhenItIsCancelled)
 {
-  SewingOptions options = panel();
-  options.maximumIterations = 1;
-  const SewingResult early = sewn(dome(), options);
-  EXPECT_EQ(early.status.code, StatusCode::NotConverged);
-  EXPECT_FALSE(early.shapes.front().converged);
-  EXPECT_FALSE(early.points.empty());
-
   const FlatteningResult pieces = flatten(dome());
   Execution run;
   run.cancel = [] { return true; };
@@ -331,18 +330,6 @@ TEST(SewnCloth, WhatIsOpenHoldsNoPressure)
   EXPECT_NE(result.status.message.find("holds no pressure"), std::string::npos);
   options.pressure = std::nan("");
   EXPECT_EQ(sewn(frustum(16, 4, 0.7), options).status.code, StatusCode::InvalidOption);
-  // A panel that is held around its boundary does.
-  SewingOptions held = panel();
-  held.pressure = 0.02;
-  const SewingResult blown = sewn(dome(), held);
-  ASSERT_FALSE(blown.status.refused());
-  const SewingResult still = sewn(dome(), panel());
-  double rise = 0.0;
-  for (std::size_t v = 0; v < blown.points.size(); ++v)
-  {
-    rise += blown.points[v].z() - still.points[v].z();
-  }
-  EXPECT_GT(rise, 0.0);
 }
 
 TEST(SewnCloth, ClothDoesNotGoThroughABody)
@@ -394,11 +381,6 @@ TEST(SewnCloth, ASecondStartFindsTheShapeAgainOrAnother)
   EXPECT_EQ(sheet.severalShapes,
     std::abs(sheet.secondDistance - sheet.measures.distanceMean) >
       0.1 * std::max(sheet.secondDistance, sheet.measures.distanceMean));
-  SewingOptions once = panel();
-  once.secondStart = false;
-  const SewnReport alone = sewn(dome(), once).shapes.front();
-  EXPECT_EQ(alone.secondDistance, 0.0);
-  EXPECT_EQ(alone.measures.distanceMean, sheet.measures.distanceMean);
 }
 
 TEST(SewnCloth, ASheetThatIsTooLargeForItsFrameHasAShapeAtRestOnEachSide)
@@ -451,21 +433,6 @@ TEST(SewnCloth, ALongFlatPanelSagsUnderItsWeightAsASupportedBeam)
   ASSERT_TRUE(result.status.ok()) << result.status.message;
   const double sag = -result.points[at(columns / 2, rows / 2)].z();
   EXPECT_NEAR(sag * 384.0 / 5.0 * thickness * thickness / 12.0 / weight, 1.0, 0.005);
-}
-
-TEST(SewnCloth, DevelopablePanelsOfThreadsReturnToTheirDesignAsWell)
-{
-  SewingOptions options = panel(1e-6);
-  options.material = *findPreset("twill");
-  for (const Surface& surface : { cylinder(24, 12), cone(24, 12) })
-  {
-    const SewingResult result = sewn(surface, options);
-    ASSERT_TRUE(result.status.ok()) << result.status.message;
-    const SewnReport& report = result.shapes.front();
-    EXPECT_LT(report.measures.distanceMax, 1e-6 * report.measures.size);
-    EXPECT_LT(report.threads->summary.warpRms + report.threads->summary.weftRms, 1e-7);
-    EXPECT_EQ(result.threads.size(), surface.mesh.triangles().size());
-  }
 }
 
 TEST(SewnCloth, TurningThePiecesByARightAngleIsSwappingWarpAndWeft)

@@ -79,13 +79,9 @@ void expectExact(const Surface& surface, double innerRadius)
 }
 }
 
-TEST(StraightPath, IsALineOnAnUnrolledCylinder)
+TEST(StraightPath, IsALineOnUnrolledCylinderAndCone)
 {
   expectExact(cylinder(40, 30), 0.0);
-}
-
-TEST(StraightPath, IsALineOnAnUnrolledCone)
-{
   // The unrolled inner edge is a chain of chords of the circle with radius 0.4.
   expectExact(cone(40, 30), 0.4);
 }

@@ -64,14 +64,10 @@ TEST(TriangleMesh, AFanHoldsEachHalfEdgeThatLeavesAVertexOnceWhereverItLies)
     }
     EXPECT_EQ(std::set<Index>(found.begin(), found.end()), expected) << v;
     EXPECT_EQ(found.size(), expected.size()) << v;
-    // Counter-clockwise: the angle between one half-edge and the next is to the left of the first.
+    // Counter-clockwise: the triangle of one half-edge leads to the next, to the left of the first.
     for (std::size_t k = 0; k + 1 < found.size(); ++k)
     {
-      const Point3 a = mesh.point(mesh.to(found[k])) - mesh.point(v);
-      const Point3 b = mesh.point(mesh.to(found[k + 1])) - mesh.point(v);
-      const Triangle& c = mesh.triangle(found[k] / 3);
-      const Point3 up = areaVector(mesh.point(c[0]), mesh.point(c[1]), mesh.point(c[2]));
-      EXPECT_GT(a.cross(b).dot(up), 0.0) << v;
+      EXPECT_EQ(mesh.to(found[k + 1]), mesh.from(TriangleMesh::previous(found[k]))) << v;
     }
     if (!mesh.onBoundary(v))
     {
