@@ -56,13 +56,6 @@ int runWithMoreAndMoreMemory(
   }
   return 3;
 }
-
-int flattenWithMoreAndMoreMemory(const Surface& surface, const FlatteningOptions& options)
-{
-  return runWithMoreAndMoreMemory(
-    [&] { return flattenSurface(surface.mesh, {}, options, {}).status; },
-    [](std::size_t kilobytes) { return kilobytes + 1024 + kilobytes / 4; });
-}
 }
 
 TEST(OutOfMemory, IsTheStatusOfARunWhoseFactorsMayNotBeAsLargeAndTellsHowLargeTheyAre)
@@ -85,19 +78,6 @@ TEST(OutOfMemory, IsTheStatusOfARunWhoseFactorsMayNotBeAsLargeAndTellsHowLargeTh
     const FlatteningResult fresh = flattenSurface(surface.mesh, {}, options, {});
     EXPECT_TRUE(after.status.ok()) << after.status.message;
     EXPECT_EQ(after.positions, fresh.positions);
-  }
-}
-
-TEST(OutOfMemory, IsTheStatusWhereverTheSystemsLimitIsMet)
-{
-  GTEST_FLAG_SET(death_test_style, "threadsafe");
-  const Surface surface = cushion(90, 90, 0.4);
-  FlatteningOptions options;
-  for (Scheme scheme : { Scheme::Global, Scheme::Isometric, Scheme::LeastSquaresConformal })
-  {
-    options.scheme = scheme;
-    EXPECT_EXIT(
-      std::_Exit(flattenWithMoreAndMoreMemory(surface, options)), testing::ExitedWithCode(0), "");
   }
 }
 
