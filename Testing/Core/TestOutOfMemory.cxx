@@ -6,7 +6,6 @@
 #include "Surface/SurfacePreparation.h"
 #include "TestGraphs.h"
 #include "TestThreads.h"
-#include "WiredSurface.h"
 
 #include <gtest/gtest.h>
 
@@ -28,15 +27,13 @@ std::size_t addressSpace()
   return pages * 4096;
 }
 
-/// Runs with ever more memory until there is enough. \param next how many kilobytes more, from so
-/// many on. \return the exit code: 0 where each run before the last ended as OutOfMemory, and there
-/// were some.
-int runWithMoreAndMoreMemory(
-  const std::function<Status()>& run, const std::function<std::size_t(std::size_t)>& next)
+/// Runs with ever more memory, by small steps of kilobytes, until there is enough. \return the exit
+/// code: 0 where each run before the last ended as OutOfMemory, and there were some.
+int runWithMoreAndMoreMemory(const std::function<Status()>& run, std::size_t step)
 {
   const std::size_t held = addressSpace();
   int refused = 0;
-  for (std::size_t more = 0; more < 512 * 1024; more = next(more))
+  for (std::size_t more = 0; more < 512 * 1024; more += step)
   {
     const rlimit limit{ held + (more << 10U), RLIM_INFINITY };
     setrlimit(RLIMIT_AS, &limit);
@@ -100,9 +97,7 @@ TEST(OutOfMemory, DoesNotEndTheProgramInTheLibraryOfThePapersSolver)
   // OpenBLAS, where it is installed, waits for its first buffer for ever: let it have that before.
   ASSERT_TRUE(solve().status.ok());
   // Steps so small that the memory ends in each of the library's own steps.
-  EXPECT_EXIT(
-    std::_Exit(runWithMoreAndMoreMemory(run, [](std::size_t kilobytes) { return kilobytes + 64; })),
-    testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(std::_Exit(runWithMoreAndMoreMemory(run, 64)), testing::ExitedWithCode(0), "");
 }
 
 TEST(OutOfMemory, OnAnotherThreadReachesTheCaller)

@@ -158,19 +158,6 @@ TEST(WireNetwork, TheOuterBoundaryIsTheOneThatTurnsAroundTheSurfaceHoweverLongOt
   }
 }
 
-TEST(WireNetwork, OfAPieceThatIsKnownToBeSoundIsTheSame)
-{
-  Surface surface = cushion(8, 8, 0.5);
-  surface.curves = { rowCurve(8, 6), curveOf(CurveType::Dart, "eye", { 22, 31, 40 }) };
-  const WiredSurface wired(surface);
-  const WireNetwork known = buildWireNetwork(wired.piece, true);
-  EXPECT_TRUE(known.status.ok());
-  EXPECT_EQ(known.vertex, wired.network.vertex);
-  EXPECT_EQ(known.next, wired.network.next);
-  EXPECT_EQ(known.alpha, wired.network.alpha);
-  EXPECT_EQ(known.boundaryLoops, 2) << "the outer one, and that of the dart inside";
-}
-
 TEST(WireNetwork, FloatingWiresEncloseAPatchInEachOfTheirLoops)
 {
   const Indices ring{ at(8, 4, 4), at(8, 5, 4), at(8, 6, 4), at(8, 6, 5), at(8, 6, 6), at(8, 5, 6),

@@ -59,6 +59,26 @@ void forEachEdge(vtkPolyData* wires, const Visit& visit)
   }
 }
 
+/// The piece with each point of the plane where a function of its coordinates puts it.
+template <typename Map>
+figures::FlatPiece mapped(const figures::FlatPiece& piece, const Map& map)
+{
+  figures::FlatPiece result = piece;
+  for (figures::PolyData* data : { &result.flat, &result.wires })
+  {
+    *data = figures::moved(*data, 0.0, 0.0);
+    vtkPoints* const points = (*data)->GetPoints();
+    for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k)
+    {
+      double point[3];
+      points->GetPoint(k, point);
+      const std::array<double, 2> place = map(point[0], point[1]);
+      points->SetPoint(k, place[0], place[1], point[2]);
+    }
+  }
+  return result;
+}
+
 /// Wires have the same edge lengths in the plane and in space.
 inline void expectExactWires(
   const figures::FlatPiece& piece, const std::string& name, Checks& checks)

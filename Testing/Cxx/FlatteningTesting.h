@@ -196,6 +196,15 @@ inline vtkSmartPointer<vtkPolyData> makeQuarterSphere()
   return makePolyData(points, triangles);
 }
 
+/// Closed, of six quads; `x` moves it along the first axis.
+inline vtkSmartPointer<vtkPolyData> makeCube(double x = 0.0)
+{
+  return makePolyData({ { x, 0, 0 }, { x + 1, 0, 0 }, { x + 1, 1, 0 }, { x, 1, 0 }, { x, 0, 1 },
+                        { x + 1, 0, 1 }, { x + 1, 1, 1 }, { x, 1, 1 } },
+    { { 0, 3, 2, 1 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 }, { 1, 2, 6, 5 }, { 2, 3, 7, 6 },
+      { 3, 0, 4, 7 } });
+}
+
 /// Adds a polyline over points of a data set as one of its line cells.
 inline void addLine(vtkPolyData* data, const Cell& line)
 {

@@ -69,20 +69,9 @@ figures::FlatPiece turned(const figures::FlatPiece& piece)
   piece.flat->GetPoint(pointAt(0, latitudes), high);
   const double length = figureTest::distance(piece.flat, pointAt(0, 0), pointAt(0, latitudes));
   const double up[2] = { (high[0] - low[0]) / length, (high[1] - low[1]) / length };
-  figures::FlatPiece result = piece;
-  for (figures::PolyData* data : { &result.flat, &result.wires })
-  {
-    *data = figures::moved(*data, 0.0, 0.0);
-    vtkPoints* const points = (*data)->GetPoints();
-    for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k)
-    {
-      double point[3];
-      points->GetPoint(k, point);
-      points->SetPoint(
-        k, up[1] * point[0] - up[0] * point[1], up[0] * point[0] + up[1] * point[1], 0.0);
-    }
-  }
-  return result;
+  return figureTest::mapped(piece, [&](double x, double y) {
+    return std::array<double, 2>{ up[1] * x - up[0] * y, up[0] * x + up[1] * y };
+  });
 }
 }
 

@@ -14,10 +14,7 @@ int TestFigure2WirePatches(int argc, char* argv[])
 
     figures::Figure figure(1000, 1000);
     const figures::Vector front{ 0.0, 0.0, 1.0 };
-    // Over the cut surface the wires stand in space.
-    const auto wires = vtkSmartPointer<vtkPolyData>::New();
-    wires->ShallowCopy(flat.wires);
-    wires->SetPoints(flat.cut->GetPoints());
+    const figures::PolyData wires = flat.wiresOn(flat.cut);
     figures::Drawing& left = figure.add();
     left.lookFrom(front);
     left.addWires(wires);

@@ -58,9 +58,7 @@ int TestFigure4WarpingOrder(int argc, char* argv[])
 
     figures::Figure figure(900, 1000);
     const figures::ColorRange range{ 0.0, static_cast<double>(turnOf.size()) - 1.0 };
-    const auto wires = vtkSmartPointer<vtkPolyData>::New();
-    wires->ShallowCopy(flat.wires);
-    wires->SetPoints(flat.cut->GetPoints());
+    const figures::PolyData wires = flat.wiresOn(flat.cut);
     figures::Drawing& space = figure.add();
     space.lookFrom({ 0.0, 0.0, 1.0 });
     space.addCellMap(flat.cut, "WarpingOrder", range);

@@ -84,12 +84,11 @@ void blocksLieBesideTheSurfaces(Checks& check)
   vtkNew<Filter> filter;
   filter->SetInputData(blocks);
   filter->Update();
-  const auto* origin = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-  check.that(overlap(boxOf(const_cast<vtkMultiBlockDataSet*>(origin)->GetBlock(0)),
-               boxOf(const_cast<vtkMultiBlockDataSet*>(origin)->GetBlock(1))),
+  auto* const origin = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  check.that(overlap(boxOf(origin->GetBlock(0)), boxOf(origin->GetBlock(1))),
     "at first blocks start from the origin");
   vtkNew<vtkPolyData> alone;
-  alone->DeepCopy(const_cast<vtkMultiBlockDataSet*>(origin)->GetBlock(1));
+  alone->DeepCopy(origin->GetBlock(1));
 
   filter->BesideSurfaceOn();
   filter->Update();

@@ -84,15 +84,14 @@ vtkSmartPointer<vtkPolyData> surface()
   auto grid =
     makeGrid(3, 3, [](double x, double y) { return 0.2 * std::sin(2.0 * x) * std::cos(y); });
   // A curve that has to be imprinted, so that points are interpolated.
-  const vtkIdType a = grid->GetPoints()->InsertNextPoint(0.0, 0.0, 0.0);
-  const vtkIdType b = grid->GetPoints()->InsertNextPoint(1.0 / 3.0, 1.0 / 3.0, 0.0);
   double p[3];
-  grid->GetPoint(0, p);
-  grid->GetPoints()->SetPoint(a, p);
   double q[3];
-  grid->GetPoint(5, q);
+  grid->GetPoint(0, p);
+  const vtkIdType a = grid->GetPoints()->InsertNextPoint(p);
   grid->GetPoint(1, p);
-  grid->GetPoints()->SetPoint(b, 0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]));
+  grid->GetPoint(5, q);
+  const vtkIdType b = grid->GetPoints()->InsertNextPoint(
+    0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1]), 0.5 * (p[2] + q[2]));
   addLine(grid, { a, b });
   grid->GetPointData()->AddArray(
     filled<vtkDoubleArray>("whole", 1, grid->GetNumberOfPoints(), 3.0));

@@ -5,33 +5,12 @@
 #include "vtkAppendPolyData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkLeastSquaresConformalFilter.h"
-#include "vtkPlatonicSolidSource.h"
 #include "vtkWireWarpingFilter.h"
 
 using namespace flatteningTesting;
 
 namespace
 {
-/// A cube of six quads, as a button.
-vtkSmartPointer<vtkPolyData> cube(double x)
-{
-  vtkNew<vtkPlatonicSolidSource> source;
-  source->SetSolidTypeToCube();
-  source->Update();
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (vtkIdType p = 0; p < source->GetOutput()->GetNumberOfPoints(); ++p)
-  {
-    double at[3];
-    source->GetOutput()->GetPoint(p, at);
-    points->InsertNextPoint(at[0] + x, at[1], at[2]);
-  }
-  result->SetPoints(points);
-  result->SetPolys(source->GetOutput()->GetPolys());
-  return result;
-}
-
 /// A strip that turns by more than a whole turn about an axis as it climbs: flat it lies on itself.
 vtkSmartPointer<vtkPolyData> stairs()
 {
@@ -86,7 +65,7 @@ vtkSmartPointer<vtkPolyData> together(const std::vector<vtkSmartPointer<vtkPolyD
 vtkSmartPointer<vtkPolyData> shirtWithButtons()
 {
   const auto wave = [](double x, double y) { return 0.2 * std::sin(3.0 * x + y); };
-  return together({ cube(10.0), makeGrid(5, 4, wave), cube(20.0), stairs() });
+  return together({ makeCube(10.0), makeGrid(5, 4, wave), makeCube(20.0), stairs() });
 }
 
 constexpr vtkIdType cubeCells = 6;

@@ -4,7 +4,6 @@
 #include "FlatteningTesting.h"
 
 #include "vtkIdTypeArray.h"
-#include "vtkPlatonicSolidSource.h"
 #include "vtkWireWarpingFilter.h"
 
 #include <limits>
@@ -107,11 +106,8 @@ void surfacesAreRefused(Refusals& refusals)
   refusals.expect(
     "a polygon of two points", surface, nullptr, "DegenerateTriangle", { 1 }, "cells 1");
 
-  vtkNew<vtkPlatonicSolidSource> cube;
-  cube->SetSolidTypeToCube();
-  cube->Update();
-  refusals.expect("a closed surface of quads", cube->GetOutput(), nullptr, "ClosedSurface", { 0 },
-    "cut it into pieces");
+  refusals.expect(
+    "a closed surface of quads", makeCube(), nullptr, "ClosedSurface", { 0 }, "cut it into pieces");
 }
 
 // Ids are those of the input's cells also where lines and larger polygons come before.

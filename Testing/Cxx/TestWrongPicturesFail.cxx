@@ -27,23 +27,6 @@ bool passes(int argc, char* argv[], const std::string& what, const Draw& draw)
   return result == vtkTesting::PASSED;
 }
 
-FlatPiece mirrored(const FlatPiece& piece)
-{
-  FlatPiece result = piece;
-  for (figures::PolyData* data : { &result.flat, &result.wires })
-  {
-    *data = figures::moved(*data, 0.0, 0.0);
-    vtkPoints* const points = (*data)->GetPoints();
-    for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k)
-    {
-      double point[3];
-      points->GetPoint(k, point);
-      points->SetPoint(k, -point[0], point[1], point[2]);
-    }
-  }
-  return result;
-}
-
 /// The arc as a key curve.
 figures::PolyData withKey(const figures::PolyData& wires)
 {
@@ -70,7 +53,9 @@ int TestWrongPicturesFail(int argc, char* argv[])
       figures::flatten(piece, figures::Method::Global, figures::Interior::Paper);
     const FlatPiece progressive =
       figures::flatten(piece, figures::Method::Progressive, figures::Interior::Paper);
-    const FlatPiece mirror = mirrored(progressive);
+    const FlatPiece mirror = figureTest::mapped(progressive, [](double x, double y) {
+      return std::array<double, 2>{ -x, y };
+    });
     const char* const homogeneity = "HomogeneityOfDistortion";
 
     const bool right = passes(argc, argv, "the right picture",
