@@ -142,16 +142,6 @@ Points2 parallelPlaces(const Surface& sheet, const Points2& line, double distanc
   return places;
 }
 
-std::vector<SurfacePoint> wildNodes(const TriangleMesh& mesh, std::mt19937& random, int count)
-{
-  std::vector<SurfacePoint> nodes;
-  for (int n = 0; n < count; ++n)
-  {
-    nodes.push_back(randomPoint(mesh, random));
-  }
-  return nodes;
-}
-
 /// \return how many places of the parallel set were asked
 std::size_t expectTheParallelSet(const Surface& sheet, const SurfacePath& path, double distance)
 {
@@ -211,7 +201,9 @@ TEST(PathOffset, OfWildCurvesIsTheWholeParallelSet)
       {
         for (const bool closed : { false, true })
         {
-          std::vector<SurfacePoint> nodes = wildNodes(sheet.mesh, random, count);
+          std::vector<SurfacePoint> nodes(count);
+          std::generate(
+            nodes.begin(), nodes.end(), [&] { return randomPoint(sheet.mesh, random); });
           if (closed)
           {
             nodes.push_back(nodes.front());

@@ -126,21 +126,11 @@ TEST(SurfaceCut, ACurveThatEndsOnADartKeepsToItsSide)
   EXPECT_NE(cut.mesh.find(cut.mesh.from(surface.mesh.find(6, 7)), left), none);
   for (Index t = 0; t < cut.mesh.triangleCount(); ++t)
   {
-    for (const Index v : cut.mesh.triangle(t))
-    {
-      const double x = (surface.mesh.point(surface.mesh.triangle(t)[0]).x() +
-                         surface.mesh.point(surface.mesh.triangle(t)[1]).x() +
-                         surface.mesh.point(surface.mesh.triangle(t)[2]).x()) /
-        3.0;
-      if (v == left)
-      {
-        EXPECT_LT(x, 0.5);
-      }
-      if (v == right)
-      {
-        EXPECT_GT(x, 0.5);
-      }
-    }
+    const Triangle& c = cut.mesh.triangle(t);
+    const double x =
+      (cut.mesh.point(c[0]).x() + cut.mesh.point(c[1]).x() + cut.mesh.point(c[2]).x()) / 3.0;
+    EXPECT_TRUE(x < 0.5 || std::count(c.begin(), c.end(), left) == 0);
+    EXPECT_TRUE(x > 0.5 || std::count(c.begin(), c.end(), right) == 0);
   }
 }
 

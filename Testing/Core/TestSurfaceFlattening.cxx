@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 using namespace flattening;
@@ -160,25 +161,23 @@ TEST(SurfaceFlattening, PiecesAreFlattenedAsIfEachWereAlone)
   std::set<Index> patches;
   for (std::size_t p = 0; p < 2; ++p)
   {
-    FeatureCurve row = surface.curves[1];
-    row.vertices.clear();
     Points2 together;
+    std::map<Index, Index> vertexOf;
     for (Index v = 0; v < pieces[p].mesh.vertexCount(); ++v)
     {
       together.push_back(result.positions[pieces[p].vertices[v]]);
+      vertexOf[result.cut->originalVertex[pieces[p].vertices[v]]] = v;
     }
+    Indices row;
     for (const Index original : surface.curves[1].vertices)
     {
-      for (Index v = 0; v < pieces[p].mesh.vertexCount(); ++v)
+      if (vertexOf.count(original))
       {
-        if (result.cut->originalVertex[pieces[p].vertices[v]] == original)
-        {
-          row.vertices.push_back(v);
-        }
+        row.push_back(vertexOf[original]);
       }
     }
     const FlatteningResult alone =
-      flattenSurface(pieces[p].mesh, { row }, optionsOf(Scheme::Progressive), {});
+      flattenSurface(pieces[p].mesh, { accessory("row", row) }, optionsOf(Scheme::Progressive), {});
     EXPECT_LT(rigidDistance(together, alone.positions), 1e-12);
     EXPECT_NEAR(result.pieces[p].objective, alone.pieces.front().objective, 1e-13);
     for (const Index t : pieces[p].triangles)

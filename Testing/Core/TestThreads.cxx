@@ -52,24 +52,6 @@ private:
 };
 }
 
-TEST(Threads, FactorizeAsMuchHoweverManyThereAre)
-{
-  const auto factorized = [](Index size, const Execution& execution) {
-    Surface surface = cushion(size, size, 0.3);
-    surface.curves = { columnCurve(size, size, size / 2, CurveType::Seam) };
-    std::atomic<std::int64_t> unknowns{ 0 };
-    Execution counting = execution;
-    counting.factorized = &unknowns;
-    flattenSurface(surface.mesh, surface.curves, {}, counting);
-    return unknowns.load();
-  };
-  const std::int64_t few = factorized(12, {});
-  // At least one system of two coordinates for each inner vertex.
-  EXPECT_GE(few, 2 * 11 * 11);
-  EXPECT_EQ(factorized(12, withThreads(4)), few);
-  EXPECT_GT(factorized(24, {}), 2 * few);
-}
-
 TEST(Threads, GiveEverySchemeTheSameResultBitByBit)
 {
   constexpr Index size = 12;

@@ -7,16 +7,10 @@
 
 namespace
 {
+using flatteningTesting::lunePoint;
+
 constexpr int latitudes = 8;
 constexpr int longitudes = 4;
-
-/// Point at a longitude and a latitude of the grid; the poles are the first and the last point.
-vtkIdType pointAt(int longitude, int latitude)
-{
-  return latitude == 0      ? 0
-    : latitude == latitudes ? 1 + (latitudes - 1) * (longitudes + 1)
-                            : 1 + (latitude - 1) * (longitudes + 1) + longitude;
-}
 
 /// How far the boundary and the arc are from congruent with their mirror images: pole for pole
 /// (`across`), or side for side. Congruent where all pairs of wire points are equally far apart.
@@ -25,7 +19,7 @@ double asymmetry(const figures::FlatPiece& piece, bool across)
   std::vector<std::array<vtkIdType, 2>> pairs;
   const auto add = [&](int i, int j) {
     pairs.push_back(
-      { pointAt(i, j), across ? pointAt(i, latitudes - j) : pointAt(longitudes - i, j) });
+      { lunePoint(i, j), across ? lunePoint(i, latitudes - j) : lunePoint(longitudes - i, j) });
   };
   for (int j = 0; j <= latitudes; ++j)
   {
@@ -54,7 +48,7 @@ figures::FlatPiece leastSquaresConformalMap(const figures::Piece& piece)
   vtkNew<vtkLeastSquaresConformalFilter> filter;
   filter->SetInputData(piece.surface);
   filter->SetCurvesData(piece.curves);
-  filter->SetPins(pointAt(0, latitudes / 2), pointAt(0, latitudes / 2 + 1));
+  filter->SetPins(lunePoint(0, latitudes / 2), lunePoint(0, latitudes / 2 + 1));
   filter->AreaNormalizedOff();
   filter->Update();
   return figures::outputsOf(filter);
@@ -65,9 +59,9 @@ figures::FlatPiece turned(const figures::FlatPiece& piece)
 {
   double low[3];
   double high[3];
-  piece.flat->GetPoint(pointAt(0, 0), low);
-  piece.flat->GetPoint(pointAt(0, latitudes), high);
-  const double length = figureTest::distance(piece.flat, pointAt(0, 0), pointAt(0, latitudes));
+  piece.flat->GetPoint(lunePoint(0, 0), low);
+  piece.flat->GetPoint(lunePoint(0, latitudes), high);
+  const double length = figureTest::distance(piece.flat, lunePoint(0, 0), lunePoint(0, latitudes));
   const double up[2] = { (high[0] - low[0]) / length, (high[1] - low[1]) / length };
   return figureTest::mapped(piece, [&](double x, double y) {
     return std::array<double, 2>{ up[1] * x - up[0] * y, up[0] * x + up[1] * y };
