@@ -358,37 +358,6 @@ TEST(PathOffset, RefusesWhatHasNone)
     StatusCode::InvalidCurve);
 }
 
-/// No way over a surface is shorter than the straight one through space.
-TEST(PathOffset, OfACubeOfTwelveTrianglesIsNowhereTooFar)
-{
-  const TriangleMesh mesh = cube();
-  const PathGraph graph(mesh);
-  std::mt19937 random(11);
-  int drawn = 0;
-  for (int k = 0; k < 150; ++k)
-  {
-    const SurfacePath path = through(
-      graph, std::vector<SurfacePoint>{ randomPoint(mesh, random), randomPoint(mesh, random) });
-    if (!(lengthOf(path) > 0.0))
-    {
-      continue;
-    }
-    const double reach = 0.02 + 0.28 * (k % 15) / 14.0;
-    const PathOffset offset = offsetPath(graph, path, k % 2 == 0 ? reach : -reach);
-    EXPECT_TRUE(offset.status.ok() || offset.status.code == StatusCode::CurveLeavesSurface)
-      << k << ": " << offset.status.message;
-    for (const SurfacePath& part : offset.parts)
-    {
-      for (const SurfacePoint& point : part.points)
-      {
-        EXPECT_LE(gapInSpace(path, point.position), tangent * reach) << k;
-        ++drawn;
-      }
-    }
-  }
-  EXPECT_GT(drawn, 500);
-}
-
 TEST(PathDistance, IsThatOfTheUnrolledSurface)
 {
   const Surface surface = cone(40, 20);

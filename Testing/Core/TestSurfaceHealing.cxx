@@ -150,22 +150,6 @@ TEST(SurfaceHealing, TakesOutDoubledTriangles)
                 .mesh.identical(prepareSurface(Sheet().points, Sheet().triangles).mesh));
 }
 
-TEST(SurfaceHealing, TakesOffFins)
-{
-  Sheet sheet;
-  const Index a = Sheet::at(4, 4);
-  const Index b = Sheet::at(4, 5);
-  const Index first = sheet.size();
-  const Index top = sheet.add(sheet.points[a] + Point3(0.01, 0.05, 0.06));
-  const Index other = sheet.add(sheet.points[a] + Point3(-0.03, 0.02, -0.05));
-  sheet.triangles.push_back({ a, b, top });
-  sheet.triangles.push_back({ b, a, other });
-  const HealedSurface surface = healed(sheet, SurfaceDefect::Fins, { first, first + 1 });
-  EXPECT_EQ(surface.mendings.size(), 1U);
-  EXPECT_EQ(surface.mesh.triangles(), Sheet().triangles);
-  EXPECT_EQ(surface.vertexOfPoint[top], none);
-}
-
 TEST(SurfaceHealing, SeparatesWhatStandsOnASurface)
 {
   // A wall across the whole sheet: it comes off, since the sheet goes on evenly.
@@ -233,21 +217,6 @@ TEST(SurfaceHealing, DoublesPinchedPoints)
   // The point stays with the larger part.
   EXPECT_EQ(surface.mesh.triangle(0)[0], surface.vertexOfPoint[0]);
   EXPECT_NE(surface.mesh.triangles().back()[0], surface.vertexOfPoint[pinched]);
-}
-
-TEST(SurfaceHealing, TurnsPatchesOver)
-{
-  Sheet sheet;
-  std::vector<std::int64_t> turned;
-  for (Index t = 50; t < 70; ++t)
-  {
-    std::swap(sheet.triangles[t][0], sheet.triangles[t][1]);
-    turned.push_back(t);
-  }
-  const HealedSurface surface = healed(sheet, SurfaceDefect::ReversedTriangles, turned);
-  EXPECT_EQ(surface.mendings.size(), 1U);
-  EXPECT_EQ(describe(surface.mendings[0]),
-    "20 triangles were turned over to agree with the others (first: 50, 51, 52)");
 }
 
 TEST(SurfaceHealing, LeavesOutSpecks)

@@ -35,31 +35,6 @@ double sharpestTurn(const TriangleMesh& mesh, const SurfaceSpline& spline, int p
 }
 }
 
-TEST(SurfaceSpline, GoesThroughItsPoints)
-{
-  const Surface surface = cushion(40, 40, 0.5);
-  const PathGraph graph(surface.mesh);
-  const SurfaceLocator locator(surface.mesh);
-  std::mt19937 random(1);
-  for (const bool closed : { false, true })
-  {
-    std::vector<SurfacePoint> points;
-    for (int k = 0; k < 6; ++k)
-    {
-      points.push_back(randomPoint(surface.mesh, random));
-    }
-    const SurfaceSpline spline = surfaceSpline(graph, locator, points, closed);
-    ASSERT_TRUE(spline.status.ok()) << spline.status.message;
-    EXPECT_TRUE(liesOn(surface.mesh, spline.path));
-    ASSERT_EQ(spline.stations.size(), closed ? 7U : 6U);
-    for (std::size_t k = 0; k < spline.stations.size(); ++k)
-    {
-      EXPECT_TRUE(samePlace(spline.path.points[spline.stations[k]], points[k % 6]));
-    }
-    EXPECT_NEAR(spline.length, lengthOf(spline.path), 1e-12);
-  }
-}
-
 TEST(SurfaceSpline, ThroughPointsOfACircleIsNearlyOne)
 {
   const Surface surface =
