@@ -27,7 +27,7 @@ std::size_t addressSpace()
   return pages * 4096;
 }
 
-/// Runs with ever more memory, by small steps of kilobytes, until there is enough. \return the exit
+/// Runs with ever more memory until there is enough. \param step in kilobytes. \return the exit
 /// code: 0 where each run before the last ended as OutOfMemory, and there were some.
 int runWithMoreAndMoreMemory(const std::function<Status()>& run, std::size_t step)
 {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ClosedMeshes.h"
 #include "Flattened.h"
 #include "WiredSurface.h"
 
@@ -206,18 +205,6 @@ void expectEmpty(const FlatteningResult& result)
   EXPECT_TRUE(result.pieces.empty());
   EXPECT_TRUE(result.curves.empty());
 }
-}
-
-TEST(FlatteningEnds, ARefusedSurfaceLeavesNothing)
-{
-  const Surface surface = cushion(4, 4, 0.2);
-  expectEmpty(flattenSurface(surface.mesh, { accessory("c", { 0, 24 }) }, {}, {}));
-  const FlatteningResult closed = flattenSurface(sphere(0), {}, {}, {});
-  EXPECT_STREQ(statusName(closed.status.code), "ClosedSurface");
-  expectEmpty(closed);
-  const FlatteningResult empty = flattenSurface(TriangleMesh(), {}, {}, {});
-  EXPECT_STREQ(statusName(empty.status.code), "EmptySurface");
-  expectEmpty(empty);
 }
 
 TEST(FlatteningEnds, APlanarShapeOfAnotherNumberOfPointsOrWithoutAnAngleIsRefused)
