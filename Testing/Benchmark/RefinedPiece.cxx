@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RefinedPiece.h"
 
-#include "Imprint/CurveImprint.h"
-
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -34,50 +32,26 @@ vtkSmartPointer<vtkPolyData> read(const std::string& path)
   return reader->GetOutput();
 }
 
-TriangleMesh meshOf(vtkPolyData* data)
+/// Calls a function with the points of each cell and its number.
+template <class Visit>
+void forCells(vtkCellArray* cells, const Visit& visit)
+{
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, ids);
+    visit(Indices(ids->begin(), ids->end()), cell);
+  }
+}
+
+Points3 pointsOf(vtkPolyData* data)
 {
   Points3 points;
   for (vtkIdType k = 0; k < data->GetNumberOfPoints(); ++k)
   {
-    const double* const p = data->GetPoint(k);
-    points.emplace_back(p[0], p[1], p[2]);
+    points.emplace_back(data->GetPoint(k));
   }
-  Triangles triangles;
-  vtkNew<vtkIdList> ids;
-  data->GetPolys()->InitTraversal();
-  while (data->GetPolys()->GetNextCell(ids))
-  {
-    triangles.push_back({ static_cast<Index>(ids->GetId(0)), static_cast<Index>(ids->GetId(1)),
-      static_cast<Index>(ids->GetId(2)) });
-  }
-  return { std::move(points), std::move(triangles) };
-}
-
-std::vector<FeatureCurve> curvesOf(vtkPolyData* data, const TriangleMesh& mesh)
-{
-  std::vector<Polyline> polylines;
-  vtkDataArray* const types = data->GetCellData()->GetArray("CurveType");
-  vtkNew<vtkIdList> ids;
-  data->GetLines()->InitTraversal();
-  for (vtkIdType cell = 0; data->GetLines()->GetNextCell(ids); ++cell)
-  {
-    Polyline polyline;
-    polyline.name = "curve " + std::to_string(cell);
-    polyline.type =
-      types ? static_cast<CurveType>(int(types->GetComponent(cell, 0))) : CurveType::Accessory;
-    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
-    {
-      const double* const p = data->GetPoint(ids->GetId(k));
-      polyline.points.emplace_back(p[0], p[1], p[2]);
-    }
-    polylines.push_back(std::move(polyline));
-  }
-  ImprintedSurface imprinted = imprintCurves(mesh, polylines, {}, {});
-  if (!imprinted.status.ok() || imprinted.mesh.triangleCount() != mesh.triangleCount())
-  {
-    throw std::runtime_error("the curves do not run along edges. " + imprinted.status.message);
-  }
-  return std::move(imprinted.curves);
+  return points;
 }
 
 /// Divides triangles; vertices on edges are shared.
@@ -237,11 +211,40 @@ private:
 };
 }
 
+DataPiece readPiece(const std::string& surfaceFile, const std::string& curvesFile)
+{
+  DataPiece piece;
+  const auto surface = read(surfaceFile);
+  piece.points = pointsOf(surface);
+  forCells(surface->GetPolys(), [&](const Indices& ids, vtkIdType) {
+    piece.triangles.push_back({ ids.at(0), ids.at(1), ids.at(2) });
+  });
+  const auto curves = read(curvesFile);
+  const Points3 points = pointsOf(curves);
+  vtkDataArray* const types = curves->GetCellData()->GetArray("CurveType");
+  forCells(curves->GetLines(), [&](const Indices& ids, vtkIdType cell) {
+    Polyline& curve = piece.curves.emplace_back();
+    curve.name = "c" + std::to_string(cell);
+    curve.type = types ? static_cast<CurveType>(types->GetTuple1(cell)) : CurveType::Accessory;
+    curve.pointIds = ids;
+    for (const Index id : ids)
+    {
+      curve.points.push_back(points[id]);
+    }
+  });
+  return piece;
+}
+
 RefinedPiece readRefined(const std::string& folder, const std::string& name, int division)
 {
-  const TriangleMesh coarse = meshOf(read(folder + "/" + name + ".vtp"));
-  const std::vector<FeatureCurve> curves =
-    curvesOf(read(folder + "/" + name + "_curves.vtp"), coarse);
-  return Refinement(coarse, division).piece(curves);
+  const std::string path = folder + "/" + name;
+  DataPiece piece = readPiece(path + ".vtp", path + "_curves.vtp");
+  const TriangleMesh coarse(std::move(piece.points), std::move(piece.triangles));
+  const ImprintedSurface imprinted = imprintCurves(coarse, piece.curves, {}, {});
+  if (!imprinted.status.ok() || imprinted.mesh.triangleCount() != coarse.triangleCount())
+  {
+    throw std::runtime_error("the curves do not run along edges. " + imprinted.status.message);
+  }
+  return Refinement(coarse, division).piece(imprinted.curves);
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Imprint/CurveImprint.h"
 #include "Surface/FeatureCurve.h"
 #include "Surface/TriangleMesh.h"
 
@@ -9,6 +10,17 @@
 
 namespace benchmarks
 {
+/// A piece of Data as its files have it.
+struct DataPiece
+{
+  flattening::Points3 points;
+  flattening::Triangles triangles;
+  std::vector<flattening::Polyline> curves; ///< pointIds: of the file of curves
+};
+
+/// Reads .vtp files. Throws std::runtime_error.
+DataPiece readPiece(const std::string& surfaceFile, const std::string& curvesFile);
+
 /// A surface in memory with feature curves along its edges.
 struct RefinedPiece
 {

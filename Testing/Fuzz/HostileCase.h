@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <iostream>
 #include <random>
 #include <string>
 #include <vector>
@@ -27,10 +29,38 @@ struct Specimen
   std::vector<Polyline> curves;
 };
 
+/// Of a case that is made from its seed.
+inline std::vector<std::uint8_t> randomBytes(std::mt19937& random, std::size_t count = 768)
+{
+  std::vector<std::uint8_t> bytes(count);
+  std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<std::uint8_t>(random()); });
+  return bytes;
+}
+
+/// A number that is named by hand.
+inline unsigned fromEnvironment(const char* name, unsigned otherwise)
+{
+  const char* value = std::getenv(name);
+  return value ? static_cast<unsigned>(std::atoi(value)) : otherwise;
+}
+
+/// Names a seed before it is tried, where HOSTILE_TRACE=1 asks for it.
+inline void traceSeed(unsigned seed)
+{
+  if (std::getenv("HOSTILE_TRACE"))
+  {
+    std::cerr << "seed " << seed << std::endl;
+  }
+}
+
 /// Reads numbers off a byte string; past its end all are zero.
 class Bytes
 {
 public:
+  explicit Bytes(const std::vector<std::uint8_t>& bytes)
+    : Bytes(bytes.data(), bytes.size())
+  {
+  }
   Bytes(const std::uint8_t* data, std::size_t size)
     : Data(data)
     , Size(size)

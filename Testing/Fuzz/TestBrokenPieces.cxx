@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
 
 #ifdef __linux__
@@ -25,13 +24,6 @@ using namespace flattening::pattern;
 namespace
 {
 constexpr double secondsEach = 60.0; ///< of the processor, for all formats of a case
-
-/// A flattening as the writers get it.
-struct FlatPieces
-{
-  FlatteningResult result;
-  PatternSource source;
-};
 
 PatternSource sourceOf(const FlatteningResult& result)
 {
@@ -71,17 +63,6 @@ double sizeOf(const Points2& points)
   return box.diagonal().norm();
 }
 
-/// Of one border of the pieces, in its order.
-Indices borderOf(const PatternSource& source, std::mt19937& random)
-{
-  std::vector<Indices> borders;
-  for (const SourceWire& wire : source.wires)
-  {
-    borders.push_back(wire.points);
-  }
-  return borders.empty() ? Indices() : borders[random() % borders.size()];
-}
-
 /// Breaks positions in one of the ways in which flattenings fail. \return its name
 std::string breakPieces(std::mt19937& random, PatternSource& source)
 {
@@ -89,7 +70,8 @@ std::string breakPieces(std::mt19937& random, PatternSource& source)
   Points2& points = source.positions;
   const double size = sizeOf(points);
   const auto pick = [&] { return random() % points.size(); };
-  const Indices border = borderOf(source, random);
+  const std::vector<SourceWire>& wires = source.wires;
+  const Indices border = wires.empty() ? Indices() : wires[random() % wires.size()].points;
   switch (random() % 12)
   {
     case 0:
@@ -270,10 +252,8 @@ int writeAll(const PatternSource& source, FileOptions options, bool lay, const G
 int tryPieces(unsigned seed)
 {
   std::mt19937 random(seed);
-  std::vector<std::uint8_t> bytes(768);
-  std::generate(
-    bytes.begin(), bytes.end(), [&random] { return static_cast<std::uint8_t>(random()); });
-  Bytes reader(bytes.data(), bytes.size());
+  const std::vector<std::uint8_t> bytes = randomBytes(random);
+  Bytes reader(bytes);
   const SizeRange sizes{ 1.0, seed % 16 == 0 ? 3000.0 : 120.0 };
   HostileCase input =
     seed % 2 == 0 ? decodeOrdinaryCase(reader, sizes) : decodeCase(reader, dataSpecimens(), sizes);
@@ -353,10 +333,7 @@ void trySeeds(unsigned first, unsigned count)
   for (unsigned seed = first; seed < first + count; ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    if (std::getenv("HOSTILE_TRACE"))
-    {
-      std::cerr << "seed " << seed << std::endl;
-    }
+    traceSeed(seed);
     written += tryPieces(seed);
   }
   EXPECT_GT(written, static_cast<int>(count)); // a suite of refusals tests little
@@ -383,8 +360,5 @@ INSTANTIATE_TEST_SUITE_P(Seeds, BrokenPieces, testing::Range(0U, 5U));
 // Those to try by hand: HOSTILE_SEED=7, HOSTILE_COUNT=1000.
 TEST(BrokenPiecesByHand, NamedByTheEnvironmentAreDrawnOrRefused)
 {
-  const char* seed = std::getenv("HOSTILE_SEED");
-  const char* count = std::getenv("HOSTILE_COUNT");
-  trySeeds(seed ? static_cast<unsigned>(std::atoi(seed)) : 1,
-    count ? static_cast<unsigned>(std::atoi(count)) : 8);
+  trySeeds(fromEnvironment("HOSTILE_SEED", 1), fromEnvironment("HOSTILE_COUNT", 8));
 }

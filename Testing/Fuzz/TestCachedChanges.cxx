@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstring>
 #include <limits>
 
@@ -96,9 +95,8 @@ void expectSame(const FlatteningResult& cached, const FlatteningResult& fresh)
 /// An ordinary surface with its curves on edges, and its options; its status where there is none.
 ImprintedSurface makeCase(std::mt19937& random, FlatteningOptions& options)
 {
-  std::vector<std::uint8_t> input(768);
-  std::generate(input.begin(), input.end(), [&] { return static_cast<std::uint8_t>(random()); });
-  Bytes bytes(input.data(), input.size());
+  const std::vector<std::uint8_t> input = randomBytes(random);
+  Bytes bytes(input);
   const HostileCase given = decodeOrdinaryCase(bytes, {});
   options = given.options;
   const PreparedSurface surface = prepareSurface(given.points, given.triangles, given.coincident);

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -19,23 +18,15 @@ namespace
 {
 using Input = std::vector<std::uint8_t>;
 
-Input randomInput(unsigned seed)
-{
-  std::mt19937 random(seed);
-  Input input(768);
-  std::generate(input.begin(), input.end(), [&] { return static_cast<std::uint8_t>(random()); });
-  return input;
-}
-
 Verdict tryInput(const Input& input, const SizeRange& triangles)
 {
-  Bytes bytes(input.data(), input.size());
+  Bytes bytes(input);
   return tryCase(decodeCase(bytes, dataSpecimens(), triangles));
 }
 
 Verdict tryOrdinaryInput(const Input& input, const SizeRange& triangles)
 {
-  Bytes bytes(input.data(), input.size());
+  Bytes bytes(input);
   return tryCase(decodeOrdinaryCase(bytes, triangles));
 }
 
@@ -46,14 +37,11 @@ void trySeeds(unsigned first, unsigned count, double secondsEach, const SizeRang
   ASSERT_GE(dataSpecimens().size(), 15U);
   std::map<std::string, unsigned> outcomes;
   double slowest = 0.0;
-  const bool trace = std::getenv("HOSTILE_TRACE") != nullptr;
   for (unsigned seed = first; seed < first + count; ++seed)
   {
-    if (trace)
-    {
-      std::cerr << "seed " << seed << std::endl;
-    }
-    const Verdict verdict = tryOne(randomInput(seed), triangles);
+    traceSeed(seed);
+    std::mt19937 random(seed);
+    const Verdict verdict = tryOne(randomBytes(random), triangles);
     EXPECT_EQ(verdict.fault, "") << "seed " << seed << ", at most " << triangles.most
                                  << " triangles";
     EXPECT_LT(verdict.seconds, secondsEach)
@@ -113,13 +101,8 @@ TEST(HostileCases, OfUpToAHundredThousandTrianglesGetATrueAnswer)
 // HOSTILE_TRACE=1 to name each seed before it is tried.
 TEST(HostileCases, NamedByTheEnvironmentGetATrueAnswer)
 {
-  const char* seed = std::getenv("HOSTILE_SEED");
-  const char* count = std::getenv("HOSTILE_COUNT");
-  const char* triangles = std::getenv("HOSTILE_TRIANGLES");
-  SizeRange range;
-  range.most = triangles ? std::atof(triangles) : range.most;
-  trySeeds(seed ? static_cast<unsigned>(std::atoi(seed)) : 1,
-    count ? static_cast<unsigned>(std::atoi(count)) : 1, 60.0, range);
+  trySeeds(fromEnvironment("HOSTILE_SEED", 1), fromEnvironment("HOSTILE_COUNT", 1), 60.0,
+    { 1.0, static_cast<double>(fromEnvironment("HOSTILE_TRIANGLES", 120)) });
 }
 
 TEST(FuzzCorpus, EveryInputGetsATrueAnswer)

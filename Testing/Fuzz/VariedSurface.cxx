@@ -2,6 +2,7 @@
 #include "VariedSurface.h"
 
 #include "../Core/MeshTriangles.h"
+#include "HostileSurface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,23 +46,19 @@ Specimen ball(std::mt19937& random, Index meridians, Index parallels)
   return surface;
 }
 
-Specimen solid(Points3 points, Triangles triangles, const std::string& name)
-{
-  return { name, std::move(points), std::move(triangles), {} };
-}
-
 Specimen octahedron()
 {
-  return solid({ { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } },
+  return { "octahedron",
+    { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } },
     { { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 }, { 3, 1, 5 },
       { 0, 3, 5 } },
-    "octahedron");
+    {} };
 }
 
 Specimen tetrahedron()
 {
-  return solid({ { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } },
-    { { 0, 1, 2 }, { 0, 3, 1 }, { 0, 2, 3 }, { 1, 3, 2 } }, "tetrahedron");
+  return { "tetrahedron", { { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } },
+    { { 0, 1, 2 }, { 0, 3, 1 }, { 0, 2, 3 }, { 1, 3, 2 } }, {} };
 }
 
 Specimen box(std::mt19937& random)
@@ -72,10 +69,10 @@ Specimen box(std::mt19937& random)
   {
     points.push_back(size.cwiseProduct(Point3(k & 1, (k >> 1) & 1, (k >> 2) & 1)));
   }
-  return solid(std::move(points),
+  return { "box", std::move(points),
     { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 }, { 2, 6, 7 },
       { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } },
-    "box");
+    {} };
 }
 
 /// Columns of a grid closed to rings, and its rows as well for a torus.
@@ -111,14 +108,6 @@ Specimen tube(std::mt19937& random, Index columns, Index rows, bool closed)
   return surface;
 }
 
-/// Two hubs over a ring.
-Specimen doublePyramid(std::mt19937& random, Index sides)
-{
-  Specimen surface = ball(random, sides, 1);
-  surface.name = "double pyramid";
-  return surface;
-}
-
 /// A long closed body with slivers along it.
 Specimen needle(std::mt19937& random)
 {
@@ -131,7 +120,7 @@ Specimen needle(std::mt19937& random)
   return surface;
 }
 
-/// An edge of each triangle is divided, and what is new moved onto the unit sphere.
+/// Edges are halved, and what is new is moved onto the unit sphere.
 Specimen round(Specimen surface, int times)
 {
   surface.name += ", rounded";
@@ -141,28 +130,10 @@ Specimen round(Specimen surface, int times)
   }
   for (int k = 0; k < times; ++k)
   {
-    Triangles fine;
-    std::vector<std::pair<std::pair<Index, Index>, Index>> middles;
-    const auto middle = [&](Index a, Index b) {
-      const std::pair<Index, Index> edge = std::minmax(a, b);
-      const auto found = std::find_if(
-        middles.begin(), middles.end(), [&](const auto& other) { return other.first == edge; });
-      if (found != middles.end())
-      {
-        return found->second;
-      }
-      surface.points.push_back((surface.points[a] + surface.points[b]).normalized());
-      middles.emplace_back(edge, static_cast<Index>(surface.points.size()) - 1);
-      return middles.back().second;
-    };
-    for (const Triangle& t : surface.triangles)
-    {
-      const Index a = middle(t[0], t[1]);
-      const Index b = middle(t[1], t[2]);
-      const Index c = middle(t[2], t[0]);
-      fine.insert(fine.end(), { { t[0], a, c }, { a, t[1], b }, { c, b, t[2] }, { a, b, c } });
-    }
-    surface.triangles = std::move(fine);
+    const std::size_t old = surface.points.size();
+    refineSurface(surface);
+    std::for_each(surface.points.begin() + static_cast<std::ptrdiff_t>(old), surface.points.end(),
+      [](Point3& point) { point.normalize(); });
   }
   return surface;
 }
@@ -186,19 +157,15 @@ Specimen shapeOf(std::mt19937& random)
     case 6:
       return tube(random, anyOf(random, 3, 20), anyOf(random, 1, 14), false);
     case 7:
-      return doublePyramid(random, anyOf(random, 3, 200));
+      return ball(random, anyOf(random, 3, 200), 1); // two hubs over a ring
     case 8:
       return needle(random);
     case 9:
       return round(anyOf(random, 0, 1) == 0 ? octahedron() : tetrahedron(), anyOf(random, 1, 3));
     default:
     {
-      std::vector<std::uint8_t> values(200);
-      for (std::uint8_t& value : values)
-      {
-        value = static_cast<std::uint8_t>(random());
-      }
-      Bytes bytes(values.data(), values.size());
+      const std::vector<std::uint8_t> values = randomBytes(random, 200);
+      Bytes bytes(values);
       return makeOrdinarySurface(bytes, { 1.0, 600.0 });
     }
   }
