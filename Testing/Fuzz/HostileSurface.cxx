@@ -38,23 +38,12 @@ Specimen cropped(const Specimen& whole, Index first, Index count)
       }
     }
   }
-  Specimen part;
-  part.name = whole.name;
-  Indices pointOf(whole.points.size(), none);
+  Specimen part{ whole.name, whole.points, {}, {} };
   for (const Index t : taken)
   {
-    Triangle corners = whole.triangles[t];
-    for (Index& v : corners)
-    {
-      if (pointOf[v] == none)
-      {
-        pointOf[v] = static_cast<Index>(part.points.size());
-        part.points.push_back(whole.points[v]);
-      }
-      v = pointOf[v];
-    }
-    part.triangles.push_back(corners);
+    part.triangles.push_back(whole.triangles[t]);
   }
+  keepUsedPoints(part);
   return part;
 }
 
@@ -185,6 +174,17 @@ Index anyPoint(Bytes& bytes, const Specimen& surface)
   return bytes.below(static_cast<Index>(surface.points.size()));
 }
 
+/// Changes the points of a surface and of its curves.
+template <class Change>
+void forPoints(Specimen& surface, const Change& change)
+{
+  std::for_each(surface.points.begin(), surface.points.end(), change);
+  for (Polyline& curve : surface.curves)
+  {
+    std::for_each(curve.points.begin(), curve.points.end(), change);
+  }
+}
+
 void jitter(Bytes& bytes, Specimen& surface, double size)
 {
   std::mt19937 random = bytes.generator();
@@ -276,6 +276,25 @@ void mutateOnce(Bytes& bytes, Specimen& surface)
 }
 }
 
+void keepUsedPoints(Specimen& surface)
+{
+  Indices number(surface.points.size(), none);
+  Points3 used;
+  for (Triangle& t : surface.triangles)
+  {
+    for (Index& v : t)
+    {
+      if (number[v] == none)
+      {
+        number[v] = static_cast<Index>(used.size());
+        used.push_back(surface.points[v]);
+      }
+      v = number[v];
+    }
+  }
+  surface.points = std::move(used);
+}
+
 Specimen makeSurface(
   Bytes& bytes, const std::vector<Specimen>& specimens, const SizeRange& triangles)
 {
@@ -321,33 +340,13 @@ void mutateSurface(Bytes& bytes, Specimen& surface)
   if (!bytes.oneIn(3))
   {
     const double scale = std::pow(10.0, static_cast<double>(bytes.below(19)) - 9.0);
-    for (Point3& p : surface.points)
-    {
-      p *= scale;
-    }
-    for (Polyline& curve : surface.curves)
-    {
-      for (Point3& p : curve.points)
-      {
-        p *= scale;
-      }
-    }
+    forPoints(surface, [=](Point3& p) { p *= scale; });
   }
   if (bytes.oneIn(8))
   {
     // Far from the origin.
     const Point3 away = meanEdge(surface) * 1e4 * Point3(1.0, -2.0, 0.5);
-    for (Point3& p : surface.points)
-    {
-      p += away;
-    }
-    for (Polyline& curve : surface.curves)
-    {
-      for (Point3& p : curve.points)
-      {
-        p += away;
-      }
-    }
+    forPoints(surface, [&](Point3& p) { p += away; });
   }
   // Last, because what comes before computes with ids and coordinates.
   if (bytes.oneIn(64) && !surface.triangles.empty())

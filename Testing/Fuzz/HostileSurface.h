@@ -13,6 +13,9 @@ Specimen makeSurface(
 /// Drops, doubles and flips triangles, merges, moves and breaks points.
 void mutateSurface(Bytes& bytes, Specimen& surface);
 
+/// Numbers the points anew in the order in which triangles use them, and leaves out the others.
+void keepUsedPoints(Specimen& surface);
+
 /// Each triangle becomes four.
 void refineSurface(Specimen& surface);
 }

@@ -2,6 +2,7 @@
 #include "OrdinarySurface.h"
 
 #include "../Core/MeshTriangles.h"
+#include "HostileSurface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -109,25 +110,6 @@ Specimen grid(std::mt19937& random, Index columns, Index rows, double aspect)
   return surface;
 }
 
-void keepUsedPoints(Specimen& surface)
-{
-  Indices number(surface.points.size(), none);
-  Points3 used;
-  for (Triangle& t : surface.triangles)
-  {
-    for (Index& v : t)
-    {
-      if (number[v] == none)
-      {
-        number[v] = static_cast<Index>(used.size());
-        used.push_back(surface.points[v]);
-      }
-      v = number[v];
-    }
-  }
-  surface.points = std::move(used);
-}
-
 /// Teeth on one back, or arms around a middle: columns of a grid taken out.
 Specimen comb(std::mt19937& random, Index count)
 {
@@ -206,20 +188,13 @@ void poke(std::mt19937& random, Specimen& surface, Index times)
 /// Halves the longest edge of the triangle at a place until its edges are shorter by a factor.
 void refineAt(std::mt19937& random, Specimen& surface, double factor)
 {
-  Index at = anyOf(random, 0, static_cast<Index>(surface.triangles.size()) - 1);
-  const auto longest = [&](const Triangle& c) {
-    int k = 0;
-    for (int i = 1; i < 3; ++i)
-    {
-      const auto length = [&](int e) {
-        return (surface.points[c[(e + 1) % 3]] - surface.points[c[e]]).norm();
-      };
-      k = length(i) > length(k) ? i : k;
-    }
-    return k;
-  };
+  const Index at = anyOf(random, 0, static_cast<Index>(surface.triangles.size()) - 1);
   const auto size = [&](const Triangle& c, int k) {
     return (surface.points[c[(k + 1) % 3]] - surface.points[c[k]]).norm();
+  };
+  const auto longest = [&](const Triangle& c) {
+    const int k = size(c, 1) > size(c, 0) ? 1 : 0;
+    return size(c, 2) > size(c, k) ? 2 : k;
   };
   const double goal = size(surface.triangles[at], longest(surface.triangles[at])) / factor;
   for (int round = 0; round < 60; ++round)
