@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DataSpecimens.h"
+#include "HostileSurface.h"
 
 #include "../Benchmark/RefinedPiece.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // libFuzzer's entry: any bytes are a surface with curves and options.
-#include "DataSpecimens.h"
+#include "HostileSurface.h"
 
 #include <cstdio>
 #include <cstdlib>

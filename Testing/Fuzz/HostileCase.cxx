@@ -3,7 +3,6 @@
 
 #include "Cloth/ClothMaterial.h"
 #include "HostileSurface.h"
-#include "OrdinarySurface.h"
 
 #include <algorithm>
 #include <cmath>

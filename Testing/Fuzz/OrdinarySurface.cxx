@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OrdinarySurface.h"
+#include "HostileSurface.h"
 
 #include "../Core/MeshTriangles.h"
-#include "HostileSurface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Flat pieces that no flattening should give, through every writer: each is drawn or refused with
 // words.
-#include "DataSpecimens.h"
 #include "Fairing/FairBorders.h"
 #include "Formats/PatternFile.h"
-#include "OrdinarySurface.h"
+#include "HostileSurface.h"
 #include "Sewing/PieceSewing.h"
 
 #include <gtest/gtest.h>

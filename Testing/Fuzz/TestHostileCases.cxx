@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Seeded hostile cases through the decoder of the fuzz target, and the inputs that fuzzing has
 // found.
-#include "DataSpecimens.h"
 #include "HostileSurface.h"
 
 #include <gtest/gtest.h>

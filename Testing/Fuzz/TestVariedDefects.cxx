@@ -2,7 +2,6 @@
 // Surfaces with mixes of the defects that scanners and modelers leave: they are healed, and away
 // from the defects lie in the plane as the clean surface does.
 #include "../Core/MeshTriangles.h"
-#include "DataSpecimens.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "HostileSurface.h"
 #include "Surface/SurfaceHealing.h"

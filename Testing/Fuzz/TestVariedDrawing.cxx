@@ -3,12 +3,12 @@
 #include "../Core/PathFacts.h"
 #include "Editing/CurveEditor.h"
 #include "Editing/CurveSnapping.h"
+#include "HostileSurface.h"
 #include "Paths/PathDistance.h"
 #include "Paths/PathPoints.h"
 #include "Paths/PlaneSection.h"
 #include "Paths/StraightPath.h"
 #include "Paths/SurfaceSpline.h"
-#include "VariedSurface.h"
 
 #include <gtest/gtest.h>
 

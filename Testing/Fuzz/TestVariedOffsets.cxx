@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Offsets of curves over surfaces of every shape, coarse and fine, and in every unit.
 #include "../Core/PathFacts.h"
+#include "HostileSurface.h"
 #include "Paths/PathDistance.h"
 #include "Paths/PathOffset.h"
 #include "Paths/PathPoints.h"
 #include "Paths/StraightPath.h"
 #include "Surface/SurfacePreparation.h"
-#include "VariedSurface.h"
 
 #include <gtest/gtest.h>
 

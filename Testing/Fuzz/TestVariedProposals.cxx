@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Proposals of cuts on surfaces of every shape: solids of few triangles, balls, tori, tubes,
 // sheets.
+#include "HostileSurface.h"
 #include "Suggestion/CurveSuggestion.h"
 #include "Surface/SurfacePreparation.h"
-#include "VariedSurface.h"
 
 #include <gtest/gtest.h>
 
