@@ -3,7 +3,6 @@
 // parameterizations, which keep no length, in one run. Prints tables in Markdown.
 #include "Measure.h"
 #include "Peer.h"
-#include "ProgramPeer.h"
 #include "RefinedPiece.h"
 #include "ResultTable.h"
 
@@ -204,7 +203,6 @@ int main(int argc, char** argv)
         table.write(settings.json, settings.piece);
       }
     }
-    table.printExponents();
   }
   catch (const std::exception& error)
   {

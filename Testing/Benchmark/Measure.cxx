@@ -6,15 +6,23 @@
 #include <vtkSMPTools.h>
 
 #include <malloc.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <limits>
-#include <string>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
 
 namespace benchmarks
 {
+using namespace flattening;
+
 namespace
 {
 /// A line of the kernel's account of this process, in bytes.
@@ -39,6 +47,15 @@ void resetPeak()
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << "5";
 }
+
+/// Of the runs and of what they took of the processor.
+void takeMedians(std::vector<double>& processor, Measured& result)
+{
+  std::sort(result.runs.begin(), result.runs.end());
+  std::sort(processor.begin(), processor.end());
+  result.seconds = result.runs[result.runs.size() / 2];
+  result.processor = processor[processor.size() / 2];
+}
 }
 
 Measured measure(const Repeats& repeats, const std::function<double()>& job)
@@ -47,11 +64,11 @@ Measured measure(const Repeats& repeats, const std::function<double()>& job)
   std::vector<double> processor;
   resetPeak();
   const double before = statusBytes("VmRSS:");
-  const flattening::Stopwatch watch;
+  const Stopwatch watch;
   do
   {
     const std::clock_t start = std::clock();
-    const flattening::Stopwatch run;
+    const Stopwatch run;
     const double seconds = job();
     const double share = seconds / run.seconds(); // of the run counts
     result.runs.push_back(seconds);
@@ -62,23 +79,67 @@ Measured measure(const Repeats& repeats, const std::function<double()>& job)
     }
   } while (
     static_cast<int>(result.runs.size()) < repeats.most && watch.seconds() < repeats.seconds);
-  std::sort(result.runs.begin(), result.runs.end());
-  std::sort(processor.begin(), processor.end());
-  result.seconds = result.runs[result.runs.size() / 2];
-  result.processor = processor[processor.size() / 2];
+  takeMedians(processor, result);
   return result;
 }
 
-flattening::Execution threadedExecution(int threads)
+Measured runProgram(const std::string& program, const TriangleMesh& mesh, const Repeats& repeats)
 {
-  flattening::Execution execution;
+  const std::filesystem::path path =
+    std::filesystem::temp_directory_path() / ("disk" + std::to_string(getpid()) + ".obj");
+  std::ostringstream obj;
+  obj.precision(17);
+  for (const Point3& p : mesh.points())
+  {
+    obj << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  }
+  for (const Triangle& t : mesh.triangles())
+  {
+    obj << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+  }
+  writeFile(path.string(), obj.str());
+  const std::string command =
+    "'" + program + "' '" + path.string() + "' " + std::to_string(repeats.most);
+  std::unique_ptr<FILE, int (*)(FILE*)> output(popen(command.c_str(), "r"), pclose);
+  Measured result;
+  std::vector<double> processor;
+  double seconds = 0.0;
+  double busy = 0.0;
+  while (output && std::fscanf(output.get(), "%lf %lf", &seconds, &busy) == 2)
+  {
+    result.runs.push_back(seconds);
+    processor.push_back(busy);
+  }
+  const bool ended = output && pclose(output.release()) == 0;
+  std::filesystem::remove(path);
+  if (!ended || result.runs.empty())
+  {
+    throw std::runtime_error(program + " failed, or printed no times");
+  }
+  takeMedians(processor, result);
+  return result;
+}
+
+void writeFile(const std::string& path, const std::string& content)
+{
+  std::ofstream file(path);
+  file << content;
+  file.close();
+  if (!file)
+  {
+    throw std::runtime_error("cannot write " + path);
+  }
+}
+
+Execution threadedExecution(int threads)
+{
+  Execution execution;
   if (threads > 1)
   {
     vtkSMPTools::Initialize(threads);
-    execution.parallel = [](flattening::Index count,
-                           const std::function<void(flattening::Index, flattening::Index)>& body) {
+    execution.parallel = [](Index count, const std::function<void(Index, Index)>& body) {
       vtkSMPTools::For(0, count, [&body](vtkIdType begin, vtkIdType end) {
-        body(static_cast<flattening::Index>(begin), static_cast<flattening::Index>(end));
+        body(static_cast<Index>(begin), static_cast<Index>(end));
       });
     };
   }

@@ -3,10 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <stdexcept>
 #include <utility>
 
 namespace benchmarks
@@ -50,40 +47,6 @@ double ResultTable::peerSeconds(const char* method, flattening::Index triangles)
   return 0.0;
 }
 
-std::vector<ResultTable::Growth> ResultTable::growth() const
-{
-  std::vector<Growth> steps;
-  for (const Row& to : this->Rows)
-  {
-    const Row* from = nullptr; // the largest below
-    for (const Row& row : this->Rows)
-    {
-      if (row.method == to.method && row.threads == to.threads && row.triangles < to.triangles &&
-        (!from || row.triangles > from->triangles))
-      {
-        from = &row;
-      }
-    }
-    if (from)
-    {
-      const double sizes = static_cast<double>(to.triangles) / from->triangles;
-      steps.push_back(
-        { from, &to, std::log(to.measured.seconds / from->measured.seconds) / std::log(sizes) });
-    }
-  }
-  return steps;
-}
-
-void ResultTable::printExponents() const
-{
-  std::printf("\n| method | threads | from | to | exponent |\n|---|---|---|---|---|\n");
-  for (const Growth& step : this->growth())
-  {
-    std::printf("| %s | %d | %d | %d | %.2f |\n", step.to->method.c_str(), step.to->threads,
-      step.from->triangles, step.to->triangles, step.exponent);
-  }
-}
-
 void ResultTable::write(const std::string& path, const std::string& piece) const
 {
   using Json = nlohmann::ordered_json;
@@ -102,20 +65,7 @@ void ResultTable::write(const std::string& path, const std::string& piece) const
     }
     rows.push_back(std::move(entry));
   }
-  Json exponents = Json::array();
-  for (const Growth& step : this->growth())
-  {
-    exponents.push_back({ { "method", step.to->method }, { "threads", step.to->threads },
-      { "from", step.from->triangles }, { "to", step.to->triangles },
-      { "exponent", step.exponent } });
-  }
-  const Json all = { { "piece", piece }, { "rows", rows }, { "exponents", exponents } };
-  std::ofstream file(path);
-  file << all.dump(2) << '\n';
-  file.close();
-  if (!file)
-  {
-    throw std::runtime_error("cannot write " + path);
-  }
+  const Json all = { { "piece", piece }, { "rows", rows } };
+  writeFile(path, all.dump(2) + '\n');
 }
 }

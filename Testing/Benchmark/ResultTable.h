@@ -31,20 +31,11 @@ public:
 
   static void printHead();
   void add(Row row);
-  /// How the time of each method grows from one size to the next: log(t1 / t0) / log(n1 / n0).
-  void printExponents() const;
   /// Throws std::runtime_error where the file cannot be written.
   void write(const std::string& path, const std::string& piece) const;
 
 private:
-  struct Growth
-  {
-    const Row* from;
-    const Row* to;
-    double exponent;
-  };
   double peerSeconds(const char* method, flattening::Index triangles) const;
-  std::vector<Growth> growth() const;
 
   std::vector<Row> Rows;
 };

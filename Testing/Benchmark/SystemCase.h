@@ -1,14 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "PreparedPiece.h"
-
+#include "Angles/AngleSolver.h"
+#include "Base/Execution.h"
+#include "Cut/SurfaceCut.h"
+#include "RefinedPiece.h"
 #include "Sparse/LinearSolver.h"
 
 #include <string>
 
 namespace benchmarks
 {
+/// What each stage is fed with: the result of the stages before it, on the largest piece.
+class PreparedPiece
+{
+public:
+  /// Throws std::runtime_error where a stage refuses its input.
+  PreparedPiece(RefinedPiece source, const flattening::Execution& execution);
+  PreparedPiece(const PreparedPiece&) = delete; // the problem refers to the network
+  PreparedPiece& operator=(const PreparedPiece&) = delete;
+
+  RefinedPiece surface;
+  flattening::CutSurface cut;
+  flattening::Piece piece;
+  flattening::WireNetwork network;
+  flattening::AngleProblem problem;
+  flattening::AngleSolution angles;
+  flattening::Points2 wires; ///< positions of the wires, zero between them
+  flattening::Points2 rigid; ///< positions with the interior as rigid as possible
+};
+
 /// A linear system as flattening solves it, with the order of elimination that it takes.
 struct SystemCase
 {
