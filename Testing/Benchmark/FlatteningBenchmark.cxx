@@ -4,18 +4,21 @@
 #include "Measure.h"
 #include "Peer.h"
 #include "RefinedPiece.h"
-#include "ResultTable.h"
 
 #include "Base/Stopwatch.h"
 #include "Flattening/SurfaceFlattening.h"
+#include "Quality/FlatteningQuality.h"
 #include "Wires/WireNetwork.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -50,6 +53,58 @@ const std::vector<Method> methods{
   { "laplacian", Scheme::Global, InteriorMethod::Laplacian },
   { "rigid", Scheme::Global, InteriorMethod::AsRigidAsPossible },
   { "isometric", Scheme::Isometric, InteriorMethod::AsRigidAsPossible },
+};
+
+/// One method on one mesh.
+struct Row
+{
+  std::string method;
+  int threads = 1;
+  Index triangles = 0;
+  Measured measured;
+  double wires = 0.0;                    ///< seconds of the wires alone
+  std::optional<QualitySummary> quality; ///< nothing where only time is known
+};
+
+/// What a run measured, in Markdown while it goes on and as JSON at its end.
+class ResultTable
+{
+public:
+  ResultTable()
+  {
+    std::printf(
+      "| triangles | method | threads | ms | wires, ms | bytes a triangle | E_len | E_ang "
+      "| E_h | flips |\n|---|---|---|---|---|---|---|---|---|---|\n");
+  }
+  void add(Row row)
+  {
+    const QualitySummary quality = row.quality.value_or(QualitySummary());
+    std::printf("| %d | %s | %d | %.4g | %.3g | %.0f | %.2g | %.4f | %.3f | %zu |\n", row.triangles,
+      row.method.c_str(), row.threads, 1e3 * row.measured.seconds, 1e3 * row.wires,
+      row.measured.peakBytes / row.triangles, quality.edgeLengthError, quality.angleError,
+      quality.globalHomogeneity, quality.flipped.size());
+    std::fflush(stdout);
+    nlohmann::ordered_json entry = { { "triangles", row.triangles }, { "method", row.method },
+      { "threads", row.threads }, { "seconds", row.measured.seconds },
+      { "processor_seconds", row.measured.processor }, { "runs", row.measured.runs } };
+    if (row.quality)
+    {
+      entry.update({ { "seconds_wires", row.wires },
+        { "bytes_a_triangle", row.measured.peakBytes / row.triangles },
+        { "E_len", quality.edgeLengthError }, { "E_ang", quality.angleError },
+        { "E_h", quality.globalHomogeneity }, { "flips", quality.flipped.size() } });
+    }
+    this->Rows.push_back(std::move(entry));
+  }
+  /// Throws std::runtime_error where the file cannot be written.
+  void write(const std::string& path, const std::string& piece) const
+  {
+    const nlohmann::ordered_json all = { { "piece", piece }, { "rows", this->Rows } };
+    writeFile(path, all.dump(2) + '\n');
+  }
+
+private:
+  nlohmann::ordered_json Rows = nlohmann::ordered_json::array();
 };
 
 Row runMethod(
@@ -131,17 +186,17 @@ void run(const Settings& settings, int division, ResultTable& table)
   {
     if (wanted("lscm"))
     {
-      table.add(runPeer(piece, ResultTable::conformalPeer, runConformalPeer, settings));
+      table.add(runPeer(piece, "CGAL LSCM", runConformalPeer, settings));
     }
     if (wanted("arap"))
     {
-      table.add(runPeer(piece, ResultTable::rigidPeer, runRigidPeer, settings));
+      table.add(runPeer(piece, "CGAL ARAP", runRigidPeer, settings));
     }
   }
   if (!settings.boundaryFirst.empty())
   {
     Row row;
-    row.method = ResultTable::boundaryFirstPeer;
+    row.method = "BFF";
     row.triangles = piece.mesh.triangleCount();
     row.measured = runProgram(settings.boundaryFirst,
       extractPieces(cutSurface(piece.mesh, piece.curves)).front().mesh, settings.repeats);
@@ -191,7 +246,6 @@ int main(int argc, char** argv)
     "processor seconds of each run");
   app.add_option("--json", settings.json, "File for the table");
   CLI11_PARSE(app, argc, argv);
-  ResultTable::printHead();
   ResultTable table;
   try
   {

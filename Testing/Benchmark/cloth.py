@@ -2,13 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a material gains over the isotropic sheet on a folder of pieces, and what it costs.
 
-Usage: cloth.py WIREWARP FOLDER [MATERIAL] [PICTURES]
+Usage: cloth.py WIREWARP FOLDER [MATERIAL]
 
-FOLDER has NAME.vtp and NAME_curves.vtp, as Data has, or a folder NAME with surface.vtk and curves.vtk. All keys are released. The root mean square
-strain of both threads is compared with that of the isotropic sheet at its best angle, both with a free
+FOLDER has NAME.vtp and NAME_curves.vtp, as Data has, or a folder NAME with surface.vtk and curves.vtk. All
+keys are released. The root mean square strain of both threads is compared with that of the isotropic sheet at its best angle, both with a free
 grain; the time, of the processor, with that of the isotropic scheme at the same settings, with the grain
-upright. With PICTURES, a folder, the stretch of six pieces is drawn there under plain, twill and jersey
-(needs an X server)."""
+upright."""
 
 import json
 import math
@@ -19,9 +18,6 @@ import statistics
 import subprocess
 import sys
 import tempfile
-
-PICTURED = ("skirt_front", "shirt_front", "pants_back", "wetsuit_upper_front", "shoe_moccasin_upper",
-            "pillow_face")
 
 
 def pieces(folder):
@@ -52,7 +48,7 @@ def rms(cloth):
     return math.hypot(cloth["strain_warp_rms"], cloth["strain_weft_rms"]) / math.sqrt(2)
 
 
-def main(command, folder, material="twill", pictures=None):
+def main(command, folder, material="twill"):
     ratios, times, worse = [], [], []
     print(f"{'piece':30} {'isotropic':>9} {material:>9} {'ratio':>6} {'over 5 %':>15} {'length':>8} {'status':>14} "
           f"{'time':>6}")
@@ -62,12 +58,6 @@ def main(command, folder, material="twill", pictures=None):
             free = flatten(command, piece, out, "--material", material, "--grain", "free")[0]
             plain = flatten(command, piece, out, "--material", "isotropic")[1]
             cloth = flatten(command, piece, out, "--material", material)[1]
-            for name in ("plain", "twill", "jersey") if pictures and piece_name in PICTURED else ():
-                os.makedirs(pictures, exist_ok=True)
-                target = os.path.abspath(os.path.join(pictures, f"{piece_name}_{name}.png"))
-                flatten(command, piece, out, "--material", name)
-                subprocess.run([command, "picture", out, "--color", "stretch", "--quiet", "-o", target],
-                               capture_output=True, check=False, timeout=300)
         # Of a garment in several pieces the mean counts.
         before, after = ([piece["cloth"] for piece in report["pieces"]] for report in (base, free))
         strain = [statistics.fmean(map(rms, cloths)) for cloths in (before, after)]
@@ -89,4 +79,4 @@ def main(command, folder, material="twill", pictures=None):
 if __name__ == "__main__":
     if len(sys.argv) < 3:
         sys.exit(__doc__)
-    main(*sys.argv[1:5])
+    main(*sys.argv[1:4])
