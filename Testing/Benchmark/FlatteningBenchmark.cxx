@@ -76,7 +76,7 @@ public:
       "| triangles | method | threads | ms | wires, ms | bytes a triangle | E_len | E_ang "
       "| E_h | flips |\n|---|---|---|---|---|---|---|---|---|---|\n");
   }
-  void add(Row row)
+  void add(const Row& row)
   {
     const QualitySummary quality = row.quality.value_or(QualitySummary());
     std::printf("| %d | %s | %d | %.4g | %.3g | %.0f | %.2g | %.4f | %.3f | %zu |\n", row.triangles,

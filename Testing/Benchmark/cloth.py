@@ -5,9 +5,9 @@
 Usage: cloth.py WIREWARP FOLDER [MATERIAL]
 
 FOLDER has NAME.vtp and NAME_curves.vtp, as Data has, or a folder NAME with surface.vtk and curves.vtk. All
-keys are released. The root mean square strain of both threads is compared with that of the isotropic sheet at its best angle, both with a free
-grain; the time, of the processor, with that of the isotropic scheme at the same settings, with the grain
-upright."""
+keys are released. The root mean square strain of both threads is compared with that of the isotropic sheet
+at its best angle, both with a free grain; the time, of the processor, with that of the isotropic scheme at
+the same settings, with the grain upright."""
 
 import json
 import math

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A square with a dart that was closed at its mouth, or all along.
 #include "DrawnPieces.h"
-#include "Outlines/ClosedCuts.h"
 
 #include <gtest/gtest.h>
 
@@ -63,18 +62,4 @@ TEST(ClosedCuts, ADartClosedAtItsMouthIsFoldedBetweenTwoTips)
   EXPECT_EQ(piece.drillHoles.size(), 2U);
   EXPECT_TRUE(piece.notches.empty());
   EXPECT_TRUE(linesOf(piece, LineKind::CutOut).empty());
-}
-
-TEST(ClosedCuts, WithoutClosedEdgesNothingChanges)
-{
-  PatternSource source = square(10.0);
-  source.sewn[0].closed = false;
-  const PatternSource whole = withoutClosedCuts(source);
-  EXPECT_EQ(whole.triangles, source.triangles);
-  EXPECT_EQ(whole.sewn.size(), source.sewn.size());
-  ASSERT_EQ(whole.wires.size(), source.wires.size());
-  for (std::size_t w = 0; w < whole.wires.size(); ++w)
-  {
-    EXPECT_EQ(whole.wires[w].points, source.wires[w].points);
-  }
 }

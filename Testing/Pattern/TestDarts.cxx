@@ -6,29 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace
 {
 using namespace drawnpieces;
 
-/// A square of 200 with a dart of depth 120 in the middle of its upper side and a mouth of 40, as
-/// a fan of triangles around a point below the tip. Unit: millimetre.
-PatternSource dartedSquare()
-{
-  PatternSource source;
-  // 0..3 corners, 4 and 6 the mouth, 5 the tip, 7 the centre of the fan.
-  source.positions = { { 0.0, 0.0 }, { 200.0, 0.0 }, { 200.0, 200.0 }, { 0.0, 200.0 },
-    { 120.0, 200.0 }, { 100.0, 80.0 }, { 80.0, 200.0 }, { 100.0, 40.0 } };
-  source.triangles = { { 0, 1, 7 }, { 1, 2, 5 }, { 2, 4, 5 }, { 6, 3, 5 }, { 3, 0, 5 }, { 1, 5, 7 },
-    { 5, 0, 7 } };
-  source.pieceOfTriangle.assign(source.triangles.size(), 0);
-  source.wires = { { { 4, 2, 1, 0, 3, 6 }, WireType::Boundary, none, 0, "boundary" },
-    { { 4, 5 }, WireType::Dart, 0, 0, "dart" }, { { 6, 5 }, WireType::Dart, 0, 0, "dart" } };
-  source.sewn = { { { 4, 5 }, { 6, 5 } } };
-  return source;
-}
-
-/// The same with legs that bend, mirror images of each other.
+/// The square with legs that bend, mirror images of each other.
 PatternSource bentDart()
 {
   PatternSource source = dartedSquare();
@@ -176,65 +160,33 @@ TEST(Darts, LegsThatAreNotPartnersAreNotFolded)
   EXPECT_TRUE(linesOf(piece, LineKind::DartLeg).empty());
 }
 
-TEST(Darts, ACurveTakesItsOwnAllowance)
-{
-  PatternOptions options = inMillimetres(0.0);
-  options.allowanceOfCurve["boundary"] = 10.0;
-  const PatternPiece piece = drawn(dartedSquare(), options);
-  EXPECT_NEAR(piece.extent.x(), 220.0, 1e-3);
-}
-
+// What else is no pattern: IO/Testing/Cxx/TestPatternWriterRefusals.
 TEST(PatternBuilder, RefusesWhatIsNoPattern)
 {
-  Pattern pattern;
-  const auto codeOf = [&pattern](const PatternSource& source, const PatternOptions& options) {
+  const auto codeOf = [](const std::function<void(PatternSource&, PatternOptions&)>& spoil) {
+    PatternSource source = dartedSquare();
+    PatternOptions options = inMillimetres(10.0);
+    spoil(source, options);
+    Pattern pattern;
     const Status status = drawnpieces::draw(source, options, pattern);
     EXPECT_EQ(status.ok(), status.message.empty());
     return status.code;
   };
-  const PatternOptions options = inMillimetres(10.0);
-  EXPECT_EQ(codeOf(PatternSource(), options), StatusCode::NothingToDraw);
-
-  PatternSource source = dartedSquare();
-  source.positions[3].x() = std::nan("");
-  EXPECT_EQ(codeOf(source, options), StatusCode::InvalidPattern);
-
-  source = dartedSquare();
-  for (Point2& p : source.positions)
-  {
-    p.y() = 0.0;
-  }
-  EXPECT_EQ(codeOf(source, options), StatusCode::NothingToDraw);
-
-  source = dartedSquare();
-  for (Point2& p : source.positions)
-  {
-    p.x() = -p.x();
-  }
-  EXPECT_EQ(codeOf(source, options), StatusCode::NothingToDraw) << "turned over";
-
-  source = dartedSquare();
-  source.pieceOfTriangle[0] = 2; // piece 1 is empty
-  EXPECT_EQ(codeOf(source, options), StatusCode::NothingToDraw);
-  source.pieceOfTriangle[0] = -1;
-  EXPECT_EQ(codeOf(source, options), StatusCode::InvalidPattern);
-
-  // Two triangles that share one point only.
-  source = PatternSource();
-  source.positions = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.0, 1.0 }, { -1.0, 0.0 }, { 0.0, -1.0 } };
-  source.triangles = { { 0, 1, 2 }, { 0, 3, 4 } };
-  source.pieceOfTriangle = { 0, 0 };
-  EXPECT_EQ(codeOf(source, options), StatusCode::InvalidPattern);
-
-  PatternOptions wrong = options;
-  wrong.notchSpacing = 1e-6;
-  EXPECT_EQ(codeOf(dartedSquare(), wrong), StatusCode::InvalidOption);
-  wrong = options;
-  wrong.allowanceOfCurve["sleeve"] = 3.0;
-  EXPECT_EQ(codeOf(dartedSquare(), wrong), StatusCode::InvalidOption);
-  wrong = options;
-  wrong.symmetrize = true; // of borders that are not smooth
-  EXPECT_EQ(codeOf(dartedSquare(), wrong), StatusCode::InvalidOption);
+  EXPECT_EQ(codeOf([](auto& source, auto&) { source.positions[3].x() = std::nan(""); }),
+    StatusCode::InvalidPattern);
+  EXPECT_EQ(codeOf([](auto& source, auto&) {
+    for (Point2& p : source.positions)
+    {
+      p.y() = 0.0;
+    }
+  }),
+    StatusCode::NothingToDraw);
+  EXPECT_EQ(codeOf([](auto& source, auto&) { source.pieceOfTriangle[0] = 2; }),
+    StatusCode::NothingToDraw); // piece 1 is empty
+  EXPECT_EQ(codeOf([](auto& source, auto&) { source.pieceOfTriangle[0] = -1; }),
+    StatusCode::InvalidPattern);
+  EXPECT_EQ(codeOf([](auto&, auto& options) { options.symmetrize = true; }),
+    StatusCode::InvalidOption); // of borders that are not smooth
 }
 
 TEST(Darts, LegsThatMissEachOtherAreNoted)

@@ -236,24 +236,6 @@ TEST(Joins, NoneIsDrawnWhereTheyAreTurnedOff)
   }
 }
 
-TEST(Joins, ADrawingForCuttersHasEachLineOnceAndNoPoints)
-{
-  FileOptions options;
-  options.format = FileFormat::Dxf;
-  options.cutterStyle = true;
-  options.pattern = inMillimetres(0.0);
-  Pattern pattern;
-  std::string content;
-  ASSERT_TRUE(makePatternFile(stripAndSquares(), options, pattern, content).ok());
-  EXPECT_EQ(shapes::countOf(content, "POLYLINE\r\n"), 3U); // the outlines alone
-  EXPECT_EQ(shapes::countOf(content, "VERTEX\r\n"), 12U);
-  EXPECT_EQ(shapes::countOf(content, "\r\nPOINT\r\n"), 0U);
-  EXPECT_EQ(shapes::countOf(content, "BLOCK\r\n"), 0U);
-  EXPECT_EQ(shapes::countOf(content, "INSERT\r\n"), 0U);
-  EXPECT_NE(content.find("$INSUNITS\r\n 70\r\n4\r\n"), std::string::npos);
-  EXPECT_NE(content.find("TEXT\r\n  5"), std::string::npos);
-}
-
 TEST(Joins, OneSideOfASeamHasAnAllowanceOfItsOwn)
 {
   PatternOptions options = inMillimetres(0.0);

@@ -23,14 +23,6 @@ TEST(PatternText, KeepsValidTextAndReplacesBrokenBytes)
     "a b  c");
 }
 
-TEST(PatternText, EscapesForXmlAndDxf)
-{
-  EXPECT_EQ(escapeXml("<a & \"b\" 'c'>"), "&lt;a &amp; &quot;b&quot; &#39;c&#39;&gt;");
-  EXPECT_EQ(escapeDxf("\xC3\xA4-\xE8\xA3\xA4-\xF0\x9D\x94\x98"), "\\U+00E4-\\U+88E4-?");
-  EXPECT_EQ(dxfSymbol("P1_Front \xC3\xA4/b", 31), "P1_FRONT____B");
-  EXPECT_EQ(dxfSymbol("abc", 2), "AB");
-}
-
 TEST(PatternText, WritesNumbersWithoutExponentsAndTrailingZeros)
 {
   EXPECT_EQ(formatNumber(1.5, 9), "1.5");

@@ -41,6 +41,12 @@ PagePlan planOf(const Pattern& pattern, PaperSize paper)
   return plan;
 }
 
+/// Of a piece on the sheet.
+Box boxOf(const Pattern& pattern, const SheetLayout& layout, std::size_t piece)
+{
+  return { layout.corners[piece], layout.corners[piece] + pattern.pieces[piece].extent };
+}
+
 /// Of a place on the sheet.
 bool isOnAPage(const PagePlan& plan, const Point2& at)
 {
@@ -90,16 +96,15 @@ TEST(PdfPages, PiecesDoNotOverlapOnTheSheet)
   const Pattern pattern =
     patternOf({ { 300.0, 200.0 }, { 200.0, 300.0 }, { 250.0, 100.0 }, { 500.0, 20.0 } });
   const SheetLayout layout = layOut(pattern, 520.0, 50.0, 15.0);
+  const Point2 gap = Point2::Constant(15.0);
   for (std::size_t a = 0; a < pattern.pieces.size(); ++a)
   {
+    const Box one = boxOf(pattern, layout, a);
     for (std::size_t b = a + 1; b < pattern.pieces.size(); ++b)
     {
-      const Point2 gap = (layout.corners[a] - layout.corners[b]).cwiseAbs();
-      const Point2 first = layout.corners[a].x() < layout.corners[b].x() ? pattern.pieces[a].extent
-                                                                         : pattern.pieces[b].extent;
-      const Point2 upper = layout.corners[a].y() < layout.corners[b].y() ? pattern.pieces[a].extent
-                                                                         : pattern.pieces[b].extent;
-      EXPECT_TRUE(gap.x() >= first.x() + 15.0 || gap.y() >= upper.y() + 15.0);
+      const Box common =
+        Box(one.min() - gap, one.max() + gap).intersection(boxOf(pattern, layout, b));
+      EXPECT_LE(common.sizes().minCoeff(), 1e-9) << a << ", " << b;
     }
   }
 }
@@ -127,19 +132,6 @@ TEST(PdfPages, TooLargeIsRefusedWithTheSizeOfThePiece)
   {
     refuse(size, PaperSize::Sheet);
     refuse(size, PaperSize::A4);
-  }
-}
-
-TEST(PdfPages, ASheetBeyondTheLimitOfPdfIsDivided)
-{
-  const Pattern pattern = patternOf({ { 29e3, 1400.0 }, { 900.0, 700.0 } });
-  const PagePlan plan = planOf(pattern, PaperSize::Sheet);
-  EXPECT_TRUE(plan.tiled);
-  EXPECT_LE(plan.paper.maxCoeff(), 5080.0);
-  EXPECT_EQ(plan.pages.size(), 6U); // of 5.05 m each
-  for (const double at : { 0.0, 14e3, 29e3 })
-  {
-    EXPECT_TRUE(isOnAPage(plan, plan.layout.place(pattern, 0, { at, 700.0 })));
   }
 }
 
@@ -203,9 +195,8 @@ TEST(PdfPages, APieceThatFitsAPageIsNotSplit)
       }
       for (std::size_t q = 0; q < p; ++q)
       {
-        const Eigen::AlignedBox2d one(plan.layout.corners[p], plan.layout.corners[p] + extents[p]);
-        const Eigen::AlignedBox2d other(
-          plan.layout.corners[q], plan.layout.corners[q] + extents[q]);
+        const Box one = boxOf(pattern, plan.layout, p);
+        const Box other = boxOf(pattern, plan.layout, q);
         // On pages beside each other they are as far apart as these overlap.
         EXPECT_GE(std::sqrt(one.squaredExteriorDistance(other)), plan.overlap - 1e-6) << k;
       }

@@ -8,32 +8,19 @@
 
 namespace
 {
-using namespace flattening;
-using namespace flattening::pattern;
+using namespace drawnpieces;
 
 constexpr double degrees = 57.295779513082320877;
 
-/// A square of 20 with a dart of depth 12 and a mouth of 4 in its upper side. Unit: centimetre.
-PatternSource dartedSquare()
-{
-  PatternSource source;
-  source.positions = { { 0.0, 0.0 }, { 20.0, 0.0 }, { 20.0, 20.0 }, { 0.0, 20.0 }, { 12.0, 20.0 },
-    { 10.0, 8.0 }, { 8.0, 20.0 } };
-  source.triangles = { { 0, 1, 5 }, { 1, 2, 5 }, { 2, 4, 5 }, { 6, 3, 5 }, { 3, 0, 5 } };
-  source.pieceOfTriangle.assign(source.triangles.size(), 0);
-  source.wires = { { { 4, 2, 1, 0, 3, 6 }, WireType::Boundary, none, 0, "boundary" },
-    { { 4, 5 }, WireType::Dart, 0, 0, "dart" }, { { 6, 5 }, WireType::Dart, 0, 0, "dart" } };
-  source.sewn = { { { 4, 5 }, { 6, 5 } } };
-  return source;
-}
+const double leg = std::hypot(20.0, 120.0); ///< of the dart
 
-/// Two triangles that are sewn along a side of 10 in two edges; the second one's is longer by 1 in
-/// its upper half, and stands on a corner of 45 degrees in the place of one of 90.
+/// Two triangles that are sewn along a side of 100 in two edges; the second one's is longer by 10
+/// in its upper half, and stands on a corner of 45 degrees in the place of one of 90.
 PatternSource twoTriangles()
 {
   PatternSource source;
-  source.positions = { { 0.0, 0.0 }, { 10.0, 0.0 }, { 10.0, 5.0 }, { 10.0, 10.0 }, { 30.0, 0.0 },
-    { 30.0, 5.0 }, { 30.0, 11.0 }, { 41.0, 11.0 } };
+  source.positions = { { 0.0, 0.0 }, { 100.0, 0.0 }, { 100.0, 50.0 }, { 100.0, 100.0 },
+    { 300.0, 0.0 }, { 300.0, 50.0 }, { 300.0, 110.0 }, { 410.0, 110.0 } };
   source.triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 4, 7, 5 }, { 5, 7, 6 } };
   source.pieceOfTriangle = { 0, 0, 1, 1 };
   source.wires = { { { 1, 2, 3 }, WireType::Seam, 0, 0, "side, \"left\"" },
@@ -44,8 +31,7 @@ PatternSource twoTriangles()
 
 PatternOptions withSpacing(double spacing)
 {
-  PatternOptions options;
-  options.fairTolerance = 0.0;
+  PatternOptions options = inMillimetres();
   options.notchSpacing = spacing;
   return options;
 }
@@ -62,12 +48,11 @@ TEST(SeamWalk, LegsOfADartAreWalkedFromMouthToTip)
 {
   const auto walk = walkOf(dartedSquare(), 0.0);
   ASSERT_EQ(walk.size(), 1U);
-  const double leg = 10.0 * std::hypot(2.0, 12.0);
   EXPECT_NEAR(walk[0].length[0], leg, 1e-12);
   EXPECT_NEAR(walk[0].length[1], leg, 1e-12);
   EXPECT_EQ(walk[0].from, 0.0);
   EXPECT_NEAR(walk[0].to, leg, 1e-12);
-  const double opening = 2.0 * degrees * std::atan2(2.0, 12.0);
+  const double opening = 2.0 * degrees * std::atan2(20.0, 120.0);
   EXPECT_NEAR(walk[0].angleSum[0], 180.0 + opening, 1e-9); // at the mouth
   EXPECT_NEAR(walk[0].angleSum[1], 360.0 - opening, 1e-9); // at the tip, one point
 }
@@ -80,26 +65,26 @@ TEST(SeamWalk, LegsWithTheirTipDrawnBackAreWalkedAsTheyAreDrawn)
     options.dartTip = 30.0;
     std::vector<WalkInterval> walk;
     ASSERT_TRUE(drawnpieces::walk(dartedSquare(), options, walk).ok());
-    const double leg = std::hypot(20.0, 90.0); // the tip stands 90 mm from the mouth then
+    const double shorter = std::hypot(20.0, 90.0); // the tip stands 90 mm from the mouth then
     std::array<double, 2> length{};
     for (const WalkInterval& interval : walk)
     {
       // Along the leg, an affine map keeps the shares that intervals have of it.
-      const double share = (interval.to - interval.from) / (10.0 * std::hypot(2.0, 12.0));
+      const double share = (interval.to - interval.from) / leg;
       for (std::size_t s = 0; s < 2; ++s)
       {
-        EXPECT_NEAR(interval.length[s], share * leg, 1e-12);
+        EXPECT_NEAR(interval.length[s], share * shorter, 1e-12);
         length[s] += interval.length[s];
       }
     }
-    EXPECT_NEAR(length[0], leg, 1e-12);
-    EXPECT_NEAR(length[1], leg, 1e-12);
+    EXPECT_NEAR(length[0], shorter, 1e-12);
+    EXPECT_NEAR(length[1], shorter, 1e-12);
     const double opening = 2.0 * degrees * std::atan2(20.0, 90.0);
     EXPECT_NEAR(walk.front().angleSum[0], 180.0 + opening, 1e-9);
     EXPECT_NEAR(walk.back().angleSum[1], 360.0 - opening, 1e-9);
     options.cutDartsOut = true; // nothing is drawn back
     ASSERT_TRUE(drawnpieces::walk(dartedSquare(), options, walk).ok());
-    EXPECT_NEAR(walk.back().angleSum[1], 360.0 - 2.0 * degrees * std::atan2(2.0, 12.0), 1e-9);
+    EXPECT_NEAR(walk.back().angleSum[1], 360.0 - 2.0 * degrees * std::atan2(20.0, 120.0), 1e-9);
   }
 }
 
@@ -110,7 +95,7 @@ TEST(SeamWalk, IntervalsEndAtTheNotches)
   EXPECT_NEAR(walk[0].to, 50.0, 1e-12);
   EXPECT_NEAR(walk[1].from, 50.0, 1e-12);
   EXPECT_NEAR(walk[1].length[1], 50.0, 1e-12);
-  EXPECT_NEAR(walk[2].length[0], 10.0 * std::hypot(2.0, 12.0) - 100.0, 1e-12);
+  EXPECT_NEAR(walk[2].length[0], leg - 100.0, 1e-12);
   for (int k = 0; k < 3; ++k)
   {
     EXPECT_EQ(walk[k].number, k + 1);

@@ -25,8 +25,15 @@ vtkSmartPointer<vtkAbstractArray> make(vtkIdType tuples)
   return array;
 }
 
-void aPatternRefusesArraysThatAreTooShort(Checks& checks, const std::string& folder)
+}
+
+int TestShortPatternArrays(int argc, char* argv[])
 {
+  Checks checks;
+  char* argument =
+    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
+  const std::string folder = argument;
+  delete[] argument;
   const auto grid = makeGrid(3, 3);
   vtkNew<vtkWireWarpingFilter> filter;
   filter->SetInputData(grid);
@@ -77,15 +84,5 @@ void aPatternRefusesArraysThatAreTooShort(Checks& checks, const std::string& fol
       }
     }
   }
-}
-}
-
-int TestShortPatternArrays(int argc, char* argv[])
-{
-  Checks checks;
-  char* folder =
-    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
-  aPatternRefusesArraysThatAreTooShort(checks, folder);
-  delete[] folder;
   return checks.result();
 }
