@@ -10,6 +10,7 @@
 
 #include <QVTKOpenGLWindow.h>
 #include <vtkActor.h>
+#include <vtkActor2DCollection.h>
 #include <vtkActorCollection.h>
 #include <vtkCellData.h>
 #include <vtkMapper.h>
@@ -17,6 +18,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRendererCollection.h>
 #include <vtkStringArray.h>
+#include <vtkTextActor.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <QApplication>
@@ -125,6 +127,19 @@ inline vtkSmartPointer<vtkPoints> pointsAt(
     surface->GetPoint(id, places.emplace_back().data());
   }
   return pointsAt(places);
+}
+
+/// What is written in a view.
+inline std::string textsOf(vtkRenderer* renderer)
+{
+  vtkActor2DCollection* const props = renderer->GetActors2D();
+  std::string words;
+  for (int k = 0; k < props->GetNumberOfItems(); ++k)
+  {
+    auto* const text = vtkTextActor::SafeDownCast(props->GetItemAsObject(k));
+    words += text && text->GetInput() ? text->GetInput() + std::string("\n") : "";
+  }
+  return words;
 }
 
 inline QPoint pixelOf(vtkRenderer* renderer, const QWidget* view, const double point[3])
