@@ -25,9 +25,12 @@ public:
       this->Fault = fault;
     }
   }
-  void finite(double value, const char* name)
+  void finite(const char* name, std::initializer_list<double> values)
   {
-    this->require(std::isfinite(value), std::string(name) + " is not finite");
+    for (const double value : values)
+    {
+      this->require(std::isfinite(value), std::string(name) + " is not finite");
+    }
   }
   const std::string& fault() const { return this->Fault; }
 
@@ -174,38 +177,30 @@ void checkNumbers(const FlatteningResult& result, Checks& checks)
   }
   for (const TriangleQuality& triangle : result.triangles)
   {
-    checks.finite(triangle.areaRatio, "an area ratio");
-    checks.finite(triangle.homogeneity, "a homogeneity");
-    checks.finite(triangle.aspectRatio, "an aspect ratio");
-    checks.finite(triangle.angleError, "an angle error");
+    checks.finite("a measure of a triangle",
+      { triangle.areaRatio, triangle.homogeneity, triangle.aspectRatio, triangle.angleError });
   }
   for (const double value : result.developability)
   {
-    checks.finite(value, "a developability");
+    checks.finite("a developability", { value });
   }
   for (const Wire& wire : result.wires)
   {
-    checks.finite(wire.flatLength + wire.restLength + wire.maximumEdgeError, "a wire's length");
+    checks.finite("a wire's length", { wire.flatLength, wire.restLength, wire.maximumEdgeError });
   }
   for (const CurveReport& curve : result.curves)
   {
-    checks.finite(curve.flatLength + curve.restLength + curve.error, "a curve's length");
-    checks.finite(curve.sensitivity, "a curve's sensitivity");
+    checks.finite("a measure of a curve",
+      { curve.flatLength, curve.restLength, curve.error, curve.sensitivity });
   }
   for (const PieceReport& piece : result.pieces)
   {
     const QualitySummary& quality = piece.quality;
-    checks.finite(piece.objective, "an objective");
-    checks.finite(piece.closureResidual, "a closure");
-    checks.finite(piece.distortionEnergy + piece.angleEnergy, "an energy");
-    checks.finite(quality.edgeLengthError + quality.maximumEdgeLengthError, "E_len");
-    checks.finite(quality.angleError, "E_ang");
-    checks.finite(quality.globalHomogeneity, "E_h");
-    checks.finite(quality.globalAspectRatio, "E_r");
-    checks.finite(quality.areaError, "E_area");
-    checks.finite(quality.strainP95, "a strain");
-    checks.finite(quality.rigidEnergy, "a rigid energy");
-    checks.finite(piece.cutLength, "a length of cuts");
+    checks.finite("a measure of a piece",
+      { piece.objective, piece.closureResidual, piece.distortionEnergy, piece.angleEnergy,
+        piece.cutLength, quality.edgeLengthError, quality.maximumEdgeLengthError,
+        quality.angleError, quality.globalHomogeneity, quality.globalAspectRatio, quality.areaError,
+        quality.strainP95, quality.rigidEnergy });
   }
 }
 
@@ -216,7 +211,7 @@ void checkThreads(const FlatteningOptions& options, const FlatteningResult& resu
     "strains of another number than the triangles");
   for (const ThreadStrain& strain : result.threads)
   {
-    checks.finite(strain.warp + strain.weft + strain.shear, "a strain of threads");
+    checks.finite("a strain of threads", { strain.warp, strain.weft, strain.shear });
   }
   for (const PieceReport& piece : result.pieces)
   {
@@ -227,8 +222,8 @@ void checkThreads(const FlatteningOptions& options, const FlatteningResult& resu
     if (piece.cloth)
     {
       const ClothSummary& threads = piece.cloth->threads;
-      checks.finite(threads.warpRms + threads.weftRms + threads.shearRms, "a mean strain");
-      checks.finite(piece.cloth->grain.angle, "an angle of the grain");
+      checks.finite("a measure of a cloth",
+        { threads.warpRms, threads.weftRms, threads.shearRms, piece.cloth->grain.angle });
       for (const double share : { threads.shareOutOfLimit, threads.shareOver5Percent })
       {
         checks.require(share >= 0.0 && share <= 1.0, "a share that is none");

@@ -69,6 +69,8 @@ std::string breakPieces(std::mt19937& random, PatternSource& source)
   Points2& points = source.positions;
   const double size = sizeOf(points);
   const auto pick = [&] { return random() % points.size(); };
+  const auto each = [&](
+                      const auto& change) { std::for_each(points.begin(), points.end(), change); };
   const std::vector<SourceWire>& wires = source.wires;
   const Indices border = wires.empty() ? Indices() : wires[random() % wires.size()].points;
   switch (random() % 12)
@@ -105,17 +107,11 @@ std::string breakPieces(std::mt19937& random, PatternSource& source)
     case 5:
     {
       const double noise = size * std::pow(10.0, -4.0 * unit());
-      for (Point2& p : points)
-      {
-        p += noise * Point2(unit() - 0.5, unit() - 0.5);
-      }
+      each([&](Point2& p) { p += noise * Point2(unit() - 0.5, unit() - 0.5); });
       return "lengths that are off, and flips";
     }
     case 6:
-      for (Point2& p : points)
-      {
-        p.x() *= std::pow(10.0, -15.0 * unit());
-      }
+      each([&](Point2& p) { p.x() *= std::pow(10.0, -15.0 * unit()); });
       return "pressed to nothing";
     case 7:
       std::shuffle(points.begin(), points.end(), random);
@@ -123,27 +119,17 @@ std::string breakPieces(std::mt19937& random, PatternSource& source)
     case 8:
     {
       const double angle = 12.0 * (unit() - 0.5);
-      for (Point2& p : points) // rolled up over itself
-      {
-        const double turn = angle * p.norm() / size;
-        p = Eigen::Rotation2Dd(turn) * p;
-      }
-      return "overlaps";
+      each([&](Point2& p) { p = Eigen::Rotation2Dd(angle * p.norm() / size) * p; });
+      return "rolled up over itself";
     }
     case 9:
     {
       const double factor = std::pow(10.0, 24.0 * (unit() - 0.5));
-      for (Point2& p : points)
-      {
-        p *= factor;
-      }
+      each([=](Point2& p) { p *= factor; });
       return "of any size";
     }
     case 10:
-      for (Point2& p : points)
-      {
-        p += size * std::pow(10.0, 12.0 * unit()) * Point2(1.0, -1.0);
-      }
+      each([&](Point2& p) { p += size * std::pow(10.0, 12.0 * unit()) * Point2(1.0, -1.0); });
       return "far away";
     default:
       for (const Triangle& t : source.triangles)

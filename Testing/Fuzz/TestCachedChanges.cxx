@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs with a cache, one after another with other curves, schemes and materials, beside fresh runs.
+#include "../Core/SameResult.h"
 #include "Cloth/ClothMaterial.h"
 #include "HostileCase.h"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <limits>
 
 using namespace hostile;
@@ -55,23 +55,11 @@ void change(std::mt19937& random, const std::vector<FeatureCurve>& all,
   }
 }
 
-template <typename Value>
-void expectSameBits(const std::vector<Value>& a, const std::vector<Value>& b, const char* what)
-{
-  ASSERT_EQ(a.size(), b.size()) << what;
-  EXPECT_TRUE(a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0) << what;
-}
-
 void expectSame(const FlatteningResult& cached, const FlatteningResult& fresh)
 {
-  ASSERT_STREQ(statusName(cached.status.code), statusName(fresh.status.code));
+  testmeshes::expectSame(cached, fresh);
   EXPECT_EQ(cached.status.message, fresh.status.message);
-  EXPECT_TRUE(cached.cut->mesh.identical(fresh.cut->mesh));
-  expectSameBits(cached.cut->curveOfHalfedge, fresh.cut->curveOfHalfedge, "curves");
-  expectSameBits(cached.positions, fresh.positions, "positions");
-  expectSameBits(cached.patchOfTriangle, fresh.patchOfTriangle, "patches");
-  expectSameBits(cached.developability, fresh.developability, "developability");
-  ASSERT_EQ(cached.leftOut.size(), fresh.leftOut.size());
+  EXPECT_EQ(cached.leftOut.size(), fresh.leftOut.size());
   ASSERT_EQ(cached.pieces.size(), fresh.pieces.size());
   for (std::size_t p = 0; p < fresh.pieces.size(); ++p)
   {
@@ -81,14 +69,11 @@ void expectSame(const FlatteningResult& cached, const FlatteningResult& fresh)
     EXPECT_EQ(a.status.message, b.status.message);
     EXPECT_EQ(a.fallbacks, b.fallbacks);
     EXPECT_EQ(a.iterations, b.iterations);
-    expectSameBits<double>(
-      { a.objective, a.distortionEnergy, a.angleEnergy, a.cutLength, a.quality.areaError,
-        a.quality.angleError, a.area.loss, a.area.lossAfterCut },
-      { b.objective, b.distortionEnergy, b.angleEnergy, b.cutLength, b.quality.areaError,
-        b.quality.angleError, b.area.loss, b.area.lossAfterCut },
-      "report");
-    expectSameBits(a.area.cut, b.area.cut, "cut of the forecast");
-    expectSameBits(a.released, b.released, "released keys");
+    EXPECT_EQ(a.objective, b.objective);
+    EXPECT_EQ(a.distortionEnergy, b.distortionEnergy);
+    EXPECT_EQ(a.angleEnergy, b.angleEnergy);
+    EXPECT_EQ(a.cutLength, b.cutLength);
+    EXPECT_EQ(a.released, b.released);
   }
 }
 
