@@ -37,7 +37,6 @@ struct Settings
   std::vector<int> threads{ 2 };
   Repeats repeats;
   int peersUntil = 300000;
-  int isometricUntil = 300000;
   std::string boundaryFirst;
   std::string json;
 };
@@ -204,10 +203,6 @@ void run(const Settings& settings, int division, ResultTable& table)
   }
   for (const Method& method : methods)
   {
-    if (method.scheme == Scheme::Isometric && piece.mesh.triangleCount() > settings.isometricUntil)
-    {
-      continue;
-    }
     for (const int threads : settings.threads)
     {
       if (wanted(method.name))
@@ -236,10 +231,6 @@ int main(int argc, char** argv)
       "No further run of a method once its runs have taken so long")
     ->capture_default_str();
   app.add_option("--peers-until", settings.peersUntil, "Most triangles for CGAL")
-    ->capture_default_str();
-  app
-    .add_option(
-      "--isometric-until", settings.isometricUntil, "Most triangles for the isometric scheme")
     ->capture_default_str();
   app.add_option("--bff", settings.boundaryFirst,
     "Program of your own for boundary first flattening: FILE.obj RUNS, prints seconds and "

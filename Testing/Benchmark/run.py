@@ -30,7 +30,7 @@ def run(*command):
 def flattening(options, folder):
     run(f"{options.bin}/FlatteningBenchmark", DATA, "--threads", "1", "2", "--divisions",
         *map(str, options.divisions), *(["--bff", options.bff] if options.bff else []),
-        "--isometric-until", "3000000", "--json", f"{folder}/flattening.json")
+        "--json", f"{folder}/flattening.json")
 
 
 def solvers(options, folder):

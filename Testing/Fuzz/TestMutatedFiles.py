@@ -114,9 +114,10 @@ def run_alone(folder, name, data, seen):
             seen["list of %d" % len(rows)] += 1
         else:
             expect(code == 3, "a list without a result")
-        return
+        return []
     code = run(folder, *arguments_of(name, path), "--output", "out", "--table")
     seen[check_result(os.path.join(folder, "out"), code)] += 1
+    return []
 
 
 def new_folder(parent):
@@ -149,39 +150,29 @@ def keep(number, name, data):
     return path
 
 
-def alone(parent, number, name, data):
-    """What came of one case, and what is wrong with it."""
+def attempt(parent, first, tried):
+    """Lets a function try cases in a folder. What came of them, and what is wrong with which."""
     folder, seen, wrong = new_folder(parent), collections.Counter(), []
     try:
-        run_alone(folder, name, data, seen)
-    except Exception as error:
-        wrong.append((number, repr(error)))
-    shutil.rmtree(folder)
-    return seen, wrong
-
-
-def together(parent, cases):
-    folder, seen, wrong = new_folder(parent), collections.Counter(), []
-    try:
-        wrong += run_many(folder, cases, seen)
-    except Exception as error:
-        wrong.append((min(cases), f"and those up to {max(cases)}: {error!r}"))
+        wrong += tried(folder, seen=seen)
+    except Exception as error:  # whatever it is, the case has to be named
+        wrong.append((first, repr(error)))
     shutil.rmtree(folder)
     return seen, wrong
 
 
 def jobs(count, first, tried):
-    """Functions of a folder, which try all cases."""
+    """The first case of each job, and a function of a folder that tries all of its cases."""
     waiting = {}
     for number in range(first, first + count):
         name, kind, data = mutated(number)
         tried[name, kind] += 1
         if name == "list.txt" or number % SINGLE == 0:
-            yield functools.partial(alone, number=number, name=name, data=data)
+            yield number, functools.partial(run_alone, name=name, data=data)
         else:
             waiting[number] = name, kind, data
         if waiting and (len(waiting) == CASES_AT_A_TIME or number == first + count - 1):
-            yield functools.partial(together, cases=waiting)
+            yield min(waiting), functools.partial(run_many, cases=waiting)
             waiting = {}
 
 
@@ -193,7 +184,7 @@ def test(count, first):
         specimens_are_sound(parent)
         # Most of a run alone is one process that starts, so several run at a time.
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            running = [pool.submit(job, parent) for job in jobs(count, first, tried)]
+            running = [pool.submit(attempt, parent, *job) for job in jobs(count, first, tried)]
             for done in running:
                 counts, faults = done.result()
                 seen += counts

@@ -189,20 +189,6 @@ TEST_F(FeatureCurveWidget, AClickThroughAnOpeningDoesNotReachTheInsideOfABody)
   EXPECT_EQ(this->editor->GetNumberOfCurves(), 1);
 }
 
-TEST_F(FeatureCurveWidget, ClicksDrawACurveThroughTheVerticesTheyMean)
-{
-  // The tutorial's bust girth.
-  this->draw({ this->vertex(401), this->vertex(6), this->vertex(12) });
-  ASSERT_EQ(this->editor->GetNumberOfCurves(), 1);
-  ASSERT_EQ(this->editor->GetNumberOfNodes(0), 3);
-  int k = 0;
-  for (const vtkIdType id : { 401, 6, 12 })
-  {
-    EXPECT_EQ(this->distance(0, k++, this->surface->GetPoint(id)), 0.0) << id;
-  }
-  EXPECT_FALSE(this->widget->IsDrawing());
-}
-
 TEST_F(FeatureCurveWidget, BesideACurveADragTurnsTheCameraAndOnANodeItMovesTheNode)
 {
   this->draw({ this->vertex(401), this->vertex(6), this->vertex(12) });

@@ -4,7 +4,6 @@
 #include "Outlines/PlaneGeometry.h"
 
 #include <cmath>
-#include <string>
 
 /// What tests without drawings share.
 namespace shapes
@@ -36,13 +35,4 @@ inline Segments sidesOf(const Points2& polygon)
   return sides;
 }
 
-inline std::size_t countOf(const std::string& text, const std::string& what)
-{
-  std::size_t count = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
-  {
-    ++count;
-  }
-  return count;
-}
 }

@@ -113,17 +113,12 @@ TEST(Joins, ACurveThatMeetsTwoPiecesIsTwoJoinsWithMarksOnBothSides)
       EXPECT_GT(text.position.y(), 95.0);
     }
   }
-}
-
-TEST(Joins, AShortOneHasMarksAtBothEndsAsWell)
-{
-  PatternSource source = stripAndSquares();
-  for (Point2& position : source.positions)
+  PatternSource tiny = stripAndSquares();
+  for (Point2& position : tiny.positions)
   {
     position *= 0.15; // joins of 15 mm
   }
-  const Pattern pattern = patternOf(source, inMillimetres());
-  EXPECT_EQ(marksOf(pattern.pieces[0]), (std::map<std::string, int>{ { "A", 3 }, { "B", 3 } }));
+  EXPECT_EQ(marksOf(patternOf(tiny, inMillimetres()).pieces[0]), (Marks{ { "A", 3 }, { "B", 3 } }));
 }
 
 TEST(Joins, EachHasANotchOfItsOwnThatTellsItsEndsApart)

@@ -84,13 +84,6 @@ TEST(PdfPages, EveryPointOfEveryLineIsOnAPage)
   }
 }
 
-TEST(PdfPages, AFrameLeavesItsMiddlePagesOut)
-{
-  const PagePlan plan = planOf(patternOf({ { 1500.0, 1500.0 } }), PaperSize::A4);
-  EXPECT_LT(plan.pages.size(), static_cast<std::size_t>(plan.rows * plan.columns));
-  EXPECT_GT(plan.pages.size(), 10U);
-}
-
 TEST(PdfPages, PiecesDoNotOverlapOnTheSheet)
 {
   const Pattern pattern =
