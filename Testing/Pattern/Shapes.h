@@ -34,5 +34,4 @@ inline Segments sidesOf(const Points2& polygon)
   addSegments(polygon, true, sides);
   return sides;
 }
-
 }

@@ -58,6 +58,19 @@ double clearance(const PatternText& text, const PatternPiece& piece)
   }
   return least;
 }
+
+/// Expects that all texts of a piece are apart by a rule.
+template <class Rule>
+void expectEachTwo(const PatternPiece& piece, const Rule& areApart)
+{
+  for (auto one = piece.texts.begin(); one != piece.texts.end(); ++one)
+  {
+    for (auto other = piece.texts.begin(); other != one; ++other)
+    {
+      EXPECT_TRUE(areApart(*one, *other)) << one->text << " on " << other->text;
+    }
+  }
+}
 }
 
 TEST(CurveNames, ANameLiesBesideItsLineAndAcrossNoOther)
@@ -121,18 +134,11 @@ TEST(CurveNames, NamesKeepOffTheTitleAndOffEachOther)
   piece.texts.push_back(title);
   placeCurveNames(boundaryOf(piece), piece);
   ASSERT_EQ(piece.texts.size(), 3U);
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    for (std::size_t b = a + 1; b < 3; ++b)
-    {
-      const PatternText& one = piece.texts[a];
-      const PatternText& other = piece.texts[b];
-      const Point2 apart = (one.position - other.position).cwiseAbs();
-      EXPECT_TRUE(apart.y() > 0.5 * (one.height + other.height) ||
-        apart.x() > 0.5 * (textWidth(one.text, one.height) + textWidth(other.text, other.height)))
-        << one.text << " on " << other.text;
-    }
-  }
+  expectEachTwo(piece, [](const PatternText& one, const PatternText& other) {
+    const Point2 apart = (one.position - other.position).cwiseAbs();
+    return apart.y() > 0.5 * (one.height + other.height) ||
+      apart.x() > 0.5 * (textWidth(one.text, one.height) + textWidth(other.text, other.height));
+  });
 }
 
 TEST(CurveNames, ALineTooShortForItsNameHasNone)
@@ -176,15 +182,8 @@ TEST(CurveNames, OfSmallPiecesLieOnNoOtherText)
   piece.texts.back().text = "piece 1 of 20";
   placeTexts(boundary, joins, piece);
   ASSERT_GE(piece.texts.size(), 9U); // its title and a mark on each side
-  for (std::size_t k = 0; k < piece.texts.size(); ++k)
-  {
-    for (std::size_t m = 0; m < k; ++m)
-    {
-      // Circles within the boxes of two texts.
-      const PatternText& one = piece.texts[k];
-      const PatternText& other = piece.texts[m];
-      EXPECT_GT((one.position - other.position).norm(), 0.5 * (one.height + other.height))
-        << one.text << " on " << other.text;
-    }
-  }
+  // Circles within the boxes of two texts.
+  expectEachTwo(piece, [](const PatternText& one, const PatternText& other) {
+    return (one.position - other.position).norm() > 0.5 * (one.height + other.height);
+  });
 }

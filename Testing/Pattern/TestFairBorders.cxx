@@ -15,6 +15,17 @@ PatternSource disc(int corners, double radius)
   return polygon(shapes::regular(corners, radius));
 }
 
+/// Length of the first edges of a polygon.
+double edgesOf(const Points2& corners, std::size_t count)
+{
+  double length = 0.0;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    length += (corners[(k + 1) % corners.size()] - corners[k]).norm();
+  }
+  return length;
+}
+
 /// Two pieces that are sewn along a border of ten edges from (0, 0) on: these turn to the left in
 /// one piece and to the right in the other, but for a straight beginning, so that both are as long.
 PatternSource sewnPieces()
@@ -37,14 +48,10 @@ PatternSource sewnPieces()
     const Index tip = first + 11;
     for (Index k = 0; k < 10; ++k)
     {
-      const Triangle triangle{ first + k, first + k + 1, tip };
-      const Point2 a = source.positions[static_cast<std::size_t>(first + k + 1)] -
-        source.positions[static_cast<std::size_t>(first + k)];
-      const Point2 b = source.positions[static_cast<std::size_t>(tip)] -
-        source.positions[static_cast<std::size_t>(first + k)];
-      const bool left = a.x() * b.y() - a.y() * b.x() > 0.0;
-      source.triangles.push_back(
-        left ? triangle : Triangle{ triangle[1], triangle[0], triangle[2] });
+      const Points2& x = source.positions;
+      const bool left = cross(x[first + k + 1] - x[first + k], x[tip] - x[first + k]) > 0.0;
+      source.triangles.push_back(left ? Triangle{ first + k, first + k + 1, tip }
+                                      : Triangle{ first + k + 1, first + k, tip });
       source.pieceOfTriangle.push_back(side > 0.0 ? 0 : 1);
     }
     source.wires.push_back(seam);
@@ -92,8 +99,7 @@ TEST(FairBorders, NoPointIsFartherThanTheTolerance)
       const auto curve = smoothed.borders->curveOf(wire);
       for (const Index v : wire.points)
       {
-        EXPECT_LE(distanceFrom(curve, smoothed.source.positions[static_cast<std::size_t>(v)]),
-          tolerance + 1e-5);
+        EXPECT_LE(distanceFrom(curve, smoothed.source.positions[v]), tolerance + 1e-5);
       }
     }
   }
@@ -119,12 +125,7 @@ TEST(FairBorders, SidesThatAreNearlyStraightBecomeStraightAndKeepTheirLengths)
   EXPECT_EQ(report.segments, 4U);
   EXPECT_EQ(report.splines, 0U);
   const auto curve = smoothed.borders->curveOf(smoothed.source.wires[0]);
-  double length = 0.0;
-  for (std::size_t k = 0; k < corners.size(); ++k)
-  {
-    length += (corners[(k + 1) % corners.size()] - corners[k]).norm();
-  }
-  EXPECT_NEAR(lengthOf(curve), length, 1e-9);
+  EXPECT_NEAR(lengthOf(curve), edgesOf(corners, corners.size()), 1e-9);
   EXPECT_TRUE(
     std::all_of(curve.begin(), curve.end(), [](const FairSpan& span) { return span.straight(); }));
 }
@@ -226,12 +227,7 @@ TEST(FairBorders, ALongWavyCurveIsDrawnWithFewSplinesAndItsExactLength)
   EXPECT_LE(report.deviation, 1.0);
   SourceWire wave = smoothed.source.wires[0];
   wave.points.resize(91);
-  double length = 0.0;
-  for (std::size_t k = 0; k < 90; ++k)
-  {
-    length += (corners[k + 1] - corners[k]).norm();
-  }
-  EXPECT_NEAR(lengthOf(smoothed.borders->curveOf(wave)), length, 1e-8);
+  EXPECT_NEAR(lengthOf(smoothed.borders->curveOf(wave)), edgesOf(corners, 90), 1e-8);
 }
 
 TEST(FairBorders, ACornerThatCannotBeRoundedLeavesTheRestOfItsSideSmooth)

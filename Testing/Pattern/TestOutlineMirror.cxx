@@ -234,19 +234,3 @@ TEST(OutlineMirror, CurvesWithinEndOnTheSymmetricBorderAtTheirLengths)
     EXPECT_NEAR((curve.back().control[3] - last).norm(), 0.0, 1e-6) << end;
   }
 }
-
-TEST(OutlineMirror, WhatIsTooFarFromItsPointsIsToldWithItsMeasure)
-{
-  // The image of the left side is 0.4 mm beside the right one.
-  PatternSource source = shirt(1);
-  for (Index v = 4; v < 9; ++v)
-  {
-    source.positions[static_cast<std::size_t>(v)].x() += v % 2 == 0 ? 0.45 : 0.0;
-  }
-  PatternOptions options = symmetrized();
-  const Smoothed smoothed(source, 0.1, 0.0, options);
-  const FairPieceReport& report = smoothed.borders->reports()[0];
-  EXPECT_FALSE(report.mirror);
-  EXPECT_FALSE(report.whyNotMirrored.empty());
-  EXPECT_TRUE(report.solved);
-}
