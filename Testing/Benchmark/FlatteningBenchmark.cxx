@@ -13,7 +13,6 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -33,7 +32,6 @@ struct Settings
   std::string folder;
   std::string piece = "pants_front";
   std::vector<int> divisions{ 1, 4, 11, 34 };
-  std::vector<std::string> methods;
   std::vector<int> threads{ 2 };
   Repeats repeats;
   int peersUntil = 300000;
@@ -177,20 +175,10 @@ Row runPeer(const RefinedPiece& piece, const char* name,
 void run(const Settings& settings, int division, ResultTable& table)
 {
   const RefinedPiece piece = readRefined(settings.folder, settings.piece, division);
-  const auto wanted = [&settings](const std::string& name) {
-    return settings.methods.empty() ||
-      std::count(settings.methods.begin(), settings.methods.end(), name) > 0;
-  };
   if (piece.mesh.triangleCount() <= settings.peersUntil)
   {
-    if (wanted("lscm"))
-    {
-      table.add(runPeer(piece, "CGAL LSCM", runConformalPeer, settings));
-    }
-    if (wanted("arap"))
-    {
-      table.add(runPeer(piece, "CGAL ARAP", runRigidPeer, settings));
-    }
+    table.add(runPeer(piece, "CGAL LSCM", runConformalPeer, settings));
+    table.add(runPeer(piece, "CGAL ARAP", runRigidPeer, settings));
   }
   if (!settings.boundaryFirst.empty())
   {
@@ -205,10 +193,7 @@ void run(const Settings& settings, int division, ResultTable& table)
   {
     for (const int threads : settings.threads)
     {
-      if (wanted(method.name))
-      {
-        table.add(runMethod(piece, method, threads, settings));
-      }
+      table.add(runMethod(piece, method, threads, settings));
     }
   }
 }
@@ -221,7 +206,6 @@ int main(int argc, char** argv)
   app.add_option("DATA", settings.folder, "Folder of the pieces")->required();
   app.add_option("--piece", settings.piece, "Name of the piece")->capture_default_str();
   app.add_option("--divisions", settings.divisions, "Parts of each edge")->capture_default_str();
-  app.add_option("--methods", settings.methods, "Some of lscm arap laplacian rigid isometric");
   app.add_option("--threads", settings.threads, "Numbers of threads, each measured")
     ->capture_default_str();
   app.add_option("--repeats", settings.repeats.most, "Runs, of which the median counts")

@@ -45,13 +45,20 @@ inline Status walk(
   return status.ok() ? walkSeams(*all, intervals) : status;
 }
 
-/// The first piece of what is drawn.
-inline PatternPiece drawn(const PatternSource& source, const PatternOptions& options)
+/// What is drawn, with its pieces; expects that it is.
+inline Pattern patternOf(const PatternSource& source, const PatternOptions& options)
 {
   Pattern pattern;
   const Status status = draw(source, options, pattern);
   EXPECT_TRUE(status.ok()) << status.message;
-  return status.ok() ? pattern.pieces.at(0) : PatternPiece();
+  return pattern;
+}
+
+/// The first piece of what is drawn.
+inline PatternPiece drawn(const PatternSource& source, const PatternOptions& options)
+{
+  const Pattern pattern = patternOf(source, options);
+  return pattern.pieces.empty() ? PatternPiece() : pattern.pieces.front();
 }
 
 inline std::vector<PatternLine> linesOf(const PatternPiece& piece, LineKind kind)

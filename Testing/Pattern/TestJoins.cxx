@@ -48,12 +48,13 @@ PatternSource stripAndSquares()
   return source;
 }
 
-Pattern patternOf(const PatternSource& source, const PatternOptions& options)
+/// A file of a source; expects that it can be made. \param pattern gets what is drawn
+std::string fileOf(const PatternSource& source, const FileOptions& options, Pattern& pattern)
 {
-  Pattern pattern;
-  const Status status = drawnpieces::draw(source, options, pattern);
+  std::string content;
+  const Status status = makePatternFile(source, options, pattern, content);
   EXPECT_TRUE(status.ok()) << status.message;
-  return pattern;
+  return content;
 }
 
 /// How often each mark is on a piece.
@@ -160,9 +161,7 @@ TEST(Joins, TheTableHasTheirPiecesAndLengths)
   options.pattern = inMillimetres();
   options.pattern.pieceNames = { "strip", "left", "right" };
   Pattern pattern;
-  std::string content;
-  const Status status = makePatternFile(source, options, pattern, content);
-  ASSERT_TRUE(status.ok()) << status.message;
+  fileOf(source, options, pattern);
   ASSERT_EQ(pattern.tables.size(), 1U);
   const std::vector<std::vector<std::string>>& rows = pattern.tables.front().rows;
   ASSERT_EQ(rows.size(), 4U);
@@ -173,7 +172,7 @@ TEST(Joins, TheTableHasTheirPiecesAndLengths)
   EXPECT_EQ(
     rows[3], (std::vector<std::string>{ "C", "center", "2: left", "3: right", "100", "100", "" }));
   options.pages.paper = PaperSize::Sheet;
-  ASSERT_TRUE(makePatternFile(source, options, pattern, content).ok());
+  fileOf(source, options, pattern);
   EXPECT_TRUE(pattern.tables.empty());
 }
 
@@ -196,14 +195,13 @@ TEST(Joins, ThickMaterialIsBeveledByHalfOfTheBend)
   options.pattern = inMillimetres();
   options.pattern.thickness = 12.0;
   Pattern pattern;
-  std::string content;
-  ASSERT_TRUE(makePatternFile(source, options, pattern, content).ok());
+  fileOf(source, options, pattern);
   const std::vector<std::vector<std::string>>& rows = pattern.tables.at(0).rows;
   EXPECT_EQ(rows.at(0).back(), "Bevel");
   EXPECT_EQ(rows.at(1).back(), "45\u00b0, 12 mm");
   EXPECT_EQ(rows.at(2).back(), "-30\u00b0, -6.9 mm"); // 12 tan 30 degrees
   options.format = FileFormat::Walk;
-  ASSERT_TRUE(makePatternFile(source, options, pattern, content).ok());
+  const std::string content = fileOf(source, options, pattern);
   EXPECT_NE(content.find("bend_deg,bevel_deg,bevel_mm\n"), std::string::npos);
   EXPECT_NE(content.find(",A,90,45,12\n"), std::string::npos);
 }
@@ -261,8 +259,7 @@ TEST(Joins, ALaserFollowsARoundByFewArcs)
   options.laserColors = true;
   options.pattern = inMillimetres();
   Pattern pattern;
-  std::string content;
-  ASSERT_TRUE(makePatternFile(source, options, pattern, content).ok());
+  const std::string content = fileOf(source, options, pattern);
   const std::size_t cut = content.find("class=\"cut-line\"");
   ASSERT_NE(cut, std::string::npos);
   const std::size_t from = content.find(" d=\"", cut) + 4;

@@ -97,8 +97,7 @@ TEST(Notches, DoubleOnesLieOppositeEachOtherOnBothSidesOfASeam)
   PatternOptions options = hemOptions();
   options.allowanceOfCurve.clear();
   options.doubleNotches = { "side" };
-  Pattern pattern;
-  ASSERT_TRUE(drawnpieces::draw(sewnSquares(), options, pattern).ok());
+  const Pattern pattern = patternOf(sewnSquares(), options);
   ASSERT_EQ(pattern.pieces.size(), 2U);
   for (const PatternPiece& piece : pattern.pieces)
   {
@@ -116,10 +115,8 @@ TEST(Notches, TellWhichEndOfASeamIsWhich)
   {
     PatternOptions options = inMillimetres();
     options.notchSpacing = spacing;
-    Pattern pattern;
-    ASSERT_TRUE(drawnpieces::draw(sewnSquares(), options, pattern).ok());
     std::vector<std::vector<double>> places;
-    for (const PatternPiece& piece : pattern.pieces)
+    for (const PatternPiece& piece : patternOf(sewnSquares(), options).pieces)
     {
       std::vector<double>& own = places.emplace_back();
       for (const Notch& notch : piece.notches)
@@ -130,6 +127,7 @@ TEST(Notches, TellWhichEndOfASeamIsWhich)
       ASSERT_FALSE(own.empty());
       EXPECT_GT(std::abs(own.front() - (200.0 - own.back())), 9.9) << spacing;
     }
+    ASSERT_EQ(places.size(), 2U);
     ASSERT_EQ(places[0].size(), places[1].size());
     for (std::size_t k = 0; k < places[0].size(); ++k)
     {
@@ -164,8 +162,8 @@ TEST(Notches, WhereACurveMeetsTheBorderOfThePieceThatIsSewnOn)
   options.notchCurveEnds = true;
   PatternSource source = sewnSquares();
   source.wires.push_back({ { 4, 3 }, WireType::Accessory, 1, 0, "girth" });
-  Pattern pattern;
-  ASSERT_TRUE(drawnpieces::draw(source, options, pattern).ok());
+  const Pattern pattern = patternOf(source, options);
+  ASSERT_EQ(pattern.pieces.size(), 2U);
   // The girth starts in the middle of the seam and ends in a corner.
   for (const PatternPiece& piece : pattern.pieces)
   {
