@@ -55,7 +55,7 @@ void change(std::mt19937& random, const std::vector<FeatureCurve>& all,
   }
 }
 
-void expectSame(const FlatteningResult& cached, const FlatteningResult& fresh)
+void expectSameRun(const FlatteningResult& cached, const FlatteningResult& fresh)
 {
   testmeshes::expectSame(cached, fresh);
   EXPECT_EQ(cached.status.message, fresh.status.message);
@@ -148,7 +148,7 @@ void tryChanges(unsigned first, unsigned count)
       SCOPED_TRACE("seed " + std::to_string(seed) + ", update " + std::to_string(update));
       const FlatteningResult cached = flattenSurface(imprinted.mesh, curves, options, {}, &cache);
       const FlatteningResult fresh = flattenSurface(imprinted.mesh, curves, options, {});
-      expectSame(cached, fresh);
+      expectSameRun(cached, fresh);
       flattened += fresh.status.refused() ? 0 : 1;
       change(random, imprinted.curves, curves, options);
     }

@@ -12,7 +12,7 @@ using namespace drawnpieces;
 
 constexpr double degrees = 57.295779513082320877;
 
-const double leg = std::hypot(20.0, 120.0); ///< of the dart
+const double legLength = std::hypot(20.0, 120.0); ///< of the dart
 
 /// Two triangles that are sewn along a side of 100 in two edges; the second one's is longer by 10
 /// in its upper half, and stands on a corner of 45 degrees in the place of one of 90.
@@ -48,10 +48,10 @@ TEST(SeamWalk, LegsOfADartAreWalkedFromMouthToTip)
 {
   const auto walk = walkOf(dartedSquare(), 0.0);
   ASSERT_EQ(walk.size(), 1U);
-  EXPECT_NEAR(walk[0].length[0], leg, 1e-12);
-  EXPECT_NEAR(walk[0].length[1], leg, 1e-12);
+  EXPECT_NEAR(walk[0].length[0], legLength, 1e-12);
+  EXPECT_NEAR(walk[0].length[1], legLength, 1e-12);
   EXPECT_EQ(walk[0].from, 0.0);
-  EXPECT_NEAR(walk[0].to, leg, 1e-12);
+  EXPECT_NEAR(walk[0].to, legLength, 1e-12);
   const double opening = 2.0 * degrees * std::atan2(20.0, 120.0);
   EXPECT_NEAR(walk[0].angleSum[0], 180.0 + opening, 1e-9); // at the mouth
   EXPECT_NEAR(walk[0].angleSum[1], 360.0 - opening, 1e-9); // at the tip, one point
@@ -70,7 +70,7 @@ TEST(SeamWalk, LegsWithTheirTipDrawnBackAreWalkedAsTheyAreDrawn)
     for (const WalkInterval& interval : walk)
     {
       // Along the leg, an affine map keeps the shares that intervals have of it.
-      const double share = (interval.to - interval.from) / leg;
+      const double share = (interval.to - interval.from) / legLength;
       for (std::size_t s = 0; s < 2; ++s)
       {
         EXPECT_NEAR(interval.length[s], share * shorter, 1e-12);
@@ -95,7 +95,7 @@ TEST(SeamWalk, IntervalsEndAtTheNotches)
   EXPECT_NEAR(walk[0].to, 50.0, 1e-12);
   EXPECT_NEAR(walk[1].from, 50.0, 1e-12);
   EXPECT_NEAR(walk[1].length[1], 50.0, 1e-12);
-  EXPECT_NEAR(walk[2].length[0], leg - 100.0, 1e-12);
+  EXPECT_NEAR(walk[2].length[0], legLength - 100.0, 1e-12);
   for (int k = 0; k < 3; ++k)
   {
     EXPECT_EQ(walk[k].number, k + 1);
