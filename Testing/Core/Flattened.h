@@ -23,6 +23,15 @@ inline FlatteningOptions optionsOf(
   return options;
 }
 
+/// A free boundary with the energy that is chosen by default for it.
+inline FlatteningOptions freeBoundary()
+{
+  FlatteningOptions options;
+  options.boundary = BoundaryMode::Free;
+  options.isometric.energy.kind = DistortionEnergyKind::Automatic;
+  return options;
+}
+
 inline FlatteningResult flatten(const Surface& surface, const FlatteningOptions& options = {},
   const Execution& execution = {}, FlatteningCache* cache = nullptr)
 {

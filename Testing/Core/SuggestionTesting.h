@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace testmeshes
 {
@@ -36,6 +37,27 @@ inline FlatteningResult flattened(const TriangleMesh& mesh, std::vector<Polyline
   const ImprintedSurface surface = imprintCurves(mesh, curves, {});
   EXPECT_TRUE(surface.status.ok()) << surface.status.message;
   return flattenSurface(surface.mesh, surface.curves, options, {});
+}
+
+/// The largest 95 % strain of its pieces.
+inline double worstStrain(const FlatteningResult& result)
+{
+  double worst = 0.0;
+  for (const PieceReport& piece : result.pieces)
+  {
+    worst = std::max(worst, piece.quality.strainP95);
+  }
+  return worst;
+}
+
+inline double totalLength(const std::vector<SuggestedCurve>& cuts)
+{
+  double length = 0.0;
+  for (const SuggestedCurve& cut : cuts)
+  {
+    length += cut.length;
+  }
+  return length;
 }
 
 inline SuggestionOptions optionsOf(double bound, Index most)

@@ -80,7 +80,7 @@ struct Slit
 
   static Surface cutSquare()
   {
-    Surface square = patch(6, 6, [](double i, double j) { return Point3(i, j, 0.0); });
+    Surface square = unitSquares(6, 6);
     square.curves.push_back(curveOf(CurveType::Dart, "cut", { 3, 10, 17, 24 }));
     return square;
   }

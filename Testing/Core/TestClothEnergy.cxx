@@ -233,39 +233,10 @@ TEST(ClothEnergy, IsInfiniteWhereATriangleIsTurnedOver)
   EXPECT_TRUE(energy.evaluate(partsOf(J), true).hessian.allFinite());
 }
 
-TEST(ClothMaterial, PresetsAreSoundAndSayWhereTheirNumbersComeFrom)
+TEST(ClothMaterial, PresetsAreSound)
 {
-  EXPECT_GE(materialPresets().size(), 11u);
   for (const ClothMaterial& preset : materialPresets())
   {
     EXPECT_TRUE(checkMaterial(preset).ok()) << preset.name;
-    EXPECT_FALSE(preset.source.empty()) << preset.name;
-    EXPECT_EQ(findPreset(preset.name)->description, preset.description);
   }
-  EXPECT_FALSE(findPreset("felt").has_value());
-}
-
-TEST(ClothMaterial, NumbersWithoutMeaningAreRefused)
-{
-  const auto refused = [](auto change) {
-    ClothMaterial material = plainSheet();
-    EXPECT_TRUE(checkMaterial(material).ok());
-    change(material);
-    const Status status = checkMaterial(material);
-    EXPECT_EQ(status.code, StatusCode::InvalidOption);
-    EXPECT_FALSE(status.remedies.empty());
-  };
-  const double nothing = std::numeric_limits<double>::quiet_NaN();
-  refused([](ClothMaterial& m) { m.warp = -1.0; });
-  refused([](ClothMaterial& m) { m.weft = 0.0; });
-  refused([&](ClothMaterial& m) { m.shear = nothing; });
-  refused([](ClothMaterial& m) { m.shear = std::numeric_limits<double>::infinity(); });
-  refused([](ClothMaterial& m) { m.shear = 1e-9; });
-  refused([](ClothMaterial& m) { m.cross = 100.0; });
-  refused([](ClothMaterial& m) { m.compression = 0.0; });
-  refused([](ClothMaterial& m) { m.compression = 2.0; });
-  refused([](ClothMaterial& m) { m.warpLimits = { 0.01, 0.02 }; });
-  refused([](ClothMaterial& m) { m.weftLimits.greatest = -0.5; });
-  refused([&](ClothMaterial& m) { m.weftLimits.greatest = nothing; });
-  refused([](ClothMaterial& m) { m.shearLimit = 0.0; });
 }

@@ -288,37 +288,15 @@ TEST(ClothFlattening, LimitsThatCannotBeMetNameTrianglesAndTheWire)
   EXPECT_LT(worstLength(result), 1e-12);
 }
 
-TEST(ClothFlattening, ACurveThatIsNoneOfThePieceIsSaid)
-{
-  const Surface surface = shell();
-  const FlatteningResult result = flatten(surface, along("jersey", "waist", 0.0));
-  EXPECT_EQ(result.status.code, StatusCode::MissingGrain);
-  EXPECT_NE(result.status.message.find("\"waist\""), std::string::npos) << result.status.message;
-  // The way out names those that would do.
-  ASSERT_TRUE(has(result.status, Remedy::NameGrain));
-  EXPECT_EQ(result.status.remedies.front().subject, "\"column5\" and \"row6\"");
-  const PieceReport& piece = result.pieces.front();
-  EXPECT_TRUE(piece.cloth->grain.missing);
-  ASSERT_FALSE(piece.fallbacks.empty());
-  EXPECT_NE(piece.fallbacks.front().find("grain"), std::string::npos);
-  const FlatteningResult upright = flatten(surface, on("jersey"));
-  EXPECT_TRUE(upright.status.ok()) << upright.status.message;
-  EXPECT_EQ(result.positions, upright.positions);
-}
-
 TEST(ClothFlattening, AGrainThatFollowsABentCurveIsSaidAndByHowMuch)
 {
   // Two legs of one length at right angles: the corner is 1 / sqrt(2) of a leg from the chord.
   constexpr Index columns = 8;
-  Surface surface = patch(columns, columns, [](double i, double j) { return Point3(i, j, 0.0); });
+  Surface surface = unitSquares(columns, columns);
   const auto at = [](Index i, Index j) { return j * (columns + 1) + i; };
-  FeatureCurve bent;
-  bent.name = "bent";
-  bent.vertices = { at(2, 2), at(3, 2), at(4, 2), at(5, 2), at(5, 3), at(5, 4), at(5, 5) };
-  FeatureCurve straight;
-  straight.name = "straight";
-  straight.vertices = { at(1, 6), at(2, 6), at(3, 6), at(4, 6) };
-  surface.curves = { bent, straight };
+  surface.curves = { accessory("bent",
+                       { at(2, 2), at(3, 2), at(4, 2), at(5, 2), at(5, 3), at(5, 4), at(5, 5) }),
+    accessory("straight", { at(1, 6), at(2, 6), at(3, 6), at(4, 6) }) };
   const FlatteningResult askew = flatten(surface, along("twill", "bent", 0.0));
   ASSERT_TRUE(askew.status.ok()) << askew.status.message;
   EXPECT_NEAR(askew.pieces.front().cloth->grain.bend, std::sqrt(0.5) / 2.0, 1e-9);

@@ -33,16 +33,6 @@ TriangleMesh dome(double height)
   }).mesh;
 }
 
-double largestStrainOf(const FlatteningResult& result)
-{
-  double strain = 0.0;
-  for (const PieceReport& piece : result.pieces)
-  {
-    strain = std::max(strain, piece.quality.strainP95);
-  }
-  return strain;
-}
-
 /// A square sheet whose vertices lie anywhere up to a third of an edge above or below it.
 TriangleMesh noise()
 {
@@ -52,7 +42,6 @@ TriangleMesh noise()
     return Point3(i / 12.0, j / 12.0, height / 18.0);
   }).mesh;
 }
-
 }
 
 TEST(CurveSuggestion, ProposesNothingForDevelopableSurfaces)
@@ -70,7 +59,7 @@ TEST(CurveSuggestion, ProposesNothingForDevelopableSurfaces)
 TEST(CurveSuggestion, ItsCutsBringTheStrainBelowTheBound)
 {
   const TriangleMesh mesh = dome(0.45);
-  const double before = largestStrainOf(flattenSurface(mesh, {}, {}, {}));
+  const double before = worstStrain(flattenSurface(mesh, {}, {}, {}));
   ASSERT_GT(before, 0.06);
   const CurveSuggestions suggestions = suggestCurves(mesh, {}, optionsOf(0.035, 10));
   EXPECT_TRUE(suggestions.boundMet);
@@ -80,8 +69,8 @@ TEST(CurveSuggestion, ItsCutsBringTheStrainBelowTheBound)
   const FlatteningResult result = flattened(mesh, {}, suggestions);
   EXPECT_TRUE(result.status.ok()) << result.status.message;
   EXPECT_EQ(suggestions.curves.back().strainAfter, suggestions.strainAfter);
-  EXPECT_LE(largestStrainOf(result), 0.035);
-  EXPECT_NEAR(largestStrainOf(result), suggestions.strainAfter, 1e-9);
+  EXPECT_LE(worstStrain(result), 0.035);
+  EXPECT_NEAR(worstStrain(result), suggestions.strainAfter, 1e-9);
 }
 
 TEST(CurveSuggestion, ItsDartsAreNoLongerThanTheBoundAsks)
@@ -100,7 +89,7 @@ TEST(CurveSuggestion, ItsDartsAreNoLongerThanTheBoundAsks)
       EXPECT_GT(cut.length, 0.1);
       CurveSuggestions shorter;
       shorter.curves = withShare(suggestions.curves, k, 0.95);
-      EXPECT_GT(largestStrainOf(flattened(mesh, {}, shorter)), 0.035) << cut.curve.name;
+      EXPECT_GT(worstStrain(flattened(mesh, {}, shorter)), 0.035) << cut.curve.name;
     }
   }
   EXPECT_GT(darts, 0);
@@ -142,13 +131,11 @@ TEST(CurveSuggestion, KeepsToItsLimits)
   EXPECT_FALSE(suggestions.boundMet);
   ASSERT_FALSE(suggestions.curves.empty());
   EXPECT_LE(suggestions.curves.size(), 3u);
-  double length = 0.0;
   for (const SuggestedCurve& cut : suggestions.curves)
   {
-    length += cut.length;
     EXPECT_GT(cut.gain, 0.0);
   }
-  EXPECT_LE(length, 0.9);
+  EXPECT_LE(totalLength(suggestions.curves), 0.9);
 
   options.search.cuts = SuggestedCuts::Seams;
   options.search.maximumCuts = 1;
@@ -187,19 +174,6 @@ TEST(CurveSuggestion, NeverCutsAKeyCurveNorStartsWhereThatIsForbidden)
   }
   const FlatteningResult result = flattened(mesh, { key, hem }, suggestions);
   EXPECT_TRUE(result.status.ok()) << result.status.message;
-}
-
-TEST(CurveSuggestion, IsTheSameForAnyNumberOfThreads)
-{
-  const TriangleMesh mesh = twoBumps();
-  const CurveSuggestions alone = suggestCurves(mesh, {}, optionsOf(0.0, 2));
-  const CurveSuggestions many = suggestCurves(mesh, {}, optionsOf(0.0, 2), withThreads(3));
-  ASSERT_EQ(alone.curves.size(), many.curves.size());
-  for (std::size_t k = 0; k < alone.curves.size(); ++k)
-  {
-    EXPECT_EQ(alone.curves[k].curve.points, many.curves[k].curve.points);
-    EXPECT_EQ(alone.curves[k].gain, many.curves[k].gain);
-  }
 }
 
 TEST(CurveSuggestion, ItsProgressNeverFallsAndIsThatOfTheWhole)
@@ -294,9 +268,8 @@ TEST(CurveSuggestion, EndsWhenItsWorkIsUsedUpWhateverTheThreads)
   for (std::size_t k = 0; k < alone.curves.size(); ++k)
   {
     EXPECT_EQ(alone.curves[k].curve.points, many.curves[k].curve.points);
+    EXPECT_EQ(alone.curves[k].gain, many.curves[k].gain);
   }
-  options.search.maximumWork = -1.0;
-  EXPECT_EQ(suggestCurves(mesh, {}, options).status.code, StatusCode::InvalidOption);
 }
 
 TEST(CurveSuggestion, ItsWorkIsBoundedAtAnySizeAndNoneLeavesMoreStrain)
@@ -308,7 +281,7 @@ TEST(CurveSuggestion, ItsWorkIsBoundedAtAnySizeAndNoneLeavesMoreStrain)
       const double y = 2.0 * j / size - 1.0;
       return Point3(x, y, 0.7 * (1.0 - x * x) * (1.0 - 0.8 * y * y));
     }).mesh;
-    const double uncut = largestStrainOf(flattenSurface(mesh, {}, {}, {}));
+    const double uncut = worstStrain(flattenSurface(mesh, {}, {}, {}));
     for (double work : { 0.01, 0.8 })
     {
       SuggestionOptions options = optionsOf(0.01, 6);
@@ -321,7 +294,7 @@ TEST(CurveSuggestion, ItsWorkIsBoundedAtAnySizeAndNoneLeavesMoreStrain)
       if (!std::isnan(suggestions.strainAfter))
       {
         EXPECT_LE(suggestions.strainAfter, suggestions.strainBefore);
-        EXPECT_LE(largestStrainOf(flattened(mesh, {}, suggestions)), uncut + 1e-9);
+        EXPECT_LE(worstStrain(flattened(mesh, {}, suggestions)), uncut + 1e-9);
       }
     }
   }
@@ -485,16 +458,12 @@ TEST(CurveSuggestion, EndsWhenItIsCancelledWithTheBestSoFar)
 
 TEST(CurveSuggestion, RefusesWhatIsNoOption)
 {
-  for (double bound : { -0.1, std::nan("") })
+  std::vector<SuggestionOptions> wrong{ optionsOf(-0.1, 4), optionsOf(std::nan(""), 4) };
+  wrong.emplace_back(optionsOf(0.02, 4)).search.maximumWork = -1.0;
+  for (const SuggestionOptions& options : wrong)
   {
-    EXPECT_EQ(
-      suggestCurves(dome(0.2), {}, optionsOf(bound, 4)).status.code, StatusCode::InvalidOption);
+    EXPECT_EQ(suggestCurves(dome(0.2), {}, options).status.code, StatusCode::InvalidOption);
   }
-  SuggestionOptions options = optionsOf(0.02, 4);
-  options.search.preferences.push_back({ "nobody", 2.0 });
-  const Status status = suggestCurves(dome(0.2), {}, options).status;
-  EXPECT_EQ(status.code, StatusCode::InvalidOption);
-  EXPECT_NE(status.message.find("nobody"), std::string::npos);
 }
 
 TEST(CurveSuggestion, RefusesAGrainAlongNoCurveBeforeTheSearch)
@@ -518,16 +487,6 @@ TEST(CurveSuggestion, RefusesAGrainAlongNoCurveBeforeTheSearch)
         code != StatusCode::Ok);
     }
   }
-}
-
-TEST(CurveSuggestion, CutsABallSoThatItFlattens)
-{
-  const TriangleMesh mesh = sphere(2);
-  const CurveSuggestions suggestions = suggestCurves(mesh, {}, optionsOf(0.25, 4));
-  EXPECT_TRUE(suggestions.boundMet);
-  const FlatteningResult result = flattened(mesh, {}, suggestions);
-  EXPECT_TRUE(result.status.ok()) << result.status.message;
-  EXPECT_LE(largestStrainOf(result), 0.25);
 }
 
 TEST(CurveSuggestion, SpendsItsWorkOnASearchThatEndsWhereASurfaceHadToBeOpened)

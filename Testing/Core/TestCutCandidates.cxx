@@ -63,8 +63,7 @@ TEST(CutCandidates, HaveSeamsOverTheTopOfADeepCap)
 TEST(CutCandidates, LinesTakeNoTimeThatGrowsWithTheMesh)
 {
   constexpr Index side = 300;
-  const TriangleMesh mesh =
-    patch(side, side, [](double i, double j) { return Point3(i, j, 0.0); }).mesh;
+  const TriangleMesh mesh = unitSquares(side, side).mesh;
   const SearchedPiece piece = plainPiece(mesh);
   constexpr int times = 50;
   std::clock_t start = std::clock();
@@ -88,8 +87,7 @@ TEST(CutCandidates, LinesTakeNoTimeThatGrowsWithTheMesh)
 
 TEST(CutCandidates, DartsAcrossTheirEdgeAreCheapest)
 {
-  const TriangleMesh mesh =
-    patch(12, 12, [](double i, double j) { return Point3(i, j, 0.0); }).mesh;
+  const TriangleMesh mesh = unitSquares(12, 12).mesh;
   const SearchedPiece piece = plainPiece(mesh);
   const SearchOptions options;
   const Index base = 6; // in the middle of the side where j = 0

@@ -93,6 +93,14 @@ inline Surface patch(Index columns, Index rows, const std::function<Point3(doubl
   return surface;
 }
 
+/// A flat sheet of unit squares where z = 0.
+inline Surface unitSquares(Index columns, Index rows)
+{
+  return patch(
+    columns, rows, [](double i, double j) { return Point3(i, j, 0.0); },
+    [](double i, double j) { return Point2(i, j); });
+}
+
 /// A flat rectangle in a slanted plane of space, with uneven triangles.
 inline Surface flatPatch(Index columns, Index rows)
 {
