@@ -2,7 +2,6 @@
 #include "Angles/AngleSolver.h"
 #include "Angles/KeyRelease.h"
 #include "Angles/ReleaseAdvice.h"
-#include "Flattened.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -148,34 +147,4 @@ TEST(ReleaseAdvice, SensitivityIsTheChangeOfTheOptimumWhenACurveGrows)
     const double slope = (optimum(1.0 + step) - optimum(1.0 - step)) / (2.0 * step);
     EXPECT_NEAR(advice.sensitivity[curve], slope, 1e-4 * (1.0 + std::abs(slope)));
   }
-}
-
-TEST(ReleaseAdvice, OnTheQuarterSphereWithTwoArcsReleasingTheFirstGivesThePapersObjective)
-{
-  const Surface surface = quarterSphereWithTwoArcs();
-  const FlatteningResult result = flatten(surface, withScheme(Scheme::Global));
-  const ReleaseAdvice& advice = result.pieces[0].advice;
-  ASSERT_EQ(advice.ranking.size(), 2u);
-  // The long arc costs more; without it the piece is that of Fig. 11.
-  EXPECT_EQ(advice.ranking[0], 1);
-  EXPECT_NEAR(advice.first().objective, 0.197157, 1e-6);
-}
-
-TEST(ReleaseAdvice, WithTheDefaultsTellsWhatFlatteningWithoutTheCurveGives)
-{
-  Surface surface = quarterSphereWithTwoArcs();
-  const FlatteningResult both = flatten(surface);
-  const ReleaseAdvice& advice = both.pieces[0].advice;
-  ASSERT_TRUE(advice.first().solved);
-  surface.curves.erase(surface.curves.begin() + advice.ranking[0]);
-  const FlatteningResult without = flatten(surface);
-  ASSERT_TRUE(without.status.ok());
-  EXPECT_NEAR(advice.first().objective, without.pieces[0].objective, 1e-9);
-}
-
-TEST(ReleaseAdvice, IsSilentWhereTheSolutionIsGood)
-{
-  const Surface surface = quarterSphere();
-  const FlatteningResult result = flatten(surface);
-  EXPECT_FALSE(result.pieces[0].advice.first().solved);
 }
