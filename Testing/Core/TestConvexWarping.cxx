@@ -4,6 +4,7 @@
 #include "Embedding/ConvexEmbedding.h"
 #include "Flattened.h"
 #include "SphereCap.h"
+#include "StatusTesting.h"
 
 #include <gtest/gtest.h>
 
@@ -52,11 +53,8 @@ TEST(ConvexWarping, CapsLieWithoutAFoldWithExactLengths)
   {
     expectExactWithoutAFold(degrees, 24, 1);
   }
-}
-
-TEST(ConvexWarping, WiresPressedFarBeyondWhatTheyBearGiveWayAtOnce)
-{
-  // These wires are more than a third longer than the disk with their boundary is wide.
+  // Wires that are more than a third longer than the disk with their boundary is wide give way at
+  // once.
   expectExactWithoutAFold(90.0, 24, 1);
   expectExactWithoutAFold(75.0, 24, 2);
 }
@@ -66,8 +64,7 @@ TEST(ConvexWarping, ADeepPieceThatIsAtNoMinimumIsAdvisedToBeCut)
   const FlatteningResult result = flatten(sphereCap(170.0 * pi / 180.0, 12, 2));
   const Status& status = result.pieces[0].status;
   ASSERT_FALSE(status.ok());
-  EXPECT_TRUE(std::any_of(status.remedies.begin(), status.remedies.end(),
-    [](const SuggestedRemedy& way) { return way.remedy == Remedy::AddDarts; }));
+  EXPECT_TRUE(statustesting::has(status, Remedy::AddDarts));
 }
 
 TEST(ConvexWarping, AWireThatNoPlaneHoldsIsNamedAndNothingFolds)
@@ -91,14 +88,7 @@ TEST(ConvexWarping, ASaddleWhoseSoftWiresBendFarForNextToNothingComesToAMinimum)
     const double v = j / 8.0 - 1.0;
     return { u, v, 0.6 * (u * u - v * v) };
   });
-  Indices along;
-  Indices across;
-  for (Index k = 0; k <= n; ++k)
-  {
-    along.push_back(n / 2 * (n + 1) + k);
-    across.push_back(k * (n + 1) + n / 2);
-  }
-  saddle.curves = { accessory("along", along), accessory("across", across) };
+  saddle.curves = { rowCurve(n, n / 2), columnCurve(n, n, n / 2) };
   const FlatteningResult result = flatten(saddle);
   EXPECT_TRUE(result.status.ok()) << result.status.message;
   EXPECT_LE(result.pieces[0].iterations, 30);
@@ -148,14 +138,15 @@ FeatureCurve dart()
   return curveOf(CurveType::Dart, "dart", { 8, 25, 42, 59, 76, 93, 110 });
 }
 
-std::vector<FlatCorners> cornersOf(const FlatteningResult& flat)
+/// Starts where the triangles lie.
+FlatteningOptions startingFrom(const FlatteningResult& flat)
 {
-  std::vector<FlatCorners> corners;
+  FlatteningOptions options;
   for (const auto& [a, b, c] : flat.cut->mesh.triangles())
   {
-    corners.push_back({ flat.positions[a], flat.positions[b], flat.positions[c] });
+    options.start.push_back({ flat.positions[a], flat.positions[b], flat.positions[c] });
   }
-  return corners;
+  return options;
 }
 }
 
@@ -163,9 +154,7 @@ TEST(ContinuedWarping, ComesToTheMinimumThatTheWiresAnglesLeadTo)
 {
   const TriangleMesh mesh = dome();
   const FlatteningResult uncut = flattenSurface(mesh, {}, {}, {});
-  FlatteningOptions options;
-  options.start = cornersOf(uncut);
-  const FlatteningResult continued = flattenSurface(mesh, { dart() }, options, {});
+  const FlatteningResult continued = flattenSurface(mesh, { dart() }, startingFrom(uncut), {});
   const FlatteningResult anew = flattenSurface(mesh, { dart() }, {}, {});
   ASSERT_TRUE(continued.status.ok()) << continued.status.message;
   ASSERT_TRUE(anew.status.ok());
@@ -181,8 +170,7 @@ TEST(ContinuedWarping, ComesToTheMinimumThatTheWiresAnglesLeadTo)
 TEST(ContinuedWarping, KeepsLengthsWhereItEndsBeforeWiresAreSettled)
 {
   const TriangleMesh mesh = dome();
-  FlatteningOptions options;
-  options.start = cornersOf(flattenSurface(mesh, {}, {}, {}));
+  FlatteningOptions options = startingFrom(flattenSurface(mesh, {}, {}, {}));
   const FlatteningResult settled = flattenSurface(mesh, { dart() }, options, {});
   options.isometric.rough = true;
   const FlatteningResult rough = flattenSurface(mesh, { dart() }, options, {});
@@ -192,22 +180,14 @@ TEST(ContinuedWarping, KeepsLengthsWhereItEndsBeforeWiresAreSettled)
   EXPECT_LT(worstLength(rough), 1e-9);
 }
 
-TEST(ContinuedWarping, IsNotForPiecesWhoseKeysHoldMoreThanLengths)
+TEST(ContinuedWarping, IsNotForKeysThatHoldMoreThanLengthsNorForFoldedStarts)
 {
   const TriangleMesh mesh = dome();
-  const FeatureCurve key = rowCurve(16, 10, CurveType::Key);
-  FlatteningOptions options;
-  options.start = cornersOf(flattenSurface(mesh, {}, {}, {}));
-  const FlatteningResult continued = flattenSurface(mesh, { key, dart() }, options, {});
-  const FlatteningResult anew = flattenSurface(mesh, { key, dart() }, {}, {});
-  EXPECT_EQ(continued.positions, anew.positions);
-}
-
-TEST(ContinuedWarping, StartsAnewWhereTheStartIsFolded)
-{
-  const TriangleMesh mesh = dome();
-  FlatteningOptions options;
+  FlatteningOptions options = startingFrom(flattenSurface(mesh, {}, {}, {}));
+  const std::vector<FeatureCurve> keys{ rowCurve(16, 10, CurveType::Key), dart() };
+  EXPECT_EQ(flattenSurface(mesh, keys, options, {}).positions,
+    flattenSurface(mesh, keys, {}, {}).positions);
   options.start.assign(mesh.triangleCount(), { Point2(0, 0), Point2(0, 1), Point2(1, 0) });
-  const FlatteningResult continued = flattenSurface(mesh, { dart() }, options, {});
-  EXPECT_EQ(continued.positions, flattenSurface(mesh, { dart() }, {}, {}).positions);
+  EXPECT_EQ(flattenSurface(mesh, { dart() }, options, {}).positions,
+    flattenSurface(mesh, { dart() }, {}, {}).positions);
 }

@@ -52,6 +52,19 @@ std::array<double, 2> stretchesOf(const FlatteningResult& result, Index curve, I
   return range;
 }
 
+/// \param expected of the curve's edges, by piece
+void expectStretches(
+  const FlatteningResult& result, Index curve, const std::array<double, 2>& expected)
+{
+  for (const Index piece : { 0, 1 })
+  {
+    for (const double stretch : stretchesOf(result, curve, piece))
+    {
+      EXPECT_NEAR(stretch, expected[piece], 1e-9);
+    }
+  }
+}
+
 void expectRefusal(const FlatteningResult& result, const std::vector<std::string>& words)
 {
   EXPECT_EQ(result.status.code, StatusCode::InvalidOption);
@@ -69,14 +82,7 @@ TEST(CurveEase, OneSideIsLongerByItAndTheOtherIsAsOnTheSurface)
   {
     const FlatteningResult result = flattened(seamedCushion(0.05), { { "seam", 1, ease } });
     ASSERT_TRUE(result.status.ok()) << result.status.message;
-    for (const double stretch : stretchesOf(result, 0, 1))
-    {
-      EXPECT_NEAR(stretch, ease, 1e-9);
-    }
-    for (const double stretch : stretchesOf(result, 0, 0))
-    {
-      EXPECT_NEAR(stretch, 0.0, 1e-9);
-    }
+    expectStretches(result, 0, { 0.0, ease });
   }
 }
 
@@ -95,46 +101,17 @@ TEST(CurveEase, ACurveBringsItsOwnUnlessOneIsGivenForItsName)
 {
   Surface surface = seamedCushion(0.05);
   surface.curves[0].ease = { 0.03, 1 };
-  const std::vector<double> own{ 0.0, 0.03 };
-  for (Index piece : { 0, 1 })
-  {
-    for (const double stretch : stretchesOf(flattened(surface), 0, piece))
-    {
-      EXPECT_NEAR(stretch, own[piece], 1e-9);
-    }
-  }
-  const std::vector<double> given{ -0.02, 0.0 };
-  for (Index piece : { 0, 1 })
-  {
-    for (const double stretch : stretchesOf(flattened(surface, { { "seam", 0, -0.02 } }), 0, piece))
-    {
-      EXPECT_NEAR(stretch, given[piece], 1e-9);
-    }
-  }
-  surface.curves[0].ease = { 0.06, 1 };
-  expectRefusal(flattened(surface), { "seam", "6 %", "5 %" });
+  expectStretches(flattened(surface), 0, { 0.0, 0.03 });
+  expectStretches(flattened(surface, { { "seam", 0, -0.02 } }), 0, { -0.02, 0.0 });
 }
 
-TEST(CurveEase, MoreThanTheToleranceOfTheCurveIsRefusedWithBoth)
-{
-  expectRefusal(flattened(seamedCushion(0.02), { { "seam", 0, 0.03 } }), { "seam", "3 %", "2 %" });
-  expectRefusal(
-    flattened(seamedCushion(0.0), { { "seam", 0, 0.03 } }), { "seam", "3 %", "nothing" });
-}
-
-TEST(CurveEase, ASeamOfTwoPiecesNeedsTheNumberOfOneOfThem)
-{
-  expectRefusal(flattened(seamedCushion(0.05), { { "seam", none, 0.03 } }), { "no piece", "1, 2" });
-  expectRefusal(flattened(seamedCushion(0.05), { { "seam", 2, 0.03 } }), { "piece 3", "1, 2" });
-  expectRefusal(flattened(seamedCushion(0.05), { { "cuff", 0, 0.03 } }), { "cuff" });
-}
-
-TEST(CurveEase, ADartWhoseSidesAreInOnePieceCannotBeEased)
+TEST(CurveEase, IsRefusedOfDartsWhoseSidesAreInOnePieceAndOfNoCurve)
 {
   Surface surface = cushion(size, size, 0.4);
   surface.curves = { curveOf(CurveType::Dart, "dart", { 4, 4 + 11, 4 + 22 }) };
   surface.curves[0].tolerance = 0.05;
   expectRefusal(flattened(surface, { { "dart", 0, 0.03 } }), { "both sides", "dart" });
+  expectRefusal(flattened(surface, { { "cuff", 0, 0.03 } }), { "cuff" });
 }
 
 namespace

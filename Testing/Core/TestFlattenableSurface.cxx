@@ -176,27 +176,21 @@ TEST(FlattenableSurface, UnitAndThreadsChangeNothing)
 
 TEST(FlattenableSurface, RefusesWhatMeansNothingAndStopsWhenTold)
 {
-  const auto code = [](const FlattenableOptions& options) {
-    return flattenable(dome(), options).status.code;
-  };
-  FlattenableOptions options;
+  std::vector<FlattenableOptions> wrong;
   for (const double bound : { 0.0, -1.0, 1.0, std::nan("") })
   {
-    options.bound = bound;
-    EXPECT_EQ(code(options), StatusCode::InvalidOption);
+    wrong.emplace_back().bound = bound;
   }
-  options = {};
-  options.kept = { 7 };
-  EXPECT_EQ(code(options), StatusCode::InvalidOption);
   for (const double bias : { -0.1, 1.1, std::nan("") })
   {
-    options = {};
-    options.outsideBias = bias;
-    EXPECT_EQ(code(options), StatusCode::InvalidOption);
+    wrong.emplace_back().outsideBias = bias;
   }
-  options = {};
-  options.thickness = 2.0;
-  EXPECT_EQ(code(options), StatusCode::InvalidOption);
+  wrong.emplace_back().thickness = 2.0;
+  wrong.emplace_back().kept = { 7 };
+  for (const FlattenableOptions& options : wrong)
+  {
+    EXPECT_EQ(flattenable(dome(), options).status.code, StatusCode::InvalidOption);
+  }
 
   int asked = 0;
   Execution run;

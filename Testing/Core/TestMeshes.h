@@ -316,12 +316,6 @@ inline Surface staircase()
   });
 }
 
-/// The surface after its cuts, as a single piece.
-inline Piece onlyPiece(const Surface& surface)
-{
-  return extractPieces(cutSurface(surface.mesh, surface.curves)).front();
-}
-
 /// Vertices i = 0 .. columns of row j of a patch(), as a curve across it.
 inline FeatureCurve rowCurve(Index columns, Index j, CurveType type = CurveType::Accessory)
 {
