@@ -5,6 +5,8 @@
 #include "Editing/CurveEditor.h"
 #include "TestMeshes.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -30,6 +32,15 @@ inline EditedCurve through(
   }
   curve.kinds.assign(points.size() - 1, kind);
   return curve;
+}
+
+/// With one curve.
+inline CurveEditor editorWith(const testmeshes::Surface& surface, const Points3& points,
+  SegmentKind kind = SegmentKind::Geodesic)
+{
+  CurveEditor editor(drawing(surface));
+  EXPECT_TRUE(editor.add(through(editor.surface(), points, kind)).ok());
+  return editor;
 }
 
 /// How far a point is from a line in space.

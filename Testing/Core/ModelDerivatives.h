@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Embedding/DistortionEnergy.h"
 #include "Sparse/NewtonKktStep.h"
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,6 +30,32 @@ inline void forEachUnknown(const Eigen::VectorXd& x, double step,
     down[k] -= step;
     each(k, up, down);
   }
+}
+
+/// Gradient and Hessian of a density at the parts of a map are those of central differences.
+/// \param bendStep that for the Hessian
+inline void expectDensityDerivatives(
+  const std::function<DistortionEnergyValue(const Eigen::Vector4d&)>& evaluate,
+  const Eigen::Vector4d& parts, double step, double bendStep, double tolerance)
+{
+  const DistortionEnergyValue value = evaluate(parts);
+  for (int k = 0; k < 4; ++k)
+  {
+    const Eigen::Vector4d d = Eigen::Vector4d::Unit(k);
+    const double rise = evaluate(parts + step * d).value - evaluate(parts - step * d).value;
+    EXPECT_NEAR(value.gradient[k], rise / (2.0 * step), tolerance);
+    const Eigen::Vector4d bend =
+      evaluate(parts + bendStep * d).gradient - evaluate(parts - bendStep * d).gradient;
+    EXPECT_LT((value.hessian.col(k) - bend / (2.0 * bendStep)).norm(), tolerance);
+  }
+}
+
+/// The nearest matrix without negative eigenvalues.
+inline Eigen::Matrix4d nearestConvex(const Eigen::Matrix4d& matrix)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(matrix);
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).asDiagonal() *
+    solver.eigenvectors().transpose();
 }
 
 /// The gradient at x is that of the objective, as a fraction of one more than a slope.

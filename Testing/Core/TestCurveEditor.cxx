@@ -143,9 +143,8 @@ TEST(CurveEditor, RandomEditsAreTheSameInEveryUnitAndUndoneBitForBit)
 
 TEST(CurveEditor, OnThePlaneSegmentsAreStraightAndAClosedCurveHasItsPerimeter)
 {
-  CurveEditor editor(drawing(plane()));
   const Points3 places{ { 1.3, 2.1, 0 }, { 16.2, 3.4, 0 }, { 9.7, 15.8, 0 } };
-  ASSERT_TRUE(editor.add(through(editor.surface(), places)).ok());
+  CurveEditor editor = editorWith(plane(), places);
   const double open = (places[1] - places[0]).norm() + (places[2] - places[1]).norm();
   EXPECT_NEAR(lengthOf(editor.curve(0)), open, 1e-9 * open);
   ASSERT_TRUE(editor.setClosed(0, true).ok());
@@ -161,9 +160,7 @@ TEST(CurveEditor, OnThePlaneSegmentsAreStraightAndAClosedCurveHasItsPerimeter)
 
 TEST(CurveEditor, AnOpenedLoopKeepsItsLength)
 {
-  CurveEditor editor(drawing(hill()));
-  ASSERT_TRUE(
-    editor.add(through(editor.surface(), { { 4, 4, 0 }, { 15, 5, 0 }, { 10, 16, 0 } })).ok());
+  CurveEditor editor = editorWith(hill(), { { 4, 4, 0 }, { 15, 5, 0 }, { 10, 16, 0 } });
   ASSERT_TRUE(editor.setClosed(0, true).ok());
   const double around = lengthOf(editor.curve(0));
   ASSERT_TRUE(editor.split(0, 1).ok());
@@ -174,11 +171,8 @@ TEST(CurveEditor, AnOpenedLoopKeepsItsLength)
 
 TEST(CurveEditor, AMovedNodeLeavesTheSegmentsOfOtherNodes)
 {
-  CurveEditor editor(drawing(hill()));
-  ASSERT_TRUE(
-    editor
-      .add(through(editor.surface(), { { 1, 2, 0 }, { 6, 14, 0 }, { 14, 13, 0 }, { 18, 3, 0 } }))
-      .ok());
+  CurveEditor editor =
+    editorWith(hill(), { { 1, 2, 0 }, { 6, 14, 0 }, { 14, 13, 0 }, { 18, 3, 0 } });
   const EditedCurve before = editor.curve(0);
   ASSERT_TRUE(editor.moveNode(0, 3, editor.surface().pointNear({ 17, 9, 0 })).ok());
   for (const std::size_t s : { 0, 1 })
@@ -188,26 +182,10 @@ TEST(CurveEditor, AMovedNodeLeavesTheSegmentsOfOtherNodes)
   EXPECT_NE(pointsAlong({ editor.curve(0).segments[2] }), pointsAlong({ before.segments[2] }));
 }
 
-TEST(CurveEditor, ADragIsUndoneAsOne)
-{
-  CurveEditor editor(drawing(hill()));
-  ASSERT_TRUE(editor.add(through(editor.surface(), { { 1, 2, 0 }, { 6, 14, 0 } })).ok());
-  const CurveSet before = copied(editor.state());
-  editor.beginGroup();
-  for (double x = 6.0; x < 16.0; x += 0.25)
-  {
-    ASSERT_TRUE(editor.moveNode(0, 1, editor.surface().pointNear({ x, 13, 0 })).ok());
-  }
-  editor.endGroup();
-  editor.undo();
-  EXPECT_TRUE(identical(editor.state(), before));
-}
-
 TEST(CurveEditor, CommandsThatAreJoinedAreUndoneAndRedoneAsOne)
 {
-  CurveEditor editor(drawing(hill()));
+  CurveEditor editor = editorWith(hill(), { { 1, 2, 0 }, { 6, 14, 0 } });
   const auto place = [&](double x) { return editor.surface().pointNear({ x, 7, 0 }); };
-  ASSERT_TRUE(editor.add(through(editor.surface(), { { 1, 2, 0 }, { 6, 14, 0 } })).ok());
   const CurveSet before = copied(editor.state());
   const std::size_t since = editor.commandCount();
   ASSERT_EQ(since, 1U);
@@ -381,9 +359,7 @@ TEST(CurveEditor, TwoNodesOnATubeGirthItAndOnASheetAreRefused)
   const double around = 4.0 * sides * std::sin(pi / sides);
   EXPECT_NEAR(lengthOf(tube.curve(0)), around, 1e-9 * around);
 
-  CurveEditor flat(drawing(plane()));
-  ASSERT_TRUE(
-    flat.add(through(flat.surface(), { { 2, 2, 0 }, { 9, 9, 0 } }, SegmentKind::Section)).ok());
+  CurveEditor flat = editorWith(plane(), { { 2, 2, 0 }, { 9, 9, 0 } }, SegmentKind::Section);
   EXPECT_TRUE(flat.setClosed(0, true).refused());
   EXPECT_FALSE(flat.curve(0).closed);
 }

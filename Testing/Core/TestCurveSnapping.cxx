@@ -82,8 +82,7 @@ TEST(CurveSnapping, WhoLooksAtTheSideMissesInDepthAndStillHitsTheBoundary)
 
 TEST(CurveSnapping, TheCurveThatIsMovedDoesNotHoldItsNode)
 {
-  CurveEditor editor(drawing(hill()));
-  ASSERT_TRUE(editor.add(through(editor.surface(), { { 3, 3, 0 }, { 12, 13, 0 } })).ok());
+  const CurveEditor editor = editorWith(hill(), { { 3, 3, 0 }, { 12, 13, 0 } });
   SnapOptions options;
   options.reach = 0.3;
   options.vertex = false;

@@ -14,11 +14,11 @@ using namespace drawncurves;
 
 namespace
 {
-CurveEditor editorOf(double height)
+testmeshes::Surface bulge(double height)
 {
-  return CurveEditor(drawing(sheet([height](double i, double j) {
+  return sheet([height](double i, double j) {
     return height * std::sin(pi * i / 20) * std::sin(pi * j / 20);
-  })));
+  });
 }
 
 /// The farthest that a curve goes from places that were meant.
@@ -36,7 +36,7 @@ double farthest(const EditedCurve& curve, const Points3& meant)
 
 TEST(DerivedCurves, AnOffsetIsACurveOfItsOwnThatCanBeUndone)
 {
-  CurveEditor editor = editorOf(0.0);
+  CurveEditor editor(drawing(plane()));
   EditedCurve hem = through(editor.surface(), { { 0, 8, 0 }, { 20, 8, 0 } });
   hem.traits.name = "hem";
   hem.traits.type = CurveType::Key;
@@ -63,11 +63,8 @@ TEST(DerivedCurves, AnOffsetHasFewNodesAndKeepsItsDistance)
 {
   for (const SegmentKind kind : { SegmentKind::Geodesic, SegmentKind::Spline })
   {
-    CurveEditor editor = editorOf(0.0);
-    ASSERT_TRUE(editor
-                  .add(through(editor.surface(),
-                    { { 3, 3, 0 }, { 9, 6, 0 }, { 15, 4, 0 }, { 18, 9, 0 } }, kind))
-                  .ok());
+    CurveEditor editor =
+      editorWith(plane(), { { 3, 3, 0 }, { 9, 6, 0 }, { 15, 4, 0 }, { 18, 9, 0 } }, kind);
     ASSERT_TRUE(editor.addOffset(0, 1.5).ok());
     const EditedCurve& offset = editor.curve(1);
     EXPECT_LT(offset.nodes.size(), 30U) << static_cast<int>(kind);
@@ -85,7 +82,7 @@ TEST(DerivedCurves, AStrokeBecomesASmoothCurveWithinItsTolerance)
 {
   for (const double height : { 0.0, 4.0 })
   {
-    CurveEditor editor = editorOf(height);
+    CurveEditor editor(drawing(bulge(height)));
     std::mt19937 random(1);
     std::uniform_real_distribution<double> shaking(-0.02, 0.02);
     std::vector<SurfacePoint> stroke;
@@ -111,7 +108,7 @@ TEST(DerivedCurves, AStrokeBecomesASmoothCurveWithinItsTolerance)
 
 TEST(DerivedCurves, AStrokeThatComesBackIsClosed)
 {
-  CurveEditor editor = editorOf(2.0);
+  CurveEditor editor(drawing(bulge(2.0)));
   std::vector<SurfacePoint> stroke;
   for (int k = 0; k <= 100; ++k)
   {
@@ -123,7 +120,6 @@ TEST(DerivedCurves, AStrokeThatComesBackIsClosed)
   EXPECT_TRUE(editor.curve(0).closed);
   EXPECT_LE(editor.curve(0).nodes.size(), 12U);
   EXPECT_EQ(editor.addStroke({ stroke[0] }, 0.1).code, StatusCode::CurveTooShort);
-  EXPECT_EQ(editor.addStroke({}, 0.1).code, StatusCode::CurveTooShort);
   EXPECT_EQ(editor.curveCount(), 1U);
 }
 
@@ -131,11 +127,8 @@ TEST(DerivedCurves, SplitAndJoinedACurveIsItselfAgain)
 {
   for (const SegmentKind kind : { SegmentKind::Geodesic, SegmentKind::Section, SegmentKind::Edges })
   {
-    CurveEditor editor = editorOf(3.0);
-    ASSERT_TRUE(editor
-                  .add(through(editor.surface(),
-                    { { 3, 3, 0 }, { 9, 6, 2 }, { 15, 4, 2 }, { 18, 9, 1 } }, kind))
-                  .ok());
+    CurveEditor editor =
+      editorWith(bulge(3.0), { { 3, 3, 0 }, { 9, 6, 2 }, { 15, 4, 2 }, { 18, 9, 1 } }, kind);
     const Points3 before = pointsAlong(editor.curve(0).segments);
     ASSERT_TRUE(editor.split(0, 2).ok());
     ASSERT_EQ(editor.curveCount(), 2U);

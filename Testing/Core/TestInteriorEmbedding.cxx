@@ -162,23 +162,20 @@ TEST(InteriorEmbedding, SliversDoNotSpoilTheirNeighbours)
 
 TEST(InteriorEmbedding, RefusesOptionsOutOfRange)
 {
-  const WiredSurface wired(wiredCushion());
-  const auto code = [&](const InteriorOptions& options) {
-    Points2 positions = pinnedBy(wired, shadow);
-    return placeInterior(wired.piece, wired.network, options, {}, positions).status.code;
-  };
+  std::vector<InteriorOptions> wrong;
   for (double factor : { 0.0, 2.0, -1.0, std::nan("") })
   {
-    InteriorOptions options = with(InteriorMethod::Relaxation);
-    options.relaxation = factor;
-    EXPECT_EQ(code(options), StatusCode::InvalidOption);
+    wrong.emplace_back(with(InteriorMethod::Relaxation)).relaxation = factor;
   }
-  InteriorOptions options = with(InteriorMethod::Relaxation);
-  options.minimumIterations = 200;
-  EXPECT_EQ(code(options), StatusCode::InvalidOption);
-  options = with(InteriorMethod::AsRigidAsPossible);
-  options.maximumRigidIterations = 0;
-  EXPECT_EQ(code(options), StatusCode::InvalidOption);
+  wrong.emplace_back(with(InteriorMethod::Relaxation)).minimumIterations = 200;
+  wrong.emplace_back(with(InteriorMethod::AsRigidAsPossible)).maximumRigidIterations = 0;
+  const WiredSurface wired(wiredCushion());
+  for (const InteriorOptions& options : wrong)
+  {
+    Points2 positions = pinnedBy(wired, shadow);
+    EXPECT_EQ(placeInterior(wired.piece, wired.network, options, {}, positions).status.code,
+      StatusCode::InvalidOption);
+  }
 }
 
 TEST(InteriorEmbedding, APieceWithoutInteriorVerticesIsLeftAsItIs)
