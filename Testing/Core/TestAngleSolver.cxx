@@ -218,19 +218,6 @@ std::vector<double> shaken(std::vector<double> theta, const NodeLocks& locks)
 }
 }
 
-TEST(AngleProblem, AllConstraintsHoldForTheAnglesOfAFlatSurface)
-{
-  Surface surface = flatPatch(6, 6);
-  surface.curves = { rowCurve(6, 2), columnCurve(6, 6, 4), accessory("dangling", { 3, 10 }),
-    curveOf(CurveType::Dart, "eye", { 29, 30, 31 }) };
-  const WiredSurface wired(surface);
-  const AngleProblem problem = wired.problem();
-  const AngleConstraints constraints(problem);
-  EXPECT_LT(constraints.residual(wired.network.alpha).cwiseAbs().maxCoeff(), 1e-12);
-  EXPECT_LT(closureResidual(wired.network, wired.network.alpha, problem.length), 1e-12);
-  EXPECT_DOUBLE_EQ(angleObjective(problem, wired.network.alpha), 0.0);
-}
-
 TEST(AngleProblem, TheJacobianIsTheDerivativeOfTheResidual)
 {
   for (const Surface& surface : { quarterSphere(), Everything::surface() })
@@ -251,26 +238,6 @@ TEST(AngleProblem, TheJacobianIsTheDerivativeOfTheResidual)
         (constraints.residual(forward) - constraints.residual(backward)) / (2.0 * step);
       EXPECT_LT((jacobian.col(k) - difference).cwiseAbs().maxCoeff(), 1e-8) << "column " << k;
     }
-  }
-}
-
-TEST(DirectionsForm, EveryPointMeetsTheTurningAndWholeTurnConstraints)
-{
-  Surface surface = Everything::surface();
-  surface.curves[0].type = CurveType::Accessory;
-  const WiredSurface wired(surface);
-  const AngleProblem problem = wired.problem();
-  const DirectionsForm form(problem);
-  const AngleConstraints constraints(problem);
-  const Eigen::VectorXd x = randomVector(form.unknownCount(), 2.0);
-  const Eigen::VectorXd residual = constraints.residual(form.angles(x));
-  for (Index loop = 0; loop < wired.network.loopCount(); ++loop)
-  {
-    EXPECT_NEAR(residual[3 * loop], 0.0, 1e-12);
-  }
-  for (Index row = 3 * wired.network.loopCount(); row < constraints.rowCount(); ++row)
-  {
-    EXPECT_NEAR(residual[row], 0.0, 1e-12);
   }
 }
 

@@ -2,7 +2,7 @@
 #include "Quality/BoundaryOverlap.h"
 
 #include "Base/Orientation.h"
-#include "WiredSurface.h"
+#include "TestMeshes.h"
 
 #include <gtest/gtest.h>
 
@@ -65,38 +65,30 @@ Pairs allPairs(const TriangleMesh& mesh, const Points2& positions)
 /// A square with a cut from the middle of its lower side to its centre.
 struct Slit
 {
-  WiredSurface wired;
+  TriangleMesh mesh;
   Points2 positions;
 
   Slit()
-    : wired(cutSquare())
-    , positions(wired.piece.mesh.vertexCount())
+    : mesh(
+        cutSurface(unitSquares(6, 6).mesh, { curveOf(CurveType::Dart, "cut", { 3, 10, 17, 24 }) })
+          .mesh)
   {
-    for (Index v = 0; v < wired.piece.mesh.vertexCount(); ++v)
+    for (const Point3& p : this->mesh.points())
     {
-      positions[v] = wired.piece.mesh.point(v).head<2>();
+      this->positions.emplace_back(p.x(), p.y());
     }
-  }
-
-  static Surface cutSquare()
-  {
-    Surface square = unitSquares(6, 6);
-    square.curves.push_back(curveOf(CurveType::Dart, "cut", { 3, 10, 17, 24 }));
-    return square;
   }
 
   /// Moves the right side to the right, all but the tip.
   Points2 opened(double width) const
   {
-    const TriangleMesh& mesh = wired.piece.mesh;
-    Points2 moved = positions;
-    for (Index t = 0; t < mesh.triangleCount(); ++t)
+    Points2 moved = this->positions;
+    for (Index t = 0; t < this->mesh.triangleCount(); ++t)
     {
-      const Triangle& c = mesh.triangle(t);
-      const double middle = (positions[c[0]].x() + positions[c[1]].x() + positions[c[2]].x()) / 3.0;
-      for (Index v : c)
+      for (Index v : this->mesh.triangle(t))
       {
-        if (middle > 3.0 && positions[v].x() == 3.0 && positions[v].y() < 3.0)
+        const Point2& p = this->positions[v];
+        if (this->mesh.centroid(t).x() > 3.0 && p.x() == 3.0 && p.y() < 3.0)
         {
           moved[v].x() = 3.0 + width;
         }
@@ -192,8 +184,8 @@ TEST(BoundaryOverlap, FindsTheSamePairsAsComparingAll)
 TEST(BoundaryOverlap, SidesThatTouchAreNoOverlap)
 {
   const Slit slit;
-  ASSERT_EQ(slit.wired.piece.mesh.vertexCount(), 49 + 3);
-  const TriangleMesh& mesh = slit.wired.piece.mesh;
+  ASSERT_EQ(slit.mesh.vertexCount(), 49 + 3);
+  const TriangleMesh& mesh = slit.mesh;
   ASSERT_FALSE(allPairs(mesh, slit.positions).empty()) << "the sides do touch";
   EXPECT_TRUE(findBoundaryOverlaps(mesh, slit.positions, 100).empty());
   // also not where rounding turned and bent them through each other
@@ -214,7 +206,7 @@ TEST(BoundaryOverlap, SidesThatTouchAreNoOverlap)
 TEST(BoundaryOverlap, SidesThatPassEachOtherAreAnOverlap)
 {
   const Slit slit;
-  const TriangleMesh& mesh = slit.wired.piece.mesh;
+  const TriangleMesh& mesh = slit.mesh;
   EXPECT_TRUE(findBoundaryOverlaps(mesh, slit.opened(0.2), 100).empty());
   EXPECT_FALSE(findBoundaryOverlaps(mesh, slit.opened(-0.2), 100).empty());
   EXPECT_FALSE(findBoundaryOverlaps(mesh, slit.opened(-1e-6), 100).empty());

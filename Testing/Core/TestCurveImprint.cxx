@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -19,21 +18,15 @@
 #include <utility>
 
 using namespace flattening;
+using testmeshes::moved;
+using testmeshes::secondsOf;
 
 namespace
 {
 /// A flat grid of n x n unit squares, each cut along its diagonal; vertex (i, j) is j (n + 1) + i.
 TriangleMesh grid(Index n)
 {
-  Points3 points;
-  for (Index j = 0; j <= n; ++j)
-  {
-    for (Index i = 0; i <= n; ++i)
-    {
-      points.push_back(Point3(i, j, 0.0));
-    }
-  }
-  return prepareSurface(points, testmeshes::gridTriangles(n, n)).mesh;
+  return { testmeshes::unitSquares(n, n).mesh.points(), testmeshes::gridTriangles(n, n) };
 }
 
 Polyline polyline(Points3 points)
@@ -55,20 +48,6 @@ double length(const TriangleMesh& mesh, const Indices& chain)
     sum += (mesh.point(chain[i]) - mesh.point(chain[i - 1])).norm();
   }
   return sum;
-}
-
-/// A surface z = f over the points of a grid, or any other map of them.
-template <typename Map>
-TriangleMesh mapped(const TriangleMesh& mesh, Map map)
-{
-  Points3 points = mesh.points();
-  for (Point3& p : points)
-  {
-    p = map(p);
-  }
-  PreparedSurface surface = prepareSurface(points, mesh.triangles(), CoincidentPoints::Join);
-  EXPECT_TRUE(surface.status.ok()) << surface.status.message;
-  return surface.mesh;
 }
 
 /// What holds for every imprint: the same surface, as a valid mesh, with each curve on its edges.
@@ -150,7 +129,7 @@ double smallestAngle(const TriangleMesh& mesh)
 /// Half a cylinder of radius one and height two, n by n.
 TriangleMesh halfCylinder(Index n)
 {
-  return mapped(grid(n), [n](const Point3& p) {
+  return moved(grid(n), [n](const Point3& p) {
     const double angle = pi * p.x() / n;
     return Point3(std::cos(angle), std::sin(angle), 2.0 * p.y() / n);
   });
@@ -159,8 +138,7 @@ TriangleMesh halfCylinder(Index n)
 /// A torus of radii two and one half.
 TriangleMesh ring(Index n)
 {
-  return testmeshes::moved(
-    testmeshes::torus(n, 4.0), [](const Point3& p) -> Point3 { return 0.5 * p; });
+  return moved(testmeshes::torus(n, 4.0), [](const Point3& p) -> Point3 { return 0.5 * p; });
 }
 
 /// A regular polygon, its first corner again as its last.
@@ -341,7 +319,7 @@ TEST(CurveImprint, ASegmentThatEndsBeforeAVertexInItsDirectionDoesNotRunToItAndB
   // lie in, too.
   for (const double unit : { 1e-3, 1.0, 40.0 })
   {
-    const TriangleMesh mesh = mapped(grid(12), [unit](const Point3& p) { return unit * p; });
+    const TriangleMesh mesh = moved(grid(12), [unit](const Point3& p) { return unit * p; });
     for (const int count : { 100, 128, 256, 512, 1000 })
     {
       const auto result =
@@ -402,7 +380,7 @@ TEST(CurveImprint, UnitsOfLengthAndPlaceDoNotMatter)
   for (double scale : { 1e-9, 1e9 })
   {
     const TriangleMesh mesh =
-      mapped(grid(5), [scale](const Point3& p) { return Point3(scale * p); });
+      moved(grid(5), [scale](const Point3& p) { return Point3(scale * p); });
     Polyline scaled = line;
     for (Point3& p : scaled.points)
     {
@@ -424,20 +402,15 @@ TEST(CurveImprint, CurvesOnTheEdgesOfAMillionTrianglesCostLittleMoreThanToBuildT
   {
     points.push_back(Point3(i, n / 2, 0));
   }
-  auto seconds = [](const std::chrono::steady_clock::time_point& start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
   // The best of three, for other programs run beside this one.
   double build = std::numeric_limits<double>::infinity();
   double imprint = build;
   for (int run = 0; run < 3; ++run)
   {
-    auto start = std::chrono::steady_clock::now();
-    const TriangleMesh copy(mesh.points(), mesh.triangles());
-    build = std::min(build, seconds(start));
-    start = std::chrono::steady_clock::now();
-    const auto result = imprintCurves(mesh, { polyline(points) }, {});
-    imprint = std::min(imprint, seconds(start));
+    build = std::min(build, secondsOf([&] { TriangleMesh(mesh.points(), mesh.triangles()); }));
+    ImprintedSurface result;
+    imprint =
+      std::min(imprint, secondsOf([&] { result = imprintCurves(mesh, { polyline(points) }, {}); }));
     ASSERT_TRUE(result.status.ok());
     EXPECT_EQ(result.mesh.triangles(), mesh.triangles());
   }
@@ -605,13 +578,13 @@ TEST(CurveImprintRefusal, ASegmentBetweenSeparatePartsIsRefusedWithItsPointsAndT
   std::vector<testmeshes::Surface> parts;
   for (const Index n : { 2, 5, 3 })
   {
-    parts.emplace_back().mesh = testmeshes::moved(
-      grid(n), [n](const Point3& p) -> Point3 { return p + Point3(10.0 * n, 0, 0); });
+    parts.emplace_back().mesh =
+      moved(grid(n), [n](const Point3& p) -> Point3 { return p + Point3(10.0 * n, 0, 0); });
   }
   const TriangleMesh whole = testmeshes::together(parts).mesh;
   for (const double scale : { 1e-3, 1.0, 1e4 })
   {
-    const TriangleMesh mesh = mapped(whole, [&](const Point3& p) { return Point3(scale * p); });
+    const TriangleMesh mesh = moved(whole, [&](const Point3& p) { return Point3(scale * p); });
     const auto curve = [&](double x, double y) {
       return polyline({ scale * Point3(20, y, 0), scale * Point3(21, y, 0), scale * Point3(x, y, 0),
         scale * Point3(x + 1, y, 0) });
@@ -716,7 +689,7 @@ Point3 randomPoint(const TriangleMesh& mesh, Random& random)
 TriangleMesh randomSurface(Random& random)
 {
   const Index n = 2 + static_cast<Index>(random() % 9);
-  const TriangleMesh flat = mapped(grid(n), [&random, n](const Point3& p) {
+  const TriangleMesh flat = moved(grid(n), [&random, n](const Point3& p) {
     const bool inner = p.x() > 0 && p.x() < n && p.y() > 0 && p.y() < n;
     const double d = inner ? 0.3 : 0.0;
     return Point3((p.x() + uniform(random, -d, d)) / n, (p.y() + uniform(random, -d, d)) / n, 0.0);
@@ -725,7 +698,7 @@ TriangleMesh randomSurface(Random& random)
   const double f = uniform(random, 0.5, 6.0);
   // Some are squeezed until their triangles are needles.
   const double squeeze = random() % 4 == 0 ? std::pow(10.0, uniform(random, -9.0, 0.0)) : 1.0;
-  return mapped(flat, [a, f, squeeze](const Point3& p) {
+  return moved(flat, [a, f, squeeze](const Point3& p) {
     return Point3(p.x(), squeeze * p.y(), a * std::sin(f * p.x()) * std::cos(f * squeeze * p.y()));
   });
 }

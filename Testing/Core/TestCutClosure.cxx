@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <ctime>
-
 using namespace flattening;
 using namespace testmeshes;
 
@@ -102,19 +100,14 @@ TEST(CutClosure, TakesTimeInProportionToTheLengthOfTheCut)
     second.y() -= across;
   }
 
-  const auto seconds = [](const auto& work) {
-    const std::clock_t start = std::clock();
-    work();
-    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  };
   Indices joined;
-  const double whole = seconds([&] {
+  const double whole = secondsOf([&] {
     closeCuts(piece, cut, positions, [&](const Indices& first) {
       joined = first;
       return std::optional<Points2>(open);
     });
   });
-  const double once = seconds([&] { joinVertices(piece, joined); });
+  const double once = secondsOf([&] { joinVertices(piece, joined); });
   EXPECT_LT(whole, 30.0 * once);
 
   Index copies = 0;

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <ctime>
 #include <functional>
 
 /// Surfaces made in code, for the tests of Core.
@@ -253,6 +254,15 @@ inline PreparedSurface partWhere(
     }
   }
   return prepareSurface(mesh.points(), kept);
+}
+
+/// Processor time of a call, in seconds.
+template <class Work>
+double secondsOf(const Work& work)
+{
+  const std::clock_t start = std::clock();
+  work();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 /// The surface turned and moved as a whole.
