@@ -48,24 +48,21 @@ double worstConstraint(const AngleProblem& problem, const std::vector<double>& t
 /// Moderately curved surfaces with every kind of wire.
 std::vector<Surface> curvedSurfaces()
 {
-  std::vector<Surface> surfaces;
-  Surface crossing = cushion(8, 6, 0.15);
-  crossing.curves = { rowCurve(8, 2), rowCurve(8, 4), columnCurve(8, 6, 3) };
-  surfaces.push_back(crossing);
-  Surface key = crossing;
-  key.curves[1].type = CurveType::Key;
-  surfaces.push_back(key);
-  Surface straight = key;
-  straight.curves[1].keyShape = KeyShape::Straight;
-  surfaces.push_back(straight);
-  Surface dart = cushion(8, 6, 0.15);
-  dart.curves = { curveOf(CurveType::Dart, "dart", { 4, 13, 22 }), rowCurve(8, 4),
-    accessory("to the dart", { 9, 10, 11, 12, 13 }) };
-  surfaces.push_back(dart);
-  Surface dangling = cushion(8, 6, 0.15);
-  dangling.curves = { accessory("dangling", { 4, 13, 22, 31 }) };
-  surfaces.push_back(dangling);
-  surfaces.push_back(quarterSphere());
+  const FeatureCurve key = rowCurve(8, 4, CurveType::Key);
+  FeatureCurve straight = key;
+  straight.keyShape = KeyShape::Straight;
+  std::vector<Surface> surfaces{ quarterSphere() };
+  for (const std::vector<FeatureCurve>& curves : std::vector<std::vector<FeatureCurve>>{
+         { rowCurve(8, 2), rowCurve(8, 4), columnCurve(8, 6, 3) },
+         { rowCurve(8, 2), key, columnCurve(8, 6, 3) },
+         { rowCurve(8, 2), straight, columnCurve(8, 6, 3) },
+         { curveOf(CurveType::Dart, "dart", { 4, 13, 22 }), rowCurve(8, 4),
+           accessory("to the dart", { 9, 10, 11, 12, 13 }) },
+         { accessory("dangling", { 4, 13, 22, 31 }) } })
+  {
+    surfaces.push_back(cushion(8, 6, 0.15));
+    surfaces.back().curves = curves;
+  }
   return surfaces;
 }
 }

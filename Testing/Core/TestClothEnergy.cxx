@@ -76,24 +76,17 @@ ClothMaterial plainSheet()
 }
 }
 
+// Its derivatives inside are tried with those of the energy.
 TEST(SmoothRamp, HasTwoContinuousDerivatives)
 {
   const double width = 0.3;
-  const double step = 1e-6;
-  for (double x = -0.2; x < 1.0; x += 0.0371)
-  {
-    const Curve2 up = smoothRamp(x + step, width);
-    const Curve2 down = smoothRamp(x - step, width);
-    const Curve2 at = smoothRamp(x, width);
-    EXPECT_NEAR(at.first, (up.value - down.value) / (2.0 * step), 1e-9);
-    EXPECT_NEAR(at.second, (up.first - down.first) / (2.0 * step), 1e-8);
-  }
   for (const double joint : { 0.0, width })
   {
-    EXPECT_NEAR(
-      smoothRamp(joint - 1e-12, width).second, smoothRamp(joint + 1e-12, width).second, 1e-9);
-    EXPECT_NEAR(
-      smoothRamp(joint - 1e-12, width).value, smoothRamp(joint + 1e-12, width).value, 1e-11);
+    const Curve2 before = smoothRamp(joint - 1e-12, width);
+    const Curve2 after = smoothRamp(joint + 1e-12, width);
+    EXPECT_NEAR(before.value, after.value, 1e-11);
+    EXPECT_NEAR(before.first, after.first, 1e-11);
+    EXPECT_NEAR(before.second, after.second, 1e-9);
   }
 }
 
@@ -111,13 +104,6 @@ TEST(ThreadStrain, IsTheLengthOfThreadsOnTheSurface)
     const double between = std::acos(weft.normalized().dot(warp.normalized()));
     EXPECT_NEAR(std::abs(strain.shear), std::abs(0.5 * pi - between), 1e-7);
   }
-}
-
-TEST(ThreadStrain, OfAFlippedTriangleIsTheLargest)
-{
-  const ThreadStrain strain = threadStrain({ -1.0, 0.0 }, { 0.0, 1.0 });
-  EXPECT_FALSE(isPossible(strain));
-  EXPECT_EQ(strain.warp, largestThreadStrain);
 }
 
 TEST(ClothEnergy, GradientAndHessianAreThoseOfFiniteDifferences)
@@ -209,6 +195,9 @@ TEST(ClothEnergy, StrainsBeyondALimitCostMoreAndFarBeyondItInProportion)
 
 TEST(ClothEnergy, IsInfiniteWhereATriangleIsTurnedOver)
 {
+  const ThreadStrain strain = threadStrain({ -1.0, 0.0 }, { 0.0, 1.0 });
+  EXPECT_FALSE(isPossible(strain));
+  EXPECT_EQ(strain.warp, largestThreadStrain);
   const ClothEnergy energy(plainSheet(), 1.0);
   const Eigen::Matrix2d J = Eigen::Vector2d(1.0, -1.0).asDiagonal();
   EXPECT_TRUE(std::isinf(energy.density(partsOf(J))));

@@ -25,18 +25,6 @@ Surface dome()
 
 }
 
-TEST(FlattenableSurface, MovesNoFartherThanTheBoundTakes)
-{
-  const FlattenableSurface result = flattenable(dome());
-  ASSERT_TRUE(result.status.ok()) << result.status.message;
-  EXPECT_TRUE(result.boundMet);
-  EXPECT_GT(result.strainBefore, 0.04);
-  EXPECT_LE(result.strainAfter, 0.02);
-  EXPECT_GT(result.strainAfter, 0.017);
-  EXPECT_LT(result.shift.mean, 0.025 * result.shift.size);
-  EXPECT_LE(result.shift.p95, result.shift.max);
-}
-
 TEST(FlattenableSurface, KeptCurvesStayAndKeepTheirLengthsInThePlane)
 {
   Surface surface = dome();
@@ -59,22 +47,6 @@ TEST(FlattenableSurface, KeptCurvesStayAndKeepTheirLengthsInThePlane)
     }
   }
   EXPECT_GT(result.shift.max, 0.0);
-}
-
-TEST(FlattenableSurface, AFreeBoundaryMayMove)
-{
-  FlattenableOptions options;
-  options.keepBoundary = false;
-  const Surface surface = dome();
-  const FlattenableSurface result = flattenable(surface, options);
-  EXPECT_TRUE(result.boundMet);
-  double atBoundary = 0.0;
-  for (Index v = 0; v < surface.mesh.vertexCount(); ++v)
-  {
-    atBoundary =
-      surface.mesh.onBoundary(v) ? std::max(atBoundary, result.shift.ofVertex[v]) : atBoundary;
-  }
-  EXPECT_GT(atBoundary, 1e-3 * result.shift.size);
 }
 
 TEST(FlattenableSurface, WhatLiesFlatAlreadyIsNotTouched)
@@ -116,7 +88,14 @@ TEST(FlattenableSurface, ATighterBoundMovesItFarther)
     options.bound = bound;
     const FlattenableSurface result = flattenable(dome(), options);
     EXPECT_TRUE(result.boundMet);
+    EXPECT_GT(result.strainBefore, 0.04);
     EXPECT_LE(result.strainAfter, bound);
+    EXPECT_LE(result.shift.p95, result.shift.max);
+    if (bound == 0.02) // not farther than it takes
+    {
+      EXPECT_GT(result.strainAfter, 0.017);
+      EXPECT_LT(result.shift.mean, 0.025 * result.shift.size);
+    }
     EXPECT_GT(result.shift.mean, before);
     before = result.shift.mean;
   }
@@ -302,10 +281,19 @@ TEST(FlattenableSurface, WithAFullBiasADomeDoesNotSinkWhereItsBoundaryMayMove)
 {
   FlattenableOptions options;
   options.keepBoundary = false;
-  const FlattenableSurface either = flattenable(dome(), options);
+  const Surface surface = dome();
+  const FlattenableSurface either = flattenable(surface, options);
+  EXPECT_TRUE(either.boundMet);
+  double atBoundary = 0.0;
+  for (Index v = 0; v < surface.mesh.vertexCount(); ++v)
+  {
+    const double moved = either.shift.ofVertex[v];
+    atBoundary = surface.mesh.onBoundary(v) ? std::max(atBoundary, moved) : atBoundary;
+  }
+  EXPECT_GT(atBoundary, 1e-3 * either.shift.size);
   EXPECT_GT(either.shift.inwardsMax, 1e-3 * either.shift.size);
   options.outsideBias = 1.0;
-  const FlattenableSurface outside = flattenable(dome(), options);
+  const FlattenableSurface outside = flattenable(surface, options);
   EXPECT_TRUE(outside.boundMet) << outside.strainAfter;
   EXPECT_LE(outside.shift.inwardsMax, 1e-12);
   EXPECT_GT(outside.shift.outwardsMean, 0.0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What must not change a result: where the surface lies, its unit, the order of its parts, threads.
 #include "Flattened.h"
+#include "Renumbered.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -136,43 +137,24 @@ TEST(FlatteningInvariance, NeitherPlaceNorUnitNorOrderOfCurvesChangeAnything)
 TEST(FlatteningInvariance, NumbersOfVerticesAndTrianglesChangeNothing)
 {
   const Surface surface = garment();
-  const Indices vertices = shuffled(surface.mesh.vertexCount());
-  const Indices triangles = shuffled(surface.mesh.triangleCount());
-  Surface vertexOrder = surface;
-  Surface triangleOrder = surface;
-  Points3 points(vertices.size());
-  Triangles sameOrder = surface.mesh.triangles();
-  Triangles otherOrder(triangles.size());
-  for (Index v = 0; v < surface.mesh.vertexCount(); ++v)
-  {
-    points[vertices[v]] = surface.mesh.point(v);
-  }
+  const Surface otherVertices = withVertices(surface, shuffled(surface.mesh.vertexCount()));
+  const Indices order = shuffled(surface.mesh.triangleCount());
+  Triangles triangles(order.size());
   for (Index t = 0; t < surface.mesh.triangleCount(); ++t)
   {
-    otherOrder[triangles[t]] = surface.mesh.triangle(t);
-    for (Index& v : sameOrder[t])
-    {
-      v = vertices[v];
-    }
+    triangles[order[t]] = surface.mesh.triangle(t);
   }
-  for (FeatureCurve& curve : vertexOrder.curves)
-  {
-    for (Index& v : curve.vertices)
-    {
-      v = vertices[v];
-    }
-  }
-  vertexOrder.mesh = TriangleMesh(points, sameOrder);
-  triangleOrder.mesh = TriangleMesh(surface.mesh.points(), otherOrder);
+  Surface otherTriangles = surface;
+  otherTriangles.mesh = TriangleMesh(surface.mesh.points(), triangles);
   for (const FlatteningOptions& options : schemes)
   {
     const FlatteningResult result = flatten(surface, options);
     expectSame(
-      result, flatten(vertexOrder, options), identity(surface.mesh.triangleCount()), 1.0, 1e-9);
+      result, flatten(otherVertices, options), identity(surface.mesh.triangleCount()), 1.0, 1e-9);
     // The progressive scheme breaks ties by the number of a patch.
     if (options.scheme != Scheme::Progressive)
     {
-      expectSame(result, flatten(triangleOrder, options), triangles, 1.0, 1e-9);
+      expectSame(result, flatten(otherTriangles, options), order, 1.0, 1e-9);
     }
   }
 }

@@ -55,9 +55,7 @@ TEST(FlatteningQuality, OneLinearMapGivesItsSingularValuesEverywhere)
   const Surface surface = flatPatch(6, 5);
   Eigen::Matrix2d matrix;
   matrix << 1.7, 0.4, -0.3, 0.8;
-  const Eigen::JacobiSVD<Eigen::Matrix2d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Vector2d singular = svd.singularValues();
-  const Eigen::Matrix2d rotation = svd.matrixU() * svd.matrixV().transpose();
+  const Eigen::Vector2d singular = Eigen::JacobiSVD<Eigen::Matrix2d>(matrix).singularValues();
   const auto quality = measureFlattening(surface.mesh, mapped(surface.unrolled, matrix), {}, {});
   for (const TriangleQuality& q : quality.triangles)
   {
@@ -70,9 +68,6 @@ TEST(FlatteningQuality, OneLinearMapGivesItsSingularValuesEverywhere)
   EXPECT_NEAR(quality.summary.globalAspectRatio, singular[1] / singular[0], 1e-13);
   EXPECT_NEAR(quality.summary.globalHomogeneity, 1.0, 1e-13);
   EXPECT_NEAR(quality.summary.areaError, matrix.determinant() - 1.0, 1e-13);
-  EXPECT_NEAR(
-    quality.summary.strainP95, std::max(std::log(singular[0]), -std::log(singular[1])), 1e-13);
-  EXPECT_NEAR(quality.summary.rigidEnergy, (matrix - rotation).squaredNorm(), 1e-13);
 }
 
 TEST(FlatteningQuality, TheAngleErrorOfAStretchedRightTriangleIsThatOfItsAngles)
@@ -103,21 +98,6 @@ TEST(FlatteningQuality, AFlippedTriangleIsListedAndMakesHomogeneityNegative)
     EXPECT_EQ(quality.triangles[t].homogeneity, 0.0);
   }
   EXPECT_LT(quality.summary.globalHomogeneity, 0.0);
-}
-
-TEST(FlatteningQuality, ATriangleCollapsedInThePlaneGivesZeroAndNoNaN)
-{
-  const TriangleMesh mesh({ Point3(0, 0, 0), Point3(1, 0, 0), Point3(0, 1, 0) }, { { 0, 1, 2 } });
-  for (const Points2& positions :
-    { Points2(3, Point2(2.0, 1.0)), Points2{ Point2(0, 0), Point2(1, 1), Point2(2, 2) } })
-  {
-    const auto quality = measureFlattening(mesh, positions, { 0, 1, 2 }, {});
-    EXPECT_EQ(quality.triangles[0].areaRatio, 0.0);
-    EXPECT_EQ(quality.triangles[0].homogeneity, 0.0);
-    EXPECT_EQ(quality.summary.globalHomogeneity, 0.0);
-    EXPECT_EQ(quality.summary.flipped, Indices{ 0 });
-    EXPECT_TRUE(std::isfinite(quality.summary.angleError));
-  }
 }
 
 TEST(FlatteningQuality, TheDistortionAloneIsThatOfAllMeasures)
@@ -259,13 +239,18 @@ TEST(StrainMeasures, AFlippedTriangleCountsAsStrainedBeyondAllOthers)
 TEST(StrainMeasures, WhatCollapsesOrExplodesGivesFiniteNumbers)
 {
   const Surface surface = unitSquares(3, 1);
-  const Points2 collapsed(surface.mesh.vertexCount(), Point2(1.0, 2.0));
-  const QualitySummary point = measured(surface.mesh, collapsed);
-  EXPECT_EQ(point.strainP95, largestStrain);
-  EXPECT_DOUBLE_EQ(point.rigidEnergy, 2.0);
-  const QualitySummary line = measured(surface.mesh, mapped(surface.unrolled, stretch(1.0, 0.0)));
-  EXPECT_EQ(line.strainP95, largestStrain);
-  EXPECT_NEAR(line.rigidEnergy, 1.0, 1e-13);
+  for (const double length : { 0.0, 1.0 }) // to a point, to a line
+  {
+    const FlatteningQuality quality = measureFlattening(
+      surface.mesh, mapped(surface.unrolled, stretch(length, 0.0)), allHalfedges(surface.mesh), {});
+    EXPECT_EQ(quality.summary.strainP95, largestStrain);
+    EXPECT_NEAR(quality.summary.rigidEnergy, 2.0 - length, 1e-15 + 1e-13 * length);
+    EXPECT_EQ(quality.triangles[0].areaRatio, 0.0);
+    EXPECT_EQ(quality.triangles[0].homogeneity, 0.0);
+    EXPECT_EQ(quality.summary.globalHomogeneity, 0.0);
+    EXPECT_EQ(quality.summary.flipped.size(), 6U);
+    EXPECT_TRUE(std::isfinite(quality.summary.angleError));
+  }
   for (const double factor : { 1e-60, 1e60 })
   {
     const QualitySummary summary =

@@ -233,9 +233,7 @@ TEST(RandomCurves, FlatSurfacesFlattenToThemselves)
 TEST(RandomCurves, WiresOfACurvedSurfaceMeet)
 {
   Surface surface = cushion(7, 6, 0.12);
-  int converged = 0;
-  const unsigned count = 300;
-  for (unsigned seed = 0; seed < count; ++seed)
+  for (unsigned seed = 0; seed < 300; ++seed)
   {
     SCOPED_TRACE(seed);
     surface.curves = randomCurves(surface.mesh, seed, false);
@@ -247,15 +245,8 @@ TEST(RandomCurves, WiresOfACurvedSurfaceMeet)
     {
       ASSERT_TRUE(std::isfinite(p.x()) && std::isfinite(p.y()));
     }
-    const double worst = worstLength(result);
-    // Whoever reads the status is never told that all is well when it is not.
-    if (result.status.ok())
-    {
-      EXPECT_LT(worst, 1e-10);
-    }
-    converged += worst < 1e-10 ? 1 : 0;
+    EXPECT_LT(worstLength(result), 1e-10);
   }
-  EXPECT_EQ(converged, static_cast<int>(count));
 }
 
 namespace
@@ -275,6 +266,17 @@ TriangleMesh dome(Index meridians, Index parallels, double height)
   }
   return { std::move(points), ringTriangles(meridians, parallels, meridians) };
 }
+void expectExactLengths(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
+  const std::vector<Scheme>& schemes, const Execution& execution = {})
+{
+  for (const Scheme scheme : schemes)
+  {
+    const FlatteningResult result = flattenSurface(mesh, curves, withScheme(scheme), execution);
+    EXPECT_TRUE(result.status.ok()) << mesh.triangleCount() << ": " << result.status.message;
+    ASSERT_EQ(result.positions.size(), static_cast<std::size_t>(mesh.vertexCount()));
+    EXPECT_LT(worstLength(result), 1e-9) << mesh.triangleCount();
+  }
+}
 }
 
 TEST(HighValence, DomesWithAPoleKeepTheirBoundarysLengthInEveryScheme)
@@ -282,14 +284,8 @@ TEST(HighValence, DomesWithAPoleKeepTheirBoundarysLengthInEveryScheme)
   for (const auto& [meridians, parallels] :
     std::vector<std::pair<Index, Index>>{ { 13, 2 }, { 32, 6 }, { 100, 3 }, { 1000, 2 } })
   {
-    const TriangleMesh mesh = dome(meridians, parallels, 0.4);
-    for (Scheme scheme : { Scheme::Progressive, Scheme::Global, Scheme::Isometric })
-    {
-      const FlatteningResult result = flattenSurface(mesh, {}, withScheme(scheme), {});
-      EXPECT_TRUE(result.status.ok()) << meridians << ": " << result.status.message;
-      ASSERT_EQ(result.positions.size(), static_cast<std::size_t>(mesh.vertexCount()));
-      EXPECT_LT(worstLength(result), 1e-9) << meridians;
-    }
+    expectExactLengths(dome(meridians, parallels, 0.4), {},
+      { Scheme::Progressive, Scheme::Global, Scheme::Isometric });
   }
 }
 
@@ -301,14 +297,8 @@ TEST(HighValence, ConesAndDomesOfTensOfThousandsOfTrianglesTakeLittleMemory)
   for (const auto& [meridians, parallels] :
     std::vector<std::pair<Index, Index>>{ { 30000, 1 }, { 5600, 5 } })
   {
-    const TriangleMesh mesh = dome(meridians, parallels, 0.4);
-    for (Scheme scheme : { Scheme::Global, Scheme::Isometric })
-    {
-      const FlatteningResult result = flattenSurface(mesh, {}, withScheme(scheme), execution);
-      EXPECT_TRUE(result.status.ok()) << result.status.message;
-      ASSERT_FALSE(result.positions.empty());
-      EXPECT_LT(worstLength(result), 1e-9);
-    }
+    expectExactLengths(
+      dome(meridians, parallels, 0.4), {}, { Scheme::Global, Scheme::Isometric }, execution);
   }
 }
 
@@ -327,12 +317,12 @@ TEST(HighValence, WiresByTheThousandMeetInOneVertex)
       curves.push_back(accessory("spoke " + std::to_string(k), { 0, k + 1 }));
     }
   }
-  const TriangleMesh mesh(points, ringTriangles(spokes, 1, spokes + 1));
   Execution execution;
   execution.factorMemory = 50'000'000;
   for (Scheme scheme : { Scheme::Progressive, Scheme::Global, Scheme::Isometric })
   {
-    const FlatteningResult result = flattenSurface(mesh, curves, withScheme(scheme), execution);
+    const FlatteningResult result = flattenSurface(
+      { points, ringTriangles(spokes, 1, spokes + 1) }, curves, withScheme(scheme), execution);
     EXPECT_TRUE(result.status.ok()) << result.status.message;
     ASSERT_FALSE(result.positions.empty());
     for (const Wire& wire : result.wires)

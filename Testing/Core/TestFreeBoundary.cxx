@@ -181,30 +181,22 @@ double errorOf(const FlatteningResult& result, Index curve)
 
 TEST(FreeBoundary, HasTheLeastEnergyThatAnotherMinimizerFinds)
 {
-  for (const Surface& surface : formulas(false))
+  for (const bool curves : { false, true })
   {
-    const FlatteningResult result = flatten(surface, freeBoundary());
-    ASSERT_TRUE(result.status.ok()) << result.status.message;
-    EXPECT_TRUE(result.pieces[0].quality.flipped.empty());
-    EXPECT_EQ(result.pieces[0].energyUsed, DistortionEnergyKind::SymmetricDirichlet);
-    const double least = IndependentMinimum(surface, 0.0).energy();
-    EXPECT_NEAR(energyOf(result), least, 1e-4 * least + 1e-10);
-    EXPECT_LE(result.pieces[0].iterations, 15);
-  }
-}
-
-TEST(FreeBoundary, HasTheLeastEnergyWithTheLengthsOfItsCurves)
-{
-  FlatteningOptions options = freeBoundary();
-  options.isometric.angleWeight = 0.0;
-  for (const Surface& surface : formulas(true))
-  {
-    const FlatteningResult result = flatten(surface, options);
-    ASSERT_TRUE(result.status.ok()) << result.status.message;
-    EXPECT_TRUE(result.pieces[0].quality.flipped.empty());
-    EXPECT_LT(result.pieces[0].quality.maximumEdgeLengthError, 1e-12);
-    const double least = IndependentMinimum(surface, 1e3).energy();
-    EXPECT_NEAR(energyOf(result), least, 0.01 * least + 1e-10);
+    FlatteningOptions options = freeBoundary();
+    options.isometric.angleWeight = curves ? 0.0 : options.isometric.angleWeight;
+    for (const Surface& surface : formulas(curves))
+    {
+      const FlatteningResult result = flatten(surface, options);
+      ASSERT_TRUE(result.status.ok()) << result.status.message;
+      EXPECT_TRUE(result.pieces[0].quality.flipped.empty());
+      EXPECT_LT(result.pieces[0].quality.maximumEdgeLengthError, 1e-12);
+      EXPECT_EQ(result.pieces[0].energyUsed, DistortionEnergyKind::SymmetricDirichlet);
+      EXPECT_TRUE(curves || result.pieces[0].iterations <= 15);
+      // Lengths that a penalty holds are not exact.
+      const double least = IndependentMinimum(surface, curves ? 1e3 : 0.0).energy();
+      EXPECT_NEAR(energyOf(result), least, (curves ? 0.01 : 1e-4) * least + 1e-10);
+    }
   }
 }
 

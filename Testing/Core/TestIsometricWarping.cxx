@@ -23,18 +23,12 @@ FlatteningOptions isometricWith(DistortionEnergy energy, double angleWeight = 5.
   return options;
 }
 
-Surface cushionWithCurves()
+/// \param fine of more triangles between the wires, so that these can bend
+Surface cushionWithCurves(Index fine = 1)
 {
-  Surface surface = cushion(8, 10, 0.3);
-  surface.curves = { columnCurve(8, 10, 4), rowCurve(8, 3), rowCurve(8, 7) };
-  return surface;
-}
-
-/// The same with room between the wires for them to bend.
-Surface fineCushionWithCurves()
-{
-  Surface surface = cushion(16, 20, 0.3);
-  surface.curves = { columnCurve(16, 20, 8), rowCurve(16, 6), rowCurve(16, 14) };
+  Surface surface = cushion(8 * fine, 10 * fine, 0.3);
+  surface.curves = { columnCurve(8 * fine, 10 * fine, 4 * fine), rowCurve(8 * fine, 3 * fine),
+    rowCurve(8 * fine, 7 * fine) };
   return surface;
 }
 
@@ -50,7 +44,7 @@ std::array<Surface, 2> developables()
 
 TEST(IsometricWarping, KeepsEveryWireExactAndBeatsThePinnedInterior)
 {
-  const Surface surface = fineCushionWithCurves();
+  const Surface surface = cushionWithCurves(2);
   const FlatteningResult before = flatten(surface, withScheme(Scheme::Global));
   const FlatteningResult after = flatten(surface);
   ASSERT_TRUE(after.status.ok()) << after.status.message;
@@ -386,7 +380,6 @@ Surface smallCushion()
   surface.curves = { columnCurve(6, 7, 3), rowCurve(6, 4) };
   return surface;
 }
-
 }
 
 TEST(IsometricMinimum, AnotherMinimizerFindsNothingBelow)
