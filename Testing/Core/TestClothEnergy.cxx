@@ -90,22 +90,6 @@ TEST(SmoothRamp, HasTwoContinuousDerivatives)
   }
 }
 
-TEST(ThreadStrain, IsTheLengthOfThreadsOnTheSurface)
-{
-  for (const Eigen::Matrix2d& J : sampleMaps(0.3))
-  {
-    // What the cloth does on the way from the plane to the surface.
-    const Eigen::Matrix2d G = J.inverse();
-    const Eigen::Vector2d weft = G.col(0);
-    const Eigen::Vector2d warp = G.col(1);
-    const ThreadStrain strain = threadStrain(J.row(0).transpose(), J.row(1).transpose());
-    EXPECT_NEAR(strain.weft, weft.norm() - 1.0, 1e-13);
-    EXPECT_NEAR(strain.warp, warp.norm() - 1.0, 1e-13);
-    const double between = std::acos(weft.normalized().dot(warp.normalized()));
-    EXPECT_NEAR(std::abs(strain.shear), std::abs(0.5 * pi - between), 1e-7);
-  }
-}
-
 TEST(ClothEnergy, GradientAndHessianAreThoseOfFiniteDifferences)
 {
   for (const ClothMaterial& material : woven())

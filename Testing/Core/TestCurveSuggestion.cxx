@@ -200,16 +200,6 @@ TEST(CurveSuggestion, IsLooserWhereTheBoundTakesMoreSeamsThanCanBeSewn)
   EXPECT_LT(suggestions.strainAfter, 0.04); // 0.46 without cuts
 }
 
-TEST(CurveSuggestion, KeepsToTheMostCutsOnAClosedSurfaceThatWouldTakeManyMore)
-{
-  for (Index most : { 2, 4 })
-  {
-    const CurveSuggestions suggestions = suggestCurves(torus(16, 3.0), {}, optionsOf(0.002, most));
-    EXPECT_LE(static_cast<Index>(suggestions.curves.size()), most);
-    EXPECT_FALSE(suggestions.boundMet);
-  }
-}
-
 TEST(CurveSuggestion, NeverHasMoreCutsOfAnyKindThanTheMaximum)
 {
   const TriangleMesh tube = rolledUp(24, 8, [](double turn, double across) {
@@ -296,6 +286,12 @@ TEST(CurveSuggestion, TakesNoMoreCutsThanAllowedToOpenASurface)
     EXPECT_EQ(suggestions.status.code, most == 1 ? StatusCode::InvalidOption : StatusCode::Ok);
     EXPECT_EQ(
       suggestions.status.message.find("to open the surface takes") == std::string::npos, most > 1);
+  }
+  for (Index most : { 2, 4 }) // where many more would be wanted
+  {
+    const CurveSuggestions suggestions = suggestCurves(torus(16, 3.0), {}, optionsOf(0.002, most));
+    EXPECT_LE(static_cast<Index>(suggestions.curves.size()), most);
+    EXPECT_FALSE(suggestions.boundMet);
   }
 }
 

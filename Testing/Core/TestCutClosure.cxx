@@ -129,10 +129,19 @@ TEST(CutClosure, ASaddleConeCutToItsApexOverlapsUnlessTheCutIsClosed)
     EXPECT_STREQ(statusName(open.status.code), "Overlap");
     EXPECT_NE(open.status.message.find("\"slit\""), std::string::npos) << open.status.message;
     EXPECT_EQ(open.curves[0].closedLength, 0.0);
+    EXPECT_TRUE(std::all_of(
+      open.wires.begin(), open.wires.end(), [](const Wire& wire) { return wire.boundary; }));
 
     const FlatteningResult closed = flattened(surface, scheme, true);
     EXPECT_STREQ(statusName(closed.status.code), "Ok") << closed.status.message;
     EXPECT_NEAR(closed.curves[0].closedLength, 4.0, 1e-12);
+    for (const Wire& wire : closed.wires)
+    {
+      EXPECT_EQ(wire.boundary, wire.curve != 0) << "closed sides do not bound the piece";
+    }
+    EXPECT_EQ(std::count_if(closed.wires.begin(), closed.wires.end(),
+                [](const Wire& wire) { return wire.curve == 0; }),
+      2);
     EXPECT_EQ(closed.pieces[0].vertices, open.pieces[0].vertices);
     for (const SeamPair& pair : closed.cut->seamPairs)
     {
@@ -202,22 +211,6 @@ TEST(CutClosure, WhereOnlyTheMouthCrossesNoTwoFansOfTrianglesAreHeldTogetherAtAV
     }
   }
   EXPECT_GE(overlapping, 8);
-}
-
-TEST(CutClosure, ClosedSidesDoNotBoundTheirPiece)
-{
-  const Surface surface = cutCone({ 6.6, 6.6, 6.6, 6.6 });
-  for (const bool closeCuts : { false, true })
-  {
-    const FlatteningResult result = flattened(surface, Scheme::Isometric, closeCuts);
-    Index sides = 0;
-    for (const Wire& wire : result.wires)
-    {
-      sides += wire.curve == 0 ? 1 : 0;
-      EXPECT_EQ(wire.boundary, wire.curve != 0 || !closeCuts);
-    }
-    EXPECT_EQ(sides, 2);
-  }
 }
 
 TEST(CutClosure, JoinedSidesLeaveNothingInTheCache)

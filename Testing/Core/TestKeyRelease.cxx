@@ -64,18 +64,6 @@ TEST(KeyRelease, ReleasesOneCurveWhereOneIsEnough)
   EXPECT_EQ(result.status.remedies.front().subject, "\"key3\"");
 }
 
-TEST(KeyRelease, LeavesTheInnocentAloneHoweverManyKeysThereAre)
-{
-  const Release result = release(
-    40,
-    [](
-      const std::set<Index>& r) { return r.count(3) && r.count(17) && r.count(18) && r.count(39); },
-    one);
-  EXPECT_EQ(result.released, (Indices{ 3, 17, 18, 39 }));
-  EXPECT_LT(result.solves, 100);
-  EXPECT_EQ(result.status.message.find("\"key4\""), std::string::npos);
-}
-
 TEST(KeyRelease, ReleasesTheFewestAndOfAsManyThoseOfTheLeastObjective)
 {
   using Keys = std::set<Index>;
@@ -85,6 +73,7 @@ TEST(KeyRelease, ReleasesTheFewestAndOfAsManyThoseOfTheLeastObjective)
     std::function<bool(const Keys&)> works;
     std::function<double(const Keys&)> cost;
     Indices released;
+    int solves = 1000000;
   };
   const std::vector<Case> cases{
     { 5, [](const Keys&) { return true; }, [](const Keys& r) { return std::abs(*r.begin() - 2.2); },
@@ -103,6 +92,9 @@ TEST(KeyRelease, ReleasesTheFewestAndOfAsManyThoseOfTheLeastObjective)
           (r.count(19) ? 3.0 : 0.0);
       },
       { 5, 11, 19 } },
+    // The innocent are left alone however many there are.
+    { 40, [](const Keys& r) { return r.count(3) && r.count(17) && r.count(18) && r.count(39); },
+      one, { 3, 17, 18, 39 }, 100 },
     // One that clashes with four others.
     { 20,
       [](const Keys& r) {
@@ -112,7 +104,9 @@ TEST(KeyRelease, ReleasesTheFewestAndOfAsManyThoseOfTheLeastObjective)
   };
   for (const Case& c : cases)
   {
-    EXPECT_EQ(release(c.count, c.works, c.cost).released, c.released);
+    const Release result = release(c.count, c.works, c.cost);
+    EXPECT_EQ(result.released, c.released);
+    EXPECT_LT(result.solves, c.solves);
   }
 }
 
