@@ -179,8 +179,8 @@ TEST(ChartCuts, PartMoreTrianglesThanTheyAreFoundOn)
   ASSERT_GT(mesh.triangleCount(), 30000);
   const std::vector<SuggestedCurve> cuts = chartsOf(mesh, 0.05, std::nullopt);
   ASSERT_FALSE(cuts.empty());
-  EXPECT_LE(
-    worstStrain(flattenedWith(mesh, cuts)), 0.05); // drawn on others than they were found on
+  // Drawn on others than they were found on.
+  EXPECT_LE(worstStrain(flattenedWith(mesh, cuts)), 0.05);
 }
 
 TEST(ChartCuts, MakeAsManyPiecesAsAreWanted)

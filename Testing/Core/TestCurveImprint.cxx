@@ -632,12 +632,13 @@ TEST(CurveImprintRefusal, ACancelledRunGivesNothing)
 TEST(CurveImprintRefusal, AnOptionOutsideItsRangeAndAPlanarShapeOfOtherLengthAreRefused)
 {
   const Polyline line = polyline({ Point3(0, 0, 0), Point3(1, 0, 0) });
-  ImprintOptions options;
-  options.snap = 0.6;
-  EXPECT_EQ(imprintCurves(grid(2), { line }, options).status.code, StatusCode::InvalidOption);
-  options = {};
-  options.tolerance = -1.0;
-  EXPECT_EQ(imprintCurves(grid(2), { line }, options).status.code, StatusCode::InvalidOption);
+  std::array<ImprintOptions, 2> wrong;
+  wrong[0].snap = 0.6;
+  wrong[1].tolerance = -1.0;
+  for (const ImprintOptions& options : wrong)
+  {
+    EXPECT_EQ(imprintCurves(grid(2), { line }, options).status.code, StatusCode::InvalidOption);
+  }
   Polyline key = line;
   key.keyShape = KeyShape::Planar;
   key.planarShape = { Point2(0, 0) };

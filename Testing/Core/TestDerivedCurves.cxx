@@ -20,18 +20,6 @@ testmeshes::Surface bulge(double height)
     return height * std::sin(pi * i / 20) * std::sin(pi * j / 20);
   });
 }
-
-/// The farthest that a curve goes from places that were meant.
-double farthest(const EditedCurve& curve, const Points3& meant)
-{
-  const Points3 line = pointsAlong(curve.segments);
-  double most = 0.0;
-  for (const Point3& point : meant)
-  {
-    most = std::max(most, gap(line, point));
-  }
-  return most;
-}
 }
 
 TEST(DerivedCurves, AnOffsetIsACurveOfItsOwnThatCanBeUndone)
@@ -97,7 +85,11 @@ TEST(DerivedCurves, AStrokeBecomesASmoothCurveWithinItsTolerance)
     }
     ASSERT_TRUE(editor.addStroke(stroke, 0.1).ok());
     const EditedCurve& curve = editor.curve(0);
-    EXPECT_LE(farthest(curve, meant), 0.1 * (1.0 + 1e-9));
+    const Points3 line = pointsAlong(curve.segments);
+    for (const Point3& point : meant)
+    {
+      EXPECT_LE(gap(line, point), 0.1 * (1.0 + 1e-9));
+    }
     EXPECT_LE(curve.nodes.size(), 16U); // of 201
     EXPECT_EQ(curve.kinds[0], SegmentKind::Spline);
     EXPECT_FALSE(curve.closed);

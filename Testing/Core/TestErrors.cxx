@@ -23,7 +23,7 @@ using namespace statustesting;
 using namespace testmeshes;
 
 /// Makes statuses of Documentation/errors.md happen with which flattening ends; those of surfaces
-/// are made in TestSurfacePreparation, those of curves in TestImprintRefusals.
+/// are made in TestSurfacePreparation, those of curves in TestCurveImprint.
 namespace
 {
 StatusCode flatten(const Surface& surface, const FlatteningOptions& options = {})
