@@ -267,9 +267,9 @@ TriangleMesh dome(Index meridians, Index parallels, double height)
   return { std::move(points), ringTriangles(meridians, parallels, meridians) };
 }
 void expectExactLengths(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
-  const std::vector<Scheme>& schemes, const Execution& execution = {})
+  const std::vector<Scheme>& chosen, const Execution& execution = {})
 {
-  for (const Scheme scheme : schemes)
+  for (const Scheme scheme : chosen)
   {
     const FlatteningResult result = flattenSurface(mesh, curves, withScheme(scheme), execution);
     EXPECT_TRUE(result.status.ok()) << mesh.triangleCount() << ": " << result.status.message;
