@@ -56,6 +56,23 @@ TEST(CurveSuggestion, ProposesNothingForDevelopableSurfaces)
   }
 }
 
+TEST(CurveSuggestion, ItsCutsBringTheStrainBelowTheBound)
+{
+  const TriangleMesh mesh = dome(0.45);
+  const double before = worstStrain(flattenSurface(mesh, {}, {}, {}));
+  ASSERT_GT(before, 0.06);
+  const CurveSuggestions suggestions = suggestCurves(mesh, {}, optionsOf(0.035, 10));
+  EXPECT_TRUE(suggestions.boundMet);
+  EXPECT_EQ(suggestions.end, SearchEnd::BoundMet);
+  EXPECT_FALSE(suggestions.curves.empty());
+  EXPECT_NEAR(suggestions.strainBefore, before, 1e-12);
+  const FlatteningResult result = flattened(mesh, {}, suggestions);
+  EXPECT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_EQ(suggestions.curves.back().strainAfter, suggestions.strainAfter);
+  EXPECT_LE(worstStrain(result), 0.035);
+  EXPECT_NEAR(worstStrain(result), suggestions.strainAfter, 1e-9);
+}
+
 TEST(CurveSuggestion, ItsDartsAreNoLongerThanTheBoundAsks)
 {
   const TriangleMesh mesh = dome(0.45);

@@ -2,6 +2,7 @@
 #include "Angles/AngleSolver.h"
 #include "Angles/KeyRelease.h"
 #include "Angles/ReleaseAdvice.h"
+#include "Flattened.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
@@ -141,4 +142,15 @@ TEST(ReleaseAdvice, SensitivityIsTheChangeOfTheOptimumWhenACurveGrows)
     const double slope = (optimum(1.0 + step) - optimum(1.0 - step)) / (2.0 * step);
     EXPECT_NEAR(advice.sensitivity[curve], slope, 1e-4 * (1.0 + std::abs(slope)));
   }
+}
+
+TEST(ReleaseAdvice, OnTheQuarterSphereWithTwoArcsReleasingTheFirstGivesThePapersObjective)
+{
+  const Surface surface = quarterSphereWithTwoArcs();
+  const FlatteningResult result = flatten(surface, withScheme(Scheme::Global));
+  const ReleaseAdvice& advice = result.pieces[0].advice;
+  ASSERT_EQ(advice.ranking.size(), 2u);
+  // The long arc costs more; without it the piece is that of Fig. 11.
+  EXPECT_EQ(advice.ranking[0], 1);
+  EXPECT_NEAR(advice.first().objective, 0.197157, 1e-6);
 }
