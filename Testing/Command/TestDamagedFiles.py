@@ -148,14 +148,6 @@ class Damaged(command.CommandTest):
         run = self.run_command("a\x1b[31m.obj", "--output", "out")
         self.assertNotIn("\x1b", run.stderr)
 
-    def test_a_name_holds_no_zero_byte_where_vtk_would_end_it(self):
-        self.write("names.txt", b"accessory a\0b 10 11 12 13 14\n")
-        coded = command.legacy_curves(self.points, [(0, "a%00b", [10, 11, 12, 13, 14])])
-        self.write("names.vtk", coded)
-        for name in ("names.txt", "names.vtk"):
-            report = self.flatten("good.obj", name)
-            self.assertRegex(report["curves"][0]["name"], "^a [ b]$")
-
 
 if __name__ == "__main__":
     command.main()

@@ -29,7 +29,6 @@ class Flattenable(command.CommandTest):
         self.assertLessEqual(after["strain_p95"], 0.02)
         self.assertGreater(moved["shift_mean"], 0)
         self.assertLessEqual(moved["shift_mean"], moved["shift_max"])
-        self.assertEqual(before["strain_p95"], self.flatten("hill.obj")["pieces"][0]["strain_p95"])
 
     def test_what_it_writes_lies_flat_by_itself_and_goes_with_the_next_run(self):
         strain = self.flatten("reshape", "hill.obj", "curves.txt", "--max-strain", "0.03")["pieces"][0]["strain_p95"]
@@ -67,15 +66,6 @@ class Flattenable(command.CommandTest):
         self.assertIn('no curve is named "centre"; the curves are middle', run.stderr)
         self.assertNotIn("--tolerance", run.stderr)
         self.assertNotIn("flattenable.vtp", os.listdir(self.path("refused")))
-
-    def test_a_bound_that_is_not_met_is_told(self):
-        lines = "".join(f"accessory row{j} " + " ".join(str(7 * j + i) for i in range(7)) + "\n" for j in range(1, 6))
-        self.write("all.txt", lines)
-        keep = [word for j in range(1, 6) for word in ("--keep", f"row{j}")]
-        run = self.run_command("reshape", "hill.obj", "all.txt", "--max-strain", "0.01", *keep, "--output", "out")
-        self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertIn("above the bound of 1 %", run.stderr)
-        self.assertFalse(self.report("out")["flattenable"]["bound_met"])
 
     def test_the_moved_surface_is_sewn_again(self):
         self.flatten("reshape", "hill.obj", "--max-strain", "0.02")

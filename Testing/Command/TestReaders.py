@@ -49,15 +49,10 @@ class Readers(command.CommandTest):
                     + "".join(face % t for t in self.triangles))
 
         counts = "%d %d 0\n" % (len(self.points), len(self.triangles))
-        for head, point, face in (
-                ("OFF\n" + counts, "%r %r %r\n", "3 %d %d %d\n"),
-                ("OFF " + counts, "%r %r %r\n", "3 %d %d %d\n"),
-                ("COFF\n# from a scanner\n\n" + counts, "%r %r %r 255 0 0 255\n", "3 %d %d %d 0.5 0.5 0.5\r\n")):
-            self.write("a.off", off(head, point, face))
-            self.flatten("a.off")
-            self.assertEqual(self.array("out/cut.vtp", "Points"), self.coordinates())
         # A vertex and a face end with a line, whatever it holds beside coordinates and ids.
         for head, point, face in (
+                ("OFF " + counts, "%r %r %r\n", "3 %d %d %d\n"),
+                ("COFF\n# from a scanner\n\n" + counts, "%r %r %r 255 0 0 255\n", "3 %d %d %d 0.5 0.5 0.5\r\n"),
                 ("OFF\n%d %d\n" % (len(self.points), len(self.triangles)), "%r %r %r 9 9 9\n", "3 %d %d %d\n"),
                 ("\ufeffOFF" + counts, "\n%r %r %r # first\n", "3 %d # one\n\n %d\t%d 255 0 0 # red\n"),
                 ("STCNOFF " + counts, "%r %r %r 0 0 1 .5 .5 .5 1 0 0\n", "3 %d %d %d\n"),
@@ -197,20 +192,6 @@ class Readers(command.CommandTest):
         self.assertEqual(
             self.measures("marked.obj", "marked.txt"), self.measures("plain.obj", "arc.txt"))
 
-    def test_lines_of_an_obj_are_feature_curves(self):
-        lines = "l " + " ".join(str(v + 1) for v in self.arc) + "\n"
-        self.write("lines.obj", command.obj(self.points, self.triangles) + lines)
-        self.write("plain.obj", command.obj(self.points, self.triangles))
-        self.assertEqual(self.measures("lines.obj"), self.measures("plain.obj", "arc.txt"))
-        self.assertEqual(self.report("out")["pieces"][0]["wire_patches"], 2)
-
-    def test_polygons_are_triangulated(self):
-        points, triangles = command.sheet()
-        squares = [(a[0], a[1], a[2], b[2]) for a, b in zip(triangles[::2], triangles[1::2])]
-        self.write("squares.obj", command.obj(points, squares))
-        piece = self.flatten("squares.obj")["pieces"][0]
-        self.assertEqual(piece["triangles"], 2 * len(squares))
-
     def test_arrays_whose_name_is_empty_stay_behind(self):
         count, cells = len(self.points), len(self.triangles)
         for kind, rows in (("POINT_DATA", count), ("CELL_DATA", cells)):
@@ -233,23 +214,6 @@ class Readers(command.CommandTest):
         self.assertEqual(results[0], results[1])
         self.assertEqual([c["name"] for c in results[0][1]], ["arc"])
         self.assertEqual([c["type"] for c in results[0][1]], ["key"])
-
-    def test_several_curve_files_add_up(self):
-        self.write("a.obj", command.obj(self.points, self.triangles))
-        self.write("long.txt", "accessory long 0 3 8 13 18 23 28 33 36\n")
-        report = self.flatten("a.obj", "arc.txt", "long.txt")
-        self.assertEqual([curve["name"] for curve in report["curves"]], ["arc", "long"])
-        self.assertEqual(report["pieces"][0]["wire_patches"], 4)
-
-    def test_dart_and_seam_in_text_open_and_divide(self):
-        points, triangles = command.sheet()
-        self.write("a.obj", command.obj(points, triangles))
-        self.write("dart.txt", "dart d 2 7 12\n")
-        self.write("seam.txt", "seam s 2 7 12 17 22\n")
-        opened = self.flatten("a.obj", "dart.txt")["pieces"]
-        self.assertEqual([piece["vertices"] for piece in opened], [27])
-        divided = self.flatten("a.obj", "seam.txt")["pieces"]
-        self.assertEqual([piece["vertices"] for piece in divided], [15, 15])
 
 
 if __name__ == "__main__":

@@ -71,23 +71,21 @@ class Sizes(command.CommandTest):
 
     def test_the_likely_unit_is_taken_and_said_once_and_not_where_one_is_stated(self):
         points, triangles = plate(6, 10)
-        for scale, likely in ((0.1, "m"), (0.04, "m"), (5.0, "cm"), (40.0, "mm"), (100.0, "mm")):
+        for scale, likely in ((0.1, "m"), (5.0, "cm"), (40.0, "mm")):
             self.write("plate.obj", command.obj([tuple(scale * x for x in point) for point in points], triangles))
             self.assertIn(f"{likely} is likely and taken", self.run_command("check", "plate.obj").stdout)
             self.run_command("cut", "plate.obj", "--kind", "darts", "--output", "cut")
             self.assertEqual(self.report("cut")["unit"], likely)
-            for formats in ((), (".svg",), (".svg", ".dxf", ".plt")):
-                with self.subTest(likely=likely, formats=formats):
-                    files = [word for ending in formats for word in ("-o", "out/pattern" + ending)]
+            for files in ((), ("-o", "out/pattern.svg", "-o", "out/pattern.plt")):
+                with self.subTest(likely=likely, files=files):
                     run = self.run_command("pattern" if files else "flatten", "plate.obj", *files, "--output", "out")
                     self.assertIn(f"note: plate.obj states no unit: {likely} is taken", run.stderr)
                     self.assertEqual((run.stderr + run.stdout).count("--unit"), 1, run.stderr)
                     report = self.report("out")
                     self.assertEqual((report["unit"], report["unit_stated"]), (likely, False))
-                    for unit in ("mm", "cm", "m", "inch"):
-                        run = self.run_command("pattern" if files else "flatten", "plate.obj", *files, "--unit", unit,
-                                               "--output", "out")
-                        self.assertEqual((run.stderr + run.stdout).count("--unit"), 0, run.stderr)
+                    run = self.run_command("pattern" if files else "flatten", "plate.obj", *files, "--unit", "inch",
+                                           "--output", "out")
+                    self.assertEqual((run.stderr + run.stdout).count("--unit"), 0, run.stderr)
 
     def test_a_stated_unit_is_kept_by_all_files_that_are_written(self):
         self.write("plate.obj", command.obj(*plate(6, 10)))
@@ -170,12 +168,6 @@ class Sizes(command.CommandTest):
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertLess(self.report("second")["curve_distance_mm"], 1e-6)
         self.assertNotIn("off the surface", run.stdout)
-
-    def test_a_developable_piece_needs_nothing(self):
-        self.write("sheet.obj", command.obj(*command.sheet()))
-        run = self.run_command("sheet.obj", "--unit", "inch")
-        self.assertIn("piece 1: ", run.stdout)
-        self.assertIn("it lies flat as it is", run.stdout)
 
     def test_the_worst_place_is_named_after_the_curve_there(self):
         self.write("bump.obj", command.obj(*plate(

@@ -47,16 +47,6 @@ class Suggestions(command.CommandTest):
         uncut = self.flatten("dome.obj")
         self.assertTrue(math.isclose(uncut["pieces"][0]["strain_p95"], strain, rel_tol=1e-9))
 
-    def test_names_that_are_not_there_are_refused_before_the_search(self):
-        self.write("hem.txt", "edge hem 0 1 2 3\n")
-        self.write("stiff.json", '{"warp": 100, "weft": 100, "shear": 5, "cross": 0}')
-        for cuts in ("all", "darts", "lines"):
-            report = self.flatten("cut", "dome.obj", "hem.txt", "--kind", cuts, "--material", "stiff.json",
-                                  "--grain", "hen:45", code=3)
-            self.assertEqual(report["status"], "InvalidOption")
-            self.assertIn('no curve is named "hen"', report["message"])
-            self.assertIn('--grain: "hem"', report["message"])
-
     def test_folders_in_the_way_of_files_are_found_before_the_search(self):
         for name in ("flat.vtp", "curves.vtp", "report.json"):
             os.makedirs(os.path.join(self.path("out"), name))
@@ -67,23 +57,14 @@ class Suggestions(command.CommandTest):
             os.rmdir(os.path.join(self.path("out"), name))
 
     def test_options_of_cloth_and_patterns_are_refused_before_surface_and_search(self):
-        for surface in ("dome.obj", "missing.obj"):
-            for options, said in (
-                    (["--roll-width", "300"], "an option of wirewarp nest"),
-                    (["--roll-width=0"], "an option of wirewarp nest"),
-                    (["--max-cuts", "2", "--nap"], "an option of wirewarp nest"),
-                    (["--kind", "seams", "--gap", "4"], "an option of wirewarp nest"),
-                    (["--allowance", "10"], "an option of wirewarp pattern, wirewarp nest"),
-                    (["-o", "lay.svg"], "does not write 'lay.svg'; .*wirewarp pattern"),
-                    (["-o", "out", "-o", "lay.plt"], "does not write 'lay.plt'; .*wirewarp pattern")):
-                with self.subTest(surface, options=options):
-                    run = self.run_command("cut", surface, "--unit", "cm", "--effort", "long", *options)
-                    self.assertEqual((run.returncode, run.stdout), (2, ""))
-                    self.assertRegex(run.stderr, said)
-            for width in ("0", "-3", "nan", "inf", "1e6", "wide"):
-                run = self.run_command("nest", surface, "--unit", "cm", "--roll-width", width, "--output", "out")
+        for options, said in (
+                (["--max-cuts", "2", "--nap"], "an option of wirewarp nest"),
+                (["--allowance", "10"], "an option of wirewarp pattern, wirewarp nest"),
+                (["-o", "out", "-o", "lay.plt"], "does not write 'lay.plt'; .*wirewarp pattern")):
+            with self.subTest(options):
+                run = self.run_command("cut", "missing.obj", "--unit", "cm", "--effort", "long", *options)
                 self.assertEqual((run.returncode, run.stdout), (2, ""))
-                self.assertRegex(run.stderr, rf"--roll-width: '{width}' is not a length in \(0, 100000\] mm")
+                self.assertRegex(run.stderr, said)
         self.assertEqual(os.listdir(self.path(".")), ["dome.obj"])
 
     def test_nothing_is_cut_that_lies_flat(self):
@@ -100,27 +81,14 @@ class Suggestions(command.CommandTest):
         hills = [max(0.0, 1 - ((abs(x) - 0.35) ** 2 + (y - 0.3) ** 2) / 0.12) ** 2 for x, y, _ in bumps]
         self.write("bent.obj", command.obj([(x + o * (math.cos(1.0) - 1), y, 0.2 * hill + o * math.sin(1.0))
                                             for (x, y, _), o, hill in zip(bumps, out, hills)], self.triangles))
-
-        def mirror(surface, *options):
-            run = self.run_command("cut", surface, "--kind", "darts", "--max-strain", "0", "--max-cuts", "2", *options,
+        for surface, kind, words in (
+                ("bumps.obj", "plane", "mirrored across the plane with normal ("),
+                ("bent.obj", "axis", "mirrored, by lengths and angles, across the axis from (")):
+            run = self.run_command("cut", surface, "--kind", "darts", "--max-strain", "0", "--max-cuts", "2",
                                    "--output", "out")
             self.assertIn(run.returncode, (0, 4), run.stderr)
-            return self.report("out")["suggestions_mirror"], run.stdout
-
-        plane, table = mirror("bumps.obj")
-        self.assertEqual(plane["type"], "plane")
-        for number, expected in zip([*map(abs, plane["normal"]), plane["offset"]], (1, 0, 0, 0)):
-            self.assertAlmostEqual(number, expected, 9)
-        self.assertIn("mirrored across the plane with normal (", table)
-        axis, table = mirror("bent.obj")
-        self.assertEqual(axis["type"], "axis")
-        for end, y in zip(sorted(axis["ends"], key=lambda end: end[1]), (-1, 1)):
-            for number, expected in zip(end, (0, y, 0)):
-                self.assertAlmostEqual(number, expected, 9)
-        self.assertIn("mirrored, by lengths and angles, across the axis from (", table)
-        none, table = mirror("bumps.obj", "--symmetric", "off")
-        self.assertIsNone(none)
-        self.assertNotIn("mirrored", table)
+            self.assertEqual(self.report("out")["suggestions_mirror"]["type"], kind)
+            self.assertIn(words, run.stdout)
 
     def test_weights_say_where_distortion_matters(self):
         middles = [sum(self.points[v][0] for v in t) / 3 for t in self.triangles]
@@ -171,12 +139,9 @@ class Suggestions(command.CommandTest):
         self.assertEqual(rows[0]["status"], "IncompatibleKeys")
         self.assertEqual(rows[1]["status"], "Ok")  # what is to blame comes first
         self.assertTrue(rows[1]["trial"].startswith("without "))
-        self.assertAlmostEqual(rows[1]["price"], rows[0]["E_area"] - rows[1]["E_area"], 12)
         self.assertIsNone(rows[2]["price"])
         for row in rows:
             self.assertIn(row["trial"], run.stdout)
-        released = self.flatten(surface, curves, "--no-keys", "--scheme", "global")
-        self.assertAlmostEqual(rows[-1]["E_area"], released["pieces"][0]["E_area"], 12)
         run = self.run_command("prices", "dome.obj", "--output", "none")
         self.assertEqual(run.returncode, 3)
         self.assertIn("there is no key curve", run.stderr)
@@ -218,11 +183,6 @@ class Suggestions(command.CommandTest):
             run = self.run_command("cut", "dome.obj", "--kind", "lines", *option)
             self.assertEqual(run.returncode, 2, run.stdout)
             self.assertIn(f"{option[0]} is for --kind darts, seams, all or gores, not for --kind lines", run.stderr)
-
-    def test_a_preference_names_a_curve(self):
-        run = self.run_command("cut", "dome.obj", "--kind", "all", "--prefer", "waist=2")
-        self.assertEqual(run.returncode, 3)
-        self.assertIn('no curve is named "waist"', run.stderr)
 
     def test_bad_usage_is_refused(self):
         for arguments in (["--kind", "pleats"], ["--max-strain", "-1"], ["--max-strain", "nan"], ["--max-cuts", "-1"],

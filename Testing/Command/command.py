@@ -153,22 +153,6 @@ def together(*surfaces):
     return points, triangles
 
 
-def moebius_band(count=12):
-    """A band of two rows with half a twist, one-sided."""
-    points = []
-    for k in range(count):
-        a = 2 * math.pi * k / count
-        for t in (-0.3, 0.3):
-            r = 1 + t * math.cos(a / 2)
-            points.append((r * math.cos(a), r * math.sin(a), t * math.sin(a / 2)))
-    triangles = []
-    for k in range(count):
-        a, b = 2 * k, 2 * k + 1
-        c, d = (a + 2, b + 2) if k + 1 < count else (1, 0)
-        triangles += [(a, c, d), (a, d, b)]
-    return points, triangles
-
-
 def torus(count=6):
     """A closed surface with one handle."""
 
