@@ -35,15 +35,6 @@ class Commands(command.CommandTest):
             self.assertEqual(self.read("one" + ending), self.read("two" + ending), ending)
         self.assertEqual(self.report("out"), before)
 
-    def test_a_result_of_a_material_keeps_its_grain(self):
-        points, triangles = command.sheet()
-        self.write("sheet.obj", command.obj([tuple(20 * x for x in p) for p in points], triangles))
-        made = ("sheet.obj", "--unit", "cm", "--material", "twill", "--grain", "30")
-        self.run_well(*made, "-o", "out")
-        self.run_well("pattern", "out", "-o", "one.dxf")
-        self.run_well("pattern", *made, "-o", "two.dxf")
-        self.assertEqual(self.read("one.dxf"), self.read("two.dxf"))
-
     def test_files_of_a_pattern_are_made_without_a_result_beside_them(self):
         run = self.run_well("--unit", "cm", "pattern", "a.obj", "-o", "new/front.svg")
         self.assertEqual(os.listdir(self.path("new")), ["front.svg"])

@@ -61,32 +61,6 @@ class Grading(command.CommandTest):
                 for path in group.findall(SVG + "path")]
         return layers
 
-    def test_larger_surfaces_give_their_factor_and_the_base_nothing(self):
-        report = self.grade_scaled()
-        layers = self.layers()
-        self.assertEqual(list(layers), list(FACTORS))
-        base = dict(layers["38"])
-        lengths = {curve["name"]: curve["length_2d"] for curve in report["curves"]}
-        for size, factor in FACTORS.items():
-            self.assertEqual([name for name, _ in layers[size]], ["centre", "hem", "boundary"])
-            for name, line in layers[size]:
-                length = sum(math.dist(a, b) for a, b in zip(line, line[1:]))
-                whole = sum(math.dist(a, b) for a, b in zip(base[name], base[name][1:]))
-                self.assertAlmostEqual(length, factor * whole, delta=1e-6)
-                if name in lengths:
-                    self.assertAlmostEqual(length, 10 * factor * lengths[name], delta=1e-6)
-        rows = self.rules()
-        origin = base["centre"][0]
-        border = {int(row["point"]): row for row in rows}
-        # Around the origin, at which sizes are laid on each other, a rule is the scaling of its point's place.
-        hem = base["hem"]
-        for point, (x, y) in ((at(0, 0), hem[0]), (at(COLUMNS, 0), hem[-1])):
-            for size, factor in FACTORS.items():
-                self.assertAlmostEqual(float(border[point][f"dx {size} mm"]), (factor - 1) * (x - origin[0]), delta=1e-4)
-                self.assertAlmostEqual(float(border[point][f"dy {size} mm"]), (factor - 1) * (origin[1] - y), delta=1e-4)
-        for row in rows:
-            self.assertEqual((float(row["dx 38 mm"]), float(row["dy 38 mm"])), (0.0, 0.0))
-
     def test_the_rule_table_moves_the_points_of_the_dxf(self):
         for unit, word in (("cm", "METRIC"), ("inch", "ENGLISH")):
             self.grade("36=36.obj", "38=38.obj", "40=40.obj", "curves.txt", "--base", "38", "--unit", unit, "--smooth", "0",

@@ -55,20 +55,6 @@ class Sizes(command.CommandTest):
                 patterns.append(file.read())
         self.assertEqual(*patterns)
 
-    def test_sizes_that_nobody_cuts_are_warned_of(self):
-        self.write("plate.obj", command.obj(*plate(6, 10)))
-        for unit, words in (("mm", "largest piece is 10 mm"), ("m", ""), ("cm", ""),
-                            ("inch", "")):
-            run = self.run_command("plate.obj", "--unit", unit, "--output", "out")
-            self.assertEqual(run.returncode, 0)
-            if words:
-                self.assertIn(words, run.stderr)
-                self.assertIn(words, self.report("out")["warnings"][0])
-                self.assertIn(f"in the stated unit, {unit}", run.stderr)
-                self.assertNotIn("--unit", run.stderr)
-            else:
-                self.assertEqual((run.stderr, self.report("out")["warnings"]), ("", []))
-
     def test_the_likely_unit_is_taken_and_said_once_and_not_where_one_is_stated(self):
         points, triangles = plate(6, 10)
         for scale, likely in ((0.1, "m"), (5.0, "cm"), (40.0, "mm")):

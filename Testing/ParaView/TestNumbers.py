@@ -22,19 +22,6 @@ COLUMNS = {"E_len": "EdgeLengthError", "E_ang": "AngleErrorMean", "E_h": "Global
 
 
 class Numbers(unittest.TestCase):
-    def test_numbers_are_those_of_table_1(self):
-        filter_ = pv.FlattenSurfaceWireWarping(Input=read("quarter_sphere"), Curves=read("quarter_sphere_curves"))
-        filter_.Interior = "Laplacian"
-        for scheme, angle_error, homogeneity in (
-            ("Progressive", 0.1591, 0.394),
-            ("Global", 0.1488, 0.404),
-        ):
-            filter_.Scheme = scheme
-            pieces = fetch(filter_, 3)
-            self.assertLess(values(pieces, "MaxEdgeLengthError")[0], 1e-10)
-            self.assertAlmostEqual(values(pieces, "AngleErrorMean")[0], angle_error, delta=5e-5)
-            self.assertAlmostEqual(values(pieces, "GlobalHomogeneity")[0], homogeneity, delta=5e-4)
-
     def test_numbers_are_those_of_the_command(self):
         for name, scheme, interior in (
             ("quarter_sphere", "progressive", "laplacian"),

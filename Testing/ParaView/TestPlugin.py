@@ -5,7 +5,6 @@ import json
 import math
 import os
 import re
-import subprocess
 import tempfile
 import unittest
 from xml.etree import ElementTree
@@ -13,7 +12,7 @@ from xml.etree import ElementTree
 import paraview.simple as pv
 from vtkmodules.vtkFiltersCore import vtkMassProperties
 
-from plugin import OUTPUT, PLUGIN, SOURCE, fetch, read, values
+from plugin import OUTPUT, fetch, read, values
 
 
 class Plugin(unittest.TestCase):
@@ -180,20 +179,6 @@ class Plugin(unittest.TestCase):
         self.assertEqual(values(after, "RunStatus"), ["Ok"])
         self.assertEqual(after.GetBounds(), before.GetBounds())
         self.assertIn("bust line", values(fetch(pv.FindSource("flat"), 4), "Name"))
-
-    def test_what_flatten_collection_writes_is_opened_again(self):
-        spheres = pv.GroupDatasets(Input=[read("quarter_sphere"), read("quarter_sphere")])
-        with tempfile.TemporaryDirectory() as folder:
-            pieces, flat = (os.path.join(folder, name) for name in ("pieces.vtm", "flat.vtm"))
-            pv.SaveData(pieces, proxy=spheres, DataMode="Binary")
-            run = subprocess.run(
-                [os.environ["PVBATCH"], os.path.join(SOURCE, "Examples", "ParaView", "flatten_collection.py"),
-                 "--plugin", PLUGIN, pieces, flat],
-                stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
-            self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
-            written = pv.XMLMultiBlockDataReader(FileName=[flat])
-            written.UpdatePipeline()
-            self.assertEqual(written.GetDataInformation().GetNumberOfCells(), 2 * 56)
 
     def test_a_collection_is_flattened_block_by_block(self):
         names = ("quarter_sphere", "shirt_shoulder", "cone")

@@ -4,7 +4,6 @@
 import glob
 import importlib.util
 import os
-import re
 import subprocess
 import sys
 import tempfile
@@ -17,6 +16,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader
 
 import surfaceflattening as sf
+from pattern_files import bezier_length, curves_of
 from surfaces import DATA, SOURCE, points_of, polylines_of, read, triangles_of
 
 EXAMPLES = os.path.join(SOURCE, "Examples", "Python")
@@ -56,24 +56,6 @@ def write_obj(path, name):
             file.write(f"o {kind}{name}\n")
             file.writelines(f"l {a} {b}\n" for a, b in zip(chain, chain[1:]))
     return lengths
-
-
-def drawn_length(path):
-    """Length of an SVG path of straight lines and cubic Bezier curves, by Gauss's rule on 8 parts."""
-    places, weights = np.polynomial.legendre.leggauss(12)
-    u = ((np.arange(8)[:, None] + 0.5 + places / 2) / 8).reshape(-1, 1)
-    weights = np.tile(weights, 8) / 16
-    at, length = None, 0.0
-    for letter, numbers in re.findall(r"([MLC])([^MLC]*)", path.get("d")):
-        points = np.array([float(word) for word in numbers.replace(",", " ").split()]).reshape(-1, 2)
-        if letter == "C":
-            a, b, c = np.diff(np.array([at, *points]), axis=0)
-            slope = 3 * ((1 - u)**2 * a + 2 * u * (1 - u) * b + u**2 * c)
-            length += weights @ np.linalg.norm(slope, axis=1)
-        elif letter == "L":
-            length += np.linalg.norm(points[0] - at)
-        at = points[-1]
-    return length
 
 
 class Examples(unittest.TestCase):
@@ -128,7 +110,8 @@ class Examples(unittest.TestCase):
         drawn = {}
         for path in root.iter("{http://www.w3.org/2000/svg}path"):
             if path.get("data-curve") and path.get("data-length"):  # no notches, no outline
-                drawn.setdefault(path.get("data-curve"), []).append(drawn_length(path))
+                length = sum(map(bezier_length, curves_of(path)))
+                drawn.setdefault(path.get("data-curve"), []).append(length)
         self.assertEqual(set(drawn), set(lengths))
         for name, (length, sides) in lengths.items():
             self.assertEqual(len(drawn[name]), sides, name)

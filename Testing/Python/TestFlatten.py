@@ -8,7 +8,7 @@ import warnings
 import numpy as np
 
 import surfaceflattening as sf
-from surfaces import cap, distances, grid, quarter_sphere, read
+from surfaces import cap, grid, quarter_sphere, read
 
 
 class WhatAPlaneCannotHold(unittest.TestCase):
@@ -65,17 +65,6 @@ class WhatAPlaneCannotHold(unittest.TestCase):
                     ["the symmetric Dirichlet energy was used" in str(w.message) for w in told], [True] * used)
 
 
-class QuarterSphere(unittest.TestCase):
-    """Fig. 11 and Table 1 of the paper."""
-
-    def test_the_unit_scales_the_result_alone(self):
-        points, triangles, arc = quarter_sphere()
-        one = sf.flatten(points, triangles, [arc])
-        many = sf.flatten(1e4 * points + 5e4, triangles, [arc])
-        np.testing.assert_allclose(
-            distances(many.positions), 1e4 * distances(one.positions), atol=1e-4)
-
-
 class Results(unittest.TestCase):
     def test_a_seam_divides_and_its_sides_are_paired(self):
         points, triangles = grid()
@@ -98,14 +87,6 @@ class Results(unittest.TestCase):
                         or right[..., 0].max() < left[..., 0].min())
         np.testing.assert_array_equal(np.bincount(pieces), [12, 12])
 
-    def test_a_straight_key_is_straight(self):
-        points, triangles, arc = quarter_sphere()
-        arc = sf.Curve(arc, type="key", key_shape="straight")
-        result = sf.flatten(points, triangles, [arc])
-        wire = next(wire for wire in result.wires if wire.type == "key")
-        ends = result.positions[[wire.vertices[0], wire.vertices[-1]]]
-        self.assertAlmostEqual(np.linalg.norm(ends[1] - ends[0]), wire.rest_length, 9)
-
     def test_a_key_takes_a_planar_shape(self):
         points, triangles, arc = quarter_sphere()
         angles = np.linspace(0.0, 0.5, len(arc))
@@ -120,13 +101,9 @@ class Results(unittest.TestCase):
 
     def test_an_elastic_curve_stays_within_its_tolerance(self):
         points, triangles, arc = quarter_sphere()
-        rigid = sf.flatten(points, triangles, [arc])
         elastic = sf.flatten(points, triangles, [sf.Curve(arc, length_tolerance=0.05)])
         error = elastic.report["curves"][0]["error"]
         self.assertTrue(1e-6 < error <= 0.05 + 1e-9, error)
-        # What gives way spares the sheet.
-        self.assertLess(elastic.report["pieces"][0]["energy_rigid"],
-                        rigid.report["pieces"][0]["energy_rigid"])
 
     def test_the_report_is_plain_python(self):
         surface, curves = read("shirt_shoulder"), read("shirt_shoulder_curves")

@@ -2,7 +2,6 @@
 """price_keys() tells which key curve costs what."""
 
 import dataclasses
-import math
 import unittest
 import warnings
 
@@ -50,17 +49,6 @@ class KeyPrices(unittest.TestCase):
         self.assertAlmostEqual(prices.all.E_area, largest(whole, "E_area"), 12)
         self.assertEqual([key.price for key in prices.keys],
                          sorted((key.price for key in prices.keys), reverse=True))
-
-    def test_a_key_costs_nothing_where_the_surface_unrolls(self):
-        prices = sf.price_keys(*piece("cone", "cone_curves"))
-        for key in prices.keys:
-            self.assertLess(abs(key.price), 1e-9)
-            self.assertFalse(math.isnan(key.alone.E_area))
-
-    def test_a_surface_without_keys_is_refused(self):
-        points, triangles, curves = piece("cone", "cone_curves", kinds=())
-        with self.assertRaisesRegex(sf.FlatteningError, "there is no key curve"):
-            sf.price_keys(points, triangles, curves)
 
 
 if __name__ == "__main__":

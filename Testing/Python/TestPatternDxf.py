@@ -7,7 +7,6 @@ import unittest
 import ezdxf.colors
 
 import pattern_files as pattern
-from pattern_files import command
 
 
 def marks(block, layer):
@@ -133,20 +132,6 @@ class Layers(pattern.PatternTest):
         self.assertRegex(names[2], "^_+RMEL$")
         self.assertEqual(names[3], "X" * 31)
 
-    def test_the_grainline_runs_along_the_key_curve(self):
-        self.make("tshirt", "-o", "out/pattern.dxf")
-        _, blocks = self.blocks()
-        for block, key in zip(blocks, ("centre_front", "centre_back", None, None)):
-            (grain,) = [line for line in block.query("LINE") if line.dxf.layer == "7"]
-            start, end = tuple(grain.dxf.start)[:2], tuple(grain.dxf.end)[:2]
-            self.assertGreater(math.dist(start, end), 50)
-            if key:
-                # These key curves are straight in the plane, and upright.
-                self.assertLess(abs(start[0] - end[0]), 0.01 * math.dist(start, end))
-                near = min(pattern.block_lines(block, "8"),
-                           key=lambda line: pattern.distance_to(start, line[0]))
-                self.assertLess(pattern.distance_to(start, near[0]), 1.0)
-
     def test_sew_lines_are_dashed_and_their_dashes_run_on_over_the_points(self):
         for unit, scale in (("cm", 1.0), ("in", 1 / 25.4)):
             self.make("shirt_front", "-o", "out/pattern.dxf", unit=unit)
@@ -177,35 +162,6 @@ class Layers(pattern.PatternTest):
                 self.assertEqual(last, right)
                 self.assertAlmostEqual(math.dist(left, tip), math.dist(right, tip), places=6)
                 self.assertGreater(math.dist(left, tip), min(4, 0.1 * math.dist(*grain_ends)))
-
-    def test_the_grainline_of_a_piece_on_cloth_is_its_warp(self):
-        # Along the key curve lies the bias.
-        self.make("tshirt", "-o", "out/pattern.dxf", "--material", "twill", "--grain", "centre_front:45")
-        _, blocks = self.blocks()
-        (grain,) = [line for line in blocks[0].query("LINE") if line.dxf.layer == "7"]
-        start, end = tuple(grain.dxf.start)[:2], tuple(grain.dxf.end)[:2]
-        self.assertLess(abs(start[0] - end[0]), 1e-6 * math.dist(start, end))
-        keys = [points for points, _ in pattern.block_lines(blocks[0], "8")]
-        angles = [math.degrees(math.atan2(line[-1][1] - line[0][1], line[-1][0] - line[0][0])) % 180
-                  for line in keys]
-        self.assertTrue(any(abs(angle - 45) < 0.01 for angle in angles), angles)
-
-    def test_a_hole_is_a_cutout_smaller_by_the_allowance(self):
-        self.write("ring.obj", command.obj(*command.ring()))
-        run = self.run_command("pattern", "ring.obj", "-o", "out/pattern.dxf", "--unit", "cm", "--allowance", "4", "-q",
-                               "--output", "out")
-        self.assertEqual(run.returncode, 0, run.stderr)
-        _, (block,) = self.blocks()
-        ((hole, closed),) = pattern.block_lines(block, "11")
-        self.assertTrue(closed)
-        ((cut, _),) = pattern.block_lines(block, "1")
-        center = [sum(values) / len(hole) for values in zip(*hole)]
-        # Sew lines are polygons of 24 sides around circles of 10 and 30 mm.
-        side = math.cos(math.pi / 24)
-        for line, inner in ((hole, 10 * side - 4), (cut, 30 * side + 4)):
-            radii = [math.dist(center, point) for point in line]
-            self.assertGreater(min(radii), inner - 0.01)
-            self.assertLess(max(radii), inner / side + 0.01)
 
     def test_texts_say_what_the_one_who_cuts_must_know(self):
         self.make("tshirt", "-o", "out/pattern.dxf", "--name", "Ärmel 1", "--size", "M", "--quantity", "3",

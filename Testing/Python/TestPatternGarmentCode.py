@@ -123,14 +123,6 @@ class GarmentCode(pattern.PatternTest):
         for point in in_space:
             self.assertLess(min(np.linalg.norm(point - other) for other in placed), 1e-8)
 
-    def test_a_piece_with_a_hole_is_refused_by_name(self):
-        self.write("ring.obj", command.obj(*command.ring()))
-        run = self.run_command("pattern", "ring.obj", "-o", "out/pattern.json", "--unit", "cm", "-q", "--output", "out",
-                               "--piece", "washer")
-        self.assertEqual(run.returncode, 3)
-        self.assertIn("washer", run.stderr)
-        self.assertIn("hole", run.stderr)
-
 
 if __name__ == "__main__":
     unittest.main()

@@ -163,14 +163,6 @@ class Lay(pattern.PatternTest):
                 result.write_pattern(self.path("lay.svg"), unit="cm", fabric_width=1400.0, quantity=quantity)
             self.assertFalse(os.path.exists(self.path("lay.svg")))
 
-    def test_a_quantity_of_a_piece_that_is_not_there_is_refused(self):
-        arguments = [os.path.join(pattern.DATA, name) for name in ("tshirt.vtp", "tshirt_curves.vtp")]
-        run = self.run_command("pattern", *arguments, "--unit", "cm", "-o", "none/pattern.svg", "--quiet",
-                               *("--piece", ":2") * 5)
-        self.assertEqual(run.returncode, 3)
-        for word in ("piece 5", "4 pieces"):
-            self.assertIn(word, run.stderr)
-
     def test_quantities_are_written_on_their_pieces(self):
         self.make("tshirt", "-o", "out/pattern.svg", "--quantity", "3", "--piece", ":2", "--piece", ":5")
         root = pattern.svg_root(self.path("out", "pattern.svg"))

@@ -170,29 +170,6 @@ class Pages(pattern.PatternTest):
         x, y = pixel
         return any((x + i, y + j) in others for i in range(-2, 3) for j in range(-2, 3))
 
-    def test_blank_pages_are_left_out(self):
-        self.make("tshirt", "-o", "out/pattern.pdf")
-        path = self.path("out", "pattern.pdf")
-        pages = pattern.render(path, 25.4, gray=False)
-        for number, page in enumerate(pages, 1):
-            self.assertGreater(len(list(Pages.dark_pixels_of(page))), 0, f"page {number}")
-
-    @staticmethod
-    def dark_pixels_of(page):
-        width, height, pixels = page
-        for y in range(11, height - 11):
-            for x in range(11, width - 11):
-                at = 3 * (y * width + x)
-                if max(pixels[at], pixels[at + 1], pixels[at + 2]) < 160:
-                    yield x, y
-
-    def test_a_small_pattern_is_one_page_without_joints(self):
-        self.make("quarter_sphere", "-o", "out/pattern.pdf")
-        path = self.path("out", "pattern.pdf")
-        (text,) = page_texts(path)
-        self.assertNotIn("row", text)
-        self.assertNotIn("to A2", text)
-
     def test_the_same_input_gives_the_same_file(self):
         contents = []
         for _ in range(2):

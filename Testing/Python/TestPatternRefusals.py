@@ -38,83 +38,9 @@ class Refusals(pattern.PatternTest):
         self.assertEqual([name for name in left if "pattern" in name or name.endswith(".part")], [])
         return run.stderr
 
-    def test_an_unknown_unit_is_bad_usage_that_lists_the_known_ones(self):
-        message = self.assert_refused(2, "-o", "out/pattern.svg", "--unit", "furlong")
-        for word in ("furlong", "mm", "cm", "inch"):
-            self.assertIn(word, message)
-
-    def test_numbers_out_of_range_are_bad_usage(self):
-        for option, value in (
-            ("--allowance", "-1"),
-            ("--allowance", "nan"),
-            ("--mitre-limit", "0.5"),
-            ("--notch-spacing", "-3"),
-            ("--quantity", "0"),
-            ("--page-overlap", "200"),
-            ("--max-pages", "0"),
-            ("--paper", "B7"),
-            ("--allowance", "wide"),
-            ("--allowance", "a=wide"),
-        ):
-            with self.subTest(option=option, value=value):
-                self.assertIn(option, self.assert_refused(2, "-o", "out/pattern.pdf", option, value))
-
-    def test_a_missing_unit_is_told_and_the_likely_one_taken(self):
-        run = self.run_command(*self.arguments("-o", "out/pattern.svg"))
-        self.assertEqual(run.returncode, 0)
-        self.assertRegex(run.stderr, "^wirewarp: note: .* states no unit: m is taken, .*--unit.*\n$")
-        root = pattern.svg_root(self.path("out", "pattern.svg"))
-        wires = pattern.wires_in_space(self.path("out"), "m")
-        boundary = max(sum(wire.edges) for wire in wires)
-        lengths = [sum(map(pattern.bezier_length, pattern.curves_of(element)))
-                   for _, element in pattern.svg_elements(root, "sew-line")]
-        self.assertAlmostEqual(max(lengths), boundary, places=5)
-
-    def test_a_stated_unit_gives_no_warning(self):
-        run = self.run_command(*self.arguments("-o", "out/pattern.svg", "--unit", "m"))
-        self.assertEqual((run.returncode, run.stderr), (0, ""))
-
-    def test_a_pattern_of_too_many_pages_names_the_piece_its_size_and_the_way_out(self):
-        message = self.assert_refused(
-            3, "-o", "out/pattern.pdf", "--unit", "m", "--max-pages", "3", "--name", "sail")
-        self.assertRegex(message, r"measures [\d.]+ m x [\d.]+ m if the unit is m")
-        for words in ("sail", "A4", "more than 3", "check the unit", "larger paper"):
-            self.assertIn(words, message)
-
-    def test_a_sheet_larger_than_a_pdf_page_can_be_is_divided_within_the_number_of_pages(self):
-        piece = os.path.join(pattern.DATA, "pants_front")
-        for most, code in (("3", 3), ("400", 0)):
-            run = self.run_command("pattern", piece + ".vtp", piece + "_curves.vtp", "--output", "out", "-o",
-                                   "out/pattern.pdf", "--unit", "m", "--paper", "sheet", "--max-pages", most)
-            self.assertEqual(run.returncode, code, run.stderr)
-            self.assertEqual("5.08 m" in run.stderr, code == 3)
-            self.assertEqual(os.path.exists(self.path("out", "pattern.pdf")), code == 0)
-        text = pattern.run_tool("pdfinfo", "-l", "1000", self.path("out", "pattern.pdf")).decode()
-        sizes = re.findall(r"Page +\d+ size: +([\d.]+) x ([\d.]+) pts", text)
-        self.assertGreater(len(sizes), 3)
-        self.assertLessEqual(max(float(side) for size in sizes for side in size), 14400)
-
     def test_absurd_scales_are_refused_in_no_time(self):
         for paper in ("A4", "A0", "sheet"):
             self.assert_refused(3, "-o", "out/pattern.pdf", "--unit", "m", "--paper", paper, "--allowance", "1e6")
-
-    def test_an_allowance_for_a_curve_that_is_not_there_lists_those_that_are(self):
-        message = self.assert_refused(3, "-o", "out/pattern.svg", "--unit", "cm", "--allowance", "hem=20")
-        for word in ("hem", "boundary"):
-            self.assertIn(word, message)
-
-    def test_a_folder_that_cannot_be_made_is_refused(self):
-        self.write("out", "in the way")
-        run = self.run_command(*self.arguments("-o", "out/pattern.svg", "--unit", "cm"))
-        self.assertEqual(run.returncode, 3)
-        self.assertIn("out", run.stderr)
-        self.assertEqual(os.listdir(self.folder), ["out"])
-
-    def test_of_a_pattern_that_cannot_be_drawn_the_flattening_is_written(self):
-        self.run_command(*self.arguments("-o", "out/pattern.svg", "--unit", "cm"))
-        run = self.run_command(*self.arguments("-o", "out/pattern.pdf", "--unit", "m", "--max-pages", "1"))
-        self.assertEqual(run.returncode, 3)
-        self.assertEqual(set(os.listdir(self.path("out"))), {"flat.vtp", "wires.vtp", "cut.vtp", "report.json"})
 
     def write_plate(self, unit):
         """A plate of 100 x 80 mm with a fish-eye dart and a hole's curve in its middle."""

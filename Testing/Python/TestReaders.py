@@ -85,13 +85,6 @@ class Surfaces(Files):
             with self.assertRaisesRegex(TypeError, words):
                 sf.flatten(given)
 
-    def test_what_was_read_is_flattened(self):
-        curve = "v 0 0 0\nv 10 0 0\nv 20 0 3\nv 0 10 0\nv 10 10 0\nv 20 10 3\nf 1 2 5 4\nf 2 3 6 5\ng fold\nl 2 5\n"
-        surface, curves = sf.read_surface(self.write("fold.obj", curve))
-        flat = sf.flatten_polydata(surface, curves)
-        self.assertEqual(flat.report["status"], "Ok")
-        self.assertIn("fold", [wire.name for wire in flat.wires])
-
     def test_what_is_wrong_is_raised_with_file_and_line(self):
         for name, content, words in (
                 ("a.obj", "v 0 0 0\nv 0 0\n", "a.obj:2:"),

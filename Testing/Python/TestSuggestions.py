@@ -122,21 +122,6 @@ class Suggestions(unittest.TestCase):
         self.assertGreater(cuts[0].curve.points[-1, 0], 0)
         np.testing.assert_allclose(same[0].curve.points, cuts[0].curve.points, rtol=0, atol=1e-9)
 
-    def test_lines_come_with_their_price(self):
-        points, triangles = dome()
-        suggestion = sf.suggest(points, triangles, cuts="lines")
-        self.assertTrue(suggestion.cuts)
-        self.assertEqual(suggestion.cuts[0].curve.type, "key")
-        self.assertEqual(suggestion.cuts[0].curve.key_shape, "straight")
-        without = sf.flatten(points, triangles).report["pieces"][0]
-        self.assertAlmostEqual(suggestion.cuts[0].E_area_before, without["E_area"], 9)
-        again = sf.flatten(points, triangles, [line.curve for line in suggestion.cuts]).report["pieces"][0]
-        self.assertAlmostEqual(suggestion.cuts[-1].E_area_after, again["E_area"], 9)
-        self.assertAlmostEqual(suggestion.cuts[-1].strain_after, again["strain_p95"], 9)
-        for line in suggestion.left_out:
-            self.assertLess(line.gain, 0)
-            self.assertIn(line.type, ("key", "accessory"))
-
     def test_curves_given_stay_and_are_not_proposed_again(self):
         points, triangles = dome()
         middle = np.arange(15) + 7 * 15
