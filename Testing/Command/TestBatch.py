@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """wirewarp batch: many surfaces in one call."""
 
-import json
 import os
 
 import command
@@ -21,10 +20,8 @@ class Batch(command.CommandTest):
     def batch(self, text, *arguments, code=0):
         """Runs a list of this text into `out`. Gives batch.json and the run."""
         self.write("list.txt", text)
-        run = self.run_command("batch", "list.txt", "--output", "out", *arguments)
-        self.assertEqual(run.returncode, code, run.stderr)
-        with open(self.path("out/batch.json"), encoding="utf-8") as file:
-            return json.load(file, parse_constant=command.refuse_constant), run
+        run = self.run_command("batch", "list.txt", "--output", "out", *arguments, code=code)
+        return self.report("out", "batch.json"), run
 
     def test_each_surface_has_the_result_that_it_has_alone(self):
         report, run = self.batch(
@@ -35,8 +32,7 @@ class Batch(command.CommandTest):
         for name, *arguments in (("lune", "lune.obj", "arc.txt"), ("sheet", "a folder/sheet.obj")):
             many = self.report("out/" + name)
             flat = self.array(f"out/{name}/flat.vtp", "Points")
-            alone = self.run_command(*arguments, "--unit", "m", "--output", "alone")
-            self.assertEqual(alone.returncode, 0, alone.stderr)
+            self.run_command(*arguments, "--unit", "m", "--output", "alone", code=0)
             self.assertEqual(flat, self.array("alone/flat.vtp", "Points"))
             one = self.report("alone")
             for key in ("surface", "pieces", "curves", "status"):
@@ -91,8 +87,7 @@ class Batch(command.CommandTest):
     def test_a_list_without_surfaces_or_with_an_open_quote_is_refused(self):
         for text, word in (("# nothing\n", "no surface"), ('lune.obj "arc.txt\n', "list.txt:1")):
             self.write("list.txt", text)
-            run = self.run_command("batch", "list.txt", "--output", "out")
-            self.assertEqual(run.returncode, 3)
+            run = self.run_command("batch", "list.txt", "--output", "out", code=3)
             self.assertIn(word, command.error_lines(run)[0])
             self.assertFalse(os.path.exists(self.path("out")))
 
@@ -102,16 +97,14 @@ class Batch(command.CommandTest):
         for name in ("lune/flat.vtp", "batch.json"):
             self.write("out/" + name, command.xml_polydata(points, triangles))
             self.write("list.txt", "lune.obj\nout/%s\n" % name)
-            run = self.run_command("batch", "list.txt", "--output", "out")
-            self.assertEqual(run.returncode, 3, name)
+            run = self.run_command("batch", "list.txt", "--output", "out", code=3)
             self.assertIn("out/" + name, command.error_lines(run)[0])
             os.remove(self.path("out/" + name))
         self.assertEqual(os.listdir(self.path("out")), ["lune"])
         self.write("flat.vtp", "precious")
         for name in ("..", ".", "out/"):
             self.write("list.txt", "lune.obj\n" + name + "\n")
-            run = self.run_command("batch", "list.txt", "--output", "out")
-            self.assertEqual(run.returncode, 3)
+            run = self.run_command("batch", "list.txt", "--output", "out", code=3)
             self.assertIn("list.txt:2", command.error_lines(run)[0])
         self.assertIn("flat.vtp", os.listdir(self.folder))
 
@@ -120,8 +113,7 @@ class Batch(command.CommandTest):
         for arguments in (
             ("lune.obj",), ("-o", "a.png"), ("picture", "lune.obj"), ("grade",),
         ):
-            run = self.run_command("batch", "list.txt", *arguments)
-            self.assertEqual(run.returncode, 2, arguments)
+            self.run_command("batch", "list.txt", *arguments, code=2)
         self.assertEqual(self.run_command("batch", "").returncode, 2)
 
     def test_the_default_folder_takes_the_name_of_the_list(self):

@@ -16,13 +16,8 @@ class Commands(command.CommandTest):
         self.write("a.txt", "accessory arc %s\n" % " ".join(map(str, arc)))
 
     def run_well(self, *arguments):
-        run = self.run_command(*arguments)
-        self.assertEqual(run.returncode, 0, run.stderr)
+        run = self.run_command(*arguments, code=0)
         return run
-
-    def read(self, name):
-        with open(self.path(name), "rb") as file:
-            return file.read()
 
     def test_a_result_is_drawn_as_its_surface_is(self):
         self.run_well("flatten", "a.obj", "a.txt", "--unit", "cm", "-o", "out")
@@ -53,9 +48,8 @@ class Commands(command.CommandTest):
 
     def made(self, *arguments):
         """The pattern of a surface, which may be strained beyond the limits of its material."""
-        run = self.run_command("pattern", *arguments, "-o", "made.svg", "--smooth", "0")
-        self.assertIn(run.returncode, (0, 4), run.stderr)
-        return self.read("made.svg").decode()
+        self.run_command("pattern", *arguments, "-o", "made.svg", "--smooth", "0", code=(0, 4))
+        return self.read("made.svg")
 
     def test_sheets_have_no_allowance_by_default_and_cloth_has_one_of_10_mm(self):
         self.write("card.json", '{"warp": 2000, "weft": 2000, "shear": 800, "sheet": true}')
@@ -134,8 +128,7 @@ class Commands(command.CommandTest):
         self.assertIn("openings: 1", run.stdout)
         self.assertIn("--unit cm", run.stdout)
         self.write("box.obj", command.obj(*command.TETRAHEDRON))
-        run = self.run_command("check", "box.obj")
-        self.assertEqual(run.returncode, 4)
+        run = self.run_command("check", "box.obj", code=4)
         self.assertIn("closed: it lies flat with seams alone", run.stdout)
         self.run_well("check", "a.obj", "--unit", "cm", "-o", "mended.vtp")
         self.assertEqual(self.flatten("mended.vtp")["unit_stated"], True)
@@ -174,8 +167,7 @@ class Commands(command.CommandTest):
         self.assert_usage_error("not a length", "check", "a.obj", "--height", "tall")
 
     def assert_usage_error(self, words, *arguments):
-        run = self.run_command(*arguments)
-        self.assertEqual(run.returncode, 2, run.stderr)
+        run = self.run_command(*arguments, code=2)
         self.assertIn(words, run.stderr)
 
     def test_what_does_not_fit_the_command_is_bad_usage(self):
@@ -191,13 +183,11 @@ class Commands(command.CommandTest):
 
     def test_a_folder_without_a_result_is_refused(self):
         os.mkdir(self.path("empty"))
-        run = self.run_command("pattern", "empty")
-        self.assertEqual(run.returncode, 3)
+        run = self.run_command("pattern", "empty", code=3)
         self.assertIn("empty: holds no result", run.stderr)
         self.run_well("a.obj", "-o", "out")
         self.write("out/report.json", "{}")
-        run = self.run_command("pattern", "out")
-        self.assertEqual(run.returncode, 3)
+        run = self.run_command("pattern", "out", code=3)
         self.assertIn("report.json: is not a report", run.stderr)
 
 

@@ -37,8 +37,7 @@ class Curves(command.CommandTest):
 
     def test_a_number_where_the_name_should_be_is_told(self):
         self.write("forgotten.txt", "accessory " + " ".join(map(str, command.quarter_sphere()[2])) + "\n")
-        run = self.run_command("lune.obj", "forgotten.txt", "--output", "out")
-        self.assertEqual(run.returncode, 0, run.stderr)
+        run = self.run_command("lune.obj", "forgotten.txt", "--output", "out", code=0)
         self.assertIn("which is not one of its vertices; if it should be, put a name before it", run.stderr)
 
     def tube(self):
@@ -133,18 +132,15 @@ class Curves(command.CommandTest):
 
     def refused(self, *arguments):
         """The lines of an error, in one."""
-        run = self.run_command(*arguments)
-        self.assertEqual(run.returncode, 3, run.stdout + run.stderr)
+        run = self.run_command(*arguments, code=3)
         return " ".join(command.error_lines(run))
 
     def arc_rows(self):
         """Points of the arc of arc.txt."""
-        with open(self.path("arc.txt"), encoding="utf-8") as file:
-            return [self.points[int(word)] for word in file.read().split()[2:]]
+        return [self.points[int(word)] for word in self.read("arc.txt").split()[2:]]
 
     def assert_same_as_text(self, report, type_, name):
-        self.write("text.txt", f"{type_} {name} " + open(self.path("arc.txt"), encoding="utf-8").read()
-                   .split(maxsplit=2)[2])
+        self.write("text.txt", f"{type_} {name} " + self.read("arc.txt").split(maxsplit=2)[2])
         expected = self.flatten("lune.obj", "text.txt")
         self.assertEqual([(curve["name"], curve["type"]) for curve in report["curves"]],
                          [(curve["name"], curve["type"]) for curve in expected["curves"]])
@@ -159,8 +155,8 @@ class Curves(command.CommandTest):
         said = {}
         for kind in ("key", "straight"):
             self.write("fold.txt", f"{kind} fold {line}\n")
-            run = self.run_command("pattern", "dome.obj", "fold.txt", "-o", "out/pattern.svg", "-o", "out/pattern.dxf", "--unit", "m", "--output", "out")
-            self.assertIn(run.returncode, (0, 4), run.stderr)
+            run = self.run_command("pattern", "dome.obj", "fold.txt", "-o", "out/pattern.svg", "-o", "out/pattern.dxf", "--unit", "m", "--output", "out",
+                                   code=(0, 4))
             said[kind] = [row for row in run.stderr.splitlines() if "grainline" in row]
         self.assertEqual(len(said["key"]), 1, said)
         for word in ("fold", "mm", "straight NAME"):
@@ -170,16 +166,14 @@ class Curves(command.CommandTest):
     def test_a_pattern_says_of_all_darts_in_one_sentence_how_far_their_legs_miss_each_other(self):
         surface, curves = (os.path.join(command.DATA, name) for name in ("pants_back.vtp", "pants_back_curves.vtp"))
         run = self.run_command("pattern", surface, curves, "-o", "out/pattern.svg", "--unit", "cm", "--output", "out",
-                               "--dart-legs", "free")
-        self.assertIn(run.returncode, (0, 4), run.stderr)
+                               "--dart-legs", "free", code=(0, 4))
         said = [row for row in run.stderr.splitlines() if "miss each other" in row]
         self.assertEqual(len(said), 1, run.stderr)
         for dart in ("waist_dart_inner", "waist_dart_outer"):
             self.assertEqual(said[0].count(dart), 1, said)
 
     def test_lines_of_an_obj_file_are_curves_named_by_their_group(self):
-        with open(self.path("arc.txt"), encoding="utf-8") as file:
-            ids = [int(word) + 1 for word in file.read().split()[2:]]
+        ids = [int(word) + 1 for word in self.read("arc.txt").split()[2:]]
         lines = "".join(f"l {a} {b}\n" for a, b in zip(ids, ids[1:]))
         self.write("own.obj", command.obj(self.points, self.triangles) + "g key-arc\n" + lines)
         self.assert_same_as_text(self.flatten("own.obj"), "key", "arc")
@@ -267,8 +261,7 @@ class Curves(command.CommandTest):
     def drawn_lengths(self, document):
         """Lengths in space of the curves of a drawing, by their names; the parts of one add up."""
         document.saveas(self.path("drawn.dxf"))
-        run = self.run_command("sheet.obj", "drawn.dxf", "--unit", "mm", "--output", "out")
-        self.assertIn(run.returncode, (0, 4), run.stderr)
+        run = self.run_command("sheet.obj", "drawn.dxf", "--unit", "mm", "--output", "out", code=(0, 4))
         self.assertNotIn("drawn.dxf", run.stderr)
         lengths = {}
         for curve in self.report("out")["curves"]:
@@ -369,8 +362,7 @@ class Curves(command.CommandTest):
         document.saveas(self.path("some.dxf"))
         run = self.run_command("sheet.obj", "some.dxf", "--unit", "mm", "--output", "out")
         warning, = [line for line in run.stderr.splitlines() if "some.dxf" in line]
-        with open(self.path("some.dxf"), encoding="utf-8") as file:
-            lines = [line.strip() for line in file]
+        lines = [line.strip() for line in self.read("some.dxf").splitlines()]
         entities = lines.index("ENTITIES")
         for entity in (hatch, inserted[0], inserted[2]):
             line = lines.index(entity.dxf.handle, entities) - 1
@@ -400,8 +392,7 @@ class Curves(command.CommandTest):
     def test_a_tolerance_is_a_fraction(self):
         for text in ("arc=1", "arc=-0.1", "arc=nan", "arc=", "=0.1", "arc", "arc=2%"):
             with self.subTest(text):
-                run = self.run_command("lune.obj", "arc.txt", "--tolerance", text)
-                self.assertEqual(run.returncode, 2)
+                run = self.run_command("lune.obj", "arc.txt", "--tolerance", text, code=2)
                 self.assertIn("NAME=FRACTION", run.stderr)
 
     def test_the_curve_to_release_first_is_named_with_what_that_brings(self):
@@ -422,8 +413,7 @@ class Curves(command.CommandTest):
         data = command.DATA
         report = self.flatten("pattern", os.path.join(data, "tshirt.vtp"), os.path.join(data, "tshirt_curves.vtp"),
                               "-o", "out/walk.csv", "--unit", "cm", "--name", "shirt")
-        with open(self.path("out/walk.csv"), encoding="utf-8", newline="") as file:
-            rows = list(csv.DictReader(file))
+        rows = self.table("out/walk.csv")
         walked = {}
         for row in rows:
             lengths = [float(row["length_a_mm"]), float(row["length_b_mm"])]
@@ -440,8 +430,7 @@ class Curves(command.CommandTest):
     def test_cuts_that_stop_an_edge_short_of_the_boundary_are_told_where_to_begin(self):
         self.write("dome.obj", command.obj(*dome()))
         self.write("short.txt", "dart left " + chain((4, 1), (4, 2), (4, 3)) + "\n")
-        run = self.run_command("dome.obj", "short.txt", "--unit", "m", "--output", "out")
-        self.assertEqual(run.returncode, 0, run.stderr)
+        run = self.run_command("dome.obj", "short.txt", "--unit", "m", "--output", "out", code=0)
         warning = (f'dart "left" ends at point {at(4, 1)}, one edge inside the boundary, and does not open there; '
                    f"begin it at point {at(4, 0)}")
         self.assertIn("wirewarp: warning: " + warning, run.stderr.splitlines())

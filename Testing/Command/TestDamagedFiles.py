@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Files that end or hang VTK's readers, and files that are none: a message each, and exit code 3."""
 
-import json
 import os
 import socket
 import time
@@ -31,8 +30,7 @@ class Damaged(command.CommandTest):
 
     def refuse(self, *arguments, says=()):
         """Exit 3 with one line, in which these words are."""
-        run = self.run_command(*arguments, "--output", "out")
-        self.assertEqual(run.returncode, 3, run.stdout + run.stderr)
+        run = self.run_command(*arguments, "--output", "out", code=3)
         lines = command.error_lines(run)
         self.assertEqual(len(lines), 1, lines)
         for word in says:
@@ -54,8 +52,7 @@ class Damaged(command.CommandTest):
                               ("grade", "S=good.obj", "M=good.obj", "curve.vtp"),
                               ("grade", "S=good.obj", "M=sheet.vtp")):
                 with self.subTest(number, arguments=arguments):
-                    run = self.run_command(*arguments, "--output", "out")
-                    self.assertIn(run.returncode, (1, 3), run.stdout + run.stderr)
+                    run = self.run_command(*arguments, "--output", "out", code=(1, 3))
                     self.assertEqual(len(command.error_lines(run)), 1, run.stderr)
 
     def test_points_of_more_components_than_memory_holds(self):
@@ -85,10 +82,8 @@ class Damaged(command.CommandTest):
         names = [self.write(name, text) for name, text in self.killing.items()]
         self.write("fine.vtp", self.xml)
         self.write("list.txt", "\n".join(["fine.vtp", *names, "good.obj " + names[0], "fine.vtp"]) + "\n")
-        run = self.run_command("batch", "list.txt", "--output", "out", "--threads", "1")
-        self.assertEqual(run.returncode, 3, run.stderr)
-        with open(self.path("out/batch.json"), encoding="utf-8") as file:
-            statuses = [row["status"] for row in json.load(file)["surfaces"]]
+        self.run_command("batch", "list.txt", "--output", "out", "--threads", "1", code=3)
+        statuses = [row["status"] for row in self.report("out", "batch.json")["surfaces"]]
         self.assertEqual(statuses, ["Ok", *["UnreadableInput"] * (len(names) + 1), "Ok"])
 
     def test_what_is_no_file_is_refused_at_once_by_its_kind(self):
@@ -109,8 +104,7 @@ class Damaged(command.CommandTest):
                     self.refuse(*arguments, says=(arguments[-1], word))
                     self.assertLess(time.monotonic() - start, 20)
         for name, word in (("pipe.obj", "pipe"), ("zero.ply", "device"), ("folder.txt", "folder")):
-            run = self.run_command("batch", name, "--output", "out")
-            self.assertEqual(run.returncode, 3)
+            run = self.run_command("batch", name, "--output", "out", code=3)
             self.assertIn(word, command.error_lines(run)[0])
 
     def test_a_file_larger_than_can_be_flattened_is_refused_before_it_is_read(self):
@@ -142,8 +136,7 @@ class Damaged(command.CommandTest):
                         self.assertIn("a?[31m", text)
         bad = "bogus\x1b[31m"
         self.write("bad.txt", f"accessory a{escape} 10 99\n{bad} b 1 2\n")
-        run = self.run_command("good.obj", "bad.txt")
-        self.assertEqual(run.returncode, 3)
+        run = self.run_command("good.obj", "bad.txt", code=3)
         self.assertNotIn("\x1b", run.stderr)
         run = self.run_command("a\x1b[31m.obj", "--output", "out")
         self.assertNotIn("\x1b", run.stderr)

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Edges with names, eased seams, and what patterns make of them, through the command."""
-import csv
 import math
 import os
 
@@ -56,8 +55,7 @@ class Edges(command.CommandTest):
             ("far.csv", "hem,edge,0,0,0\nhem,edge,800,800,0\n\n", ("far.csv:4:", "one length")),
         ):
             self.write(name, "name,type,x,y,z\n" + text)
-            run = self.run_command("flat.obj", name, "--output", "none")
-            self.assertEqual(run.returncode, 3, run.stderr)
+            run = self.run_command("flat.obj", name, "--output", "none", code=3)
             for word in (*words, "'hem'"):
                 self.assertIn(word, run.stderr)
 
@@ -72,8 +70,7 @@ class Edges(command.CommandTest):
                     curve, = self.flatten("flat.obj", name, "--unit", "mm")["curves"]
                     self.assertAlmostEqual(curve["length_3d"], wanted, delta=1e-9 * wanted)
                     continue
-                run = self.run_command("flat.obj", name, "--output", "none")
-                self.assertEqual(run.returncode, 3, run.stderr)
+                run = self.run_command("flat.obj", name, "--output", "none", code=3)
                 for word in (name + ":", "edge 'hem'", wanted):
                     self.assertIn(word, run.stderr)
 
@@ -86,8 +83,7 @@ class Edges(command.CommandTest):
                          [("left # hem", "accessory"), ('centre "front" x', "key"), ("it's\"here\"", "accessory")])
         for text, word in ((f'key "centre front {at(4, 0)} {at(4, 4)}\n', "quotes"),
                            (f'key "" {at(4, 0)} {at(4, 4)}\n', "no name")):
-            run = self.run_command("flat.obj", self.curves(text), "--output", "none")
-            self.assertEqual(run.returncode, 3)
+            run = self.run_command("flat.obj", self.curves(text), "--output", "none", code=3)
             self.assertIn("curves.txt:1: ", run.stderr)
             self.assertIn(word, run.stderr)
 
@@ -97,16 +93,14 @@ class Edges(command.CommandTest):
             (f"edge hem {at(0, 0)} {at(8, 8)}\n", "one length", "between"),
             (f"edge hem {at(0, 0)}\n", "two vertices"),
         ):
-            run = self.run_command("flat.obj", self.curves("# edges\n" + text), "--output", "none")
-            self.assertEqual(run.returncode, 3, run.stderr)
+            run = self.run_command("flat.obj", self.curves("# edges\n" + text), "--output", "none", code=3)
             for word in ("curves.txt:2:", "'hem'", *words):
                 self.assertIn(word, run.stderr)
             self.assertEqual(run.stdout, "")
 
     def walk(self):
         """The rows, the lengths of the first piece and of the second, and whether the first one is a: 1 or -1."""
-        with open(self.path("out/walk.csv"), encoding="utf-8") as file:
-            rows = list(csv.DictReader(file))
+        rows = self.table("out/walk.csv")
         self.assertGreater(len(rows), 5)
         for row in rows:
             longer = 1 if row["piece_a"].endswith(" 1") else -1
@@ -136,8 +130,7 @@ class Edges(command.CommandTest):
             self.assertAlmostEqual(lengths[0] / lengths[1], 1.03, places=6)
         for fraction, piece, says in ((0.06, 0, ["6 %", "5 %"]), (0.03, 2, ["piece 3"]), (0.03, -1, ["1, 2"]),
                                       (1.0, 0, ["LengthEase", "(-1, 1)"]), (0.03, -2, ["EasedPiece"])):
-            run = self.run_command("pattern", "bulged.obj", ease(fraction, piece), *words, "--output", "none")
-            self.assertEqual(run.returncode, 3, run.stderr)
+            run = self.run_command("pattern", "bulged.obj", ease(fraction, piece), *words, "--output", "none", code=3)
             for word in says:
                 self.assertIn(word, run.stderr)
 
@@ -148,16 +141,14 @@ class Edges(command.CommandTest):
             (["--ease", "side:1=3"], 2, ["--ease", "PERCENT%"]),
             (["--ease", "side:0=3%"], 2, ["--ease", "from 1"]),
         ):
-            run = self.run_command("bulged.obj", seam, *words, "--output", "none")
-            self.assertEqual(run.returncode, code, run.stderr)
+            run = self.run_command("bulged.obj", seam, *words, "--output", "none", code=code)
             for word in says:
                 self.assertIn(word, run.stderr)
 
     def test_a_fold_along_a_curve_about_which_its_piece_is_not_symmetric_leaves_no_pattern(self):
         beside = "straight beside " + " ".join(str(at(3, j)) for j in range(SIZE + 1)) + "\n"
         run = self.run_command("pattern", "flat.obj", self.curves(beside), "--unit", "mm", "-o", "none/pattern.dxf", "--piece",
-                               "front", "--fold", "beside")
-        self.assertEqual(run.returncode, 3, run.stderr)
+                               "front", "--fold", "beside", code=3)
         for word in ("front", "beside", "symmetric", "200 mm"):
             self.assertIn(word, run.stderr)
         self.assertEqual(os.listdir(self.path("none")), [])

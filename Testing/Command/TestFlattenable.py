@@ -32,8 +32,8 @@ class Flattenable(command.CommandTest):
 
     def test_what_it_writes_lies_flat_by_itself_and_goes_with_the_next_run(self):
         strain = self.flatten("reshape", "hill.obj", "curves.txt", "--max-strain", "0.03")["pieces"][0]["strain_p95"]
-        again = self.run_command(self.path("out/flattenable.vtp"), self.path("out/curves.vtp"), "--output", "out")
-        self.assertEqual(again.returncode, 0, again.stderr)
+        self.run_command(self.path("out/flattenable.vtp"), self.path("out/curves.vtp"), "--output", "out",
+                         code=0)
         self.assertAlmostEqual(self.report("out")["pieces"][0]["strain_p95"], strain, 9)
         self.assertIsNone(self.flatten("hill.obj")["flattenable"])
 
@@ -42,8 +42,7 @@ class Flattenable(command.CommandTest):
         kept = {name: self.bytes_of(f"out/{name}") for name in ("flattenable.vtp", "curves.vtp")}
         self.flatten("hill.obj")
         self.write("typo.txt", "dert middle 1 2 3\n")
-        run = self.run_command("hill.obj", "typo.txt", "--output", "out")
-        self.assertEqual(run.returncode, 3)
+        self.run_command("hill.obj", "typo.txt", "--output", "out", code=3)
         self.assertNotIn("flat.vtp", os.listdir(self.path("out")))
         for name, before in kept.items():
             self.assertEqual(self.bytes_of(f"out/{name}"), before)
@@ -61,8 +60,8 @@ class Flattenable(command.CommandTest):
     def test_kept_curves_are_named(self):
         report = self.flatten("reshape", "hill.obj", "curves.txt", "--max-strain", "0.1", "--keep", "middle")
         self.assertEqual(report["flattenable"]["keep"], ["middle"])
-        run = self.run_command("reshape", "hill.obj", "curves.txt", "--max-strain", "0.1", "--keep", "centre", "--output", "refused")
-        self.assertEqual(run.returncode, 3)
+        run = self.run_command("reshape", "hill.obj", "curves.txt", "--max-strain", "0.1", "--keep", "centre", "--output", "refused",
+                               code=3)
         self.assertIn('no curve is named "centre"; the curves are middle', run.stderr)
         self.assertNotIn("--tolerance", run.stderr)
         self.assertNotIn("flattenable.vtp", os.listdir(self.path("refused")))

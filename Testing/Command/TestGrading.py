@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Sizes of one pattern: their rules are those of plates whose sizes are known, and of surfaces scaled by a factor."""
-import csv
 import math
 import os
 import re
@@ -38,15 +37,10 @@ class Grading(command.CommandTest):
         self.write("curves.txt", "straight centre " + " ".join(str(at(COLUMNS // 2, j)) for j in range(ROWS + 1))
                    + f"\nedge hem {at(0, 0)} {at(COLUMNS, 0)}\n")
 
-    def rules(self, folder="out"):
-        with open(self.path(folder + "/rules.csv"), encoding="utf-8", newline="") as file:
-            return list(csv.DictReader(file))
-
     def grade(self, *words, files=("nest.svg", "rules.csv"), code=0):
         """Grades into the folder `out`."""
         outputs = [word for name in files for word in ("-o", "out/" + name)]
-        run = self.run_command("grade", *words, "-o", "out", *outputs)
-        self.assertEqual(run.returncode, code, run.stderr)
+        self.run_command("grade", *words, "-o", "out", *outputs, code=code)
         return self.report("out")
 
     def grade_scaled(self, *more):
@@ -65,8 +59,7 @@ class Grading(command.CommandTest):
         for unit, word in (("cm", "METRIC"), ("inch", "ENGLISH")):
             self.grade("36=36.obj", "38=38.obj", "40=40.obj", "curves.txt", "--base", "38", "--unit", unit, "--smooth", "0",
                        "--no-arrange", files=("pattern.dxf", "pattern.rul", "rules.csv"))
-            with open(self.path("out/pattern.rul"), encoding="ascii") as file:
-                head, *rules = re.split(r"RULE: DELTA ", file.read())
+            head, *rules = re.split(r"RULE: DELTA ", self.read("out/pattern.rul"))
             fields = dict(line.split(": ", 1) for line in head.splitlines() if ": " in line)
             self.assertEqual(head.splitlines()[0], "ASTM/D13Proposal 1 Version: D 6673-04")
             self.assertEqual((fields["UNITS"], fields["NUMBER OF SIZES"], fields["SIZE LIST"], fields["SAMPLE SIZE"]),
@@ -76,7 +69,7 @@ class Grading(command.CommandTest):
             for rule in rules:
                 number, *lines = rule.replace("END", "").split("\n")
                 deltas[int(number)] = [tuple(map(float, line.split(","))) for line in lines if line.strip()]
-            self.assertEqual(len(deltas), len(self.rules()))
+            self.assertEqual(len(deltas), len(self.table("out/rules.csv")))
             drawing = ezdxf.readfile(self.path("out/pattern.dxf"))
             block = next(b for b in drawing.blocks if b.name[0] not in "*$")
             places = {int(text.dxf.text[2:]): (text.dxf.insert.x, text.dxf.insert.y) for text in block.query("TEXT")
@@ -121,8 +114,8 @@ class Grading(command.CommandTest):
             (["L=large.obj", "--at", "waist"], 3, ["'waist'", "centre"]),
         ):
             with self.subTest(arguments=arguments):
-                run = self.run_command("grade", "M=medium.obj", "curves.txt", "--unit", "cm", "-o", "none", *arguments)
-                self.assertEqual(run.returncode, code, run.stderr)
+                run = self.run_command("grade", "M=medium.obj", "curves.txt", "--unit", "cm", "-o", "none", *arguments,
+                                       code=code)
                 for word in words:
                     self.assertIn(word, run.stderr)
                 folder = self.path("none")

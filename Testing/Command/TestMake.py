@@ -18,13 +18,11 @@ class Make(command.CommandTest):
         self.write("box.obj", command.obj(*command.TETRAHEDRON))
 
     def make(self, *arguments, code=0):
-        run = self.run_command("make", *arguments)
-        self.assertEqual(run.returncode, code, run.stderr)
+        run = self.run_command("make", *arguments, code=code)
         return run
 
     def layers(self, name):
-        with open(self.path(name), encoding="ascii") as file:
-            return set(re.findall(r"LAYER\n  5\n\w+\n  2\n(\w+)", file.read()))
+        return set(re.findall(r"LAYER\r\n  5\r\n\w+\r\n  2\r\n(\w+)", self.read(name)))
 
     def test_it_says_in_five_lines_what_was_made(self):
         run = self.make("cap.obj", "--unit", "cm", "-o", "cap.pdf", "-o", "cap.vtp")
@@ -42,8 +40,7 @@ class Make(command.CommandTest):
         self.assertIn("surface: box.obj, 300 x 300 x 300 mm", run.stdout)
         self.assertNotIn("unit", run.stderr)
         self.assertEqual(self.layers("box.dxf"), {"CUT", "MARK", "TEXT"})
-        with open(self.path("box.csv"), encoding="utf-8") as file:
-            rows = [line.rstrip("\n").split(",") for line in file][1:]
+        rows = [line.split(",") for line in self.read("box.csv").splitlines()][1:]
         self.assertTrue({"A", "B", "C"} <= {row[-2] for row in rows})
         for row in rows:
             self.assertAlmostEqual(float(row[7]), float(row[8]), delta=1e-6)
@@ -155,8 +152,7 @@ class Make(command.CommandTest):
         run = self.make("tent.obj", "--unit", "m", "--for", "tent", "--template", "strips", "--max-width", "150cm",
                         "-o", "out", "-o", "tent.pdf", "-o", "tent.svg")
         self.assertIn("pieces: 2, the longest", run.stdout)
-        with open(self.path("tent.svg"), encoding="utf-8") as file:
-            grains = re.findall(r'class="grain".*?d="M([-\d.]+),([-\d.]+) L([-\d.]+),([-\d.]+)"', file.read(), re.S)
+        grains = re.findall(r'class="grain".*?d="M([-\d.]+),([-\d.]+) L([-\d.]+),([-\d.]+)"', self.read("tent.svg"), re.S)
         self.assertEqual(len(grains), 2)
         for x0, y0, x1, y1 in (map(float, grain) for grain in grains):
             self.assertAlmostEqual(x0, x1, delta=1e-6)
@@ -182,8 +178,7 @@ class Make(command.CommandTest):
         """A ramp of 1.4 turns, which is strained by nothing."""
         self.write("ramp.obj", command.obj(*command.grid(60, 1, lambda i, j: (
             (1 + j) * math.cos(0.147 * i), (1 + j) * math.sin(0.147 * i), 0.03 * i))))
-        run = self.run_command("flatten", "ramp.obj", "--unit", "m", "-o", "out")
-        self.assertEqual(run.returncode, 4)
+        run = self.run_command("flatten", "ramp.obj", "--unit", "m", "-o", "out", code=4)
         self.assertIn("does not fit: it lies over itself", run.stdout)
         self.assertNotIn("fits", run.stdout)
 

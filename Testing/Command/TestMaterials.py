@@ -99,8 +99,7 @@ class Materials(command.CommandTest):
             self.assertIn(words, self.refused("--material", "bad.json"), change)
         self.write("bad.json", json.dumps({"warp": 2000, "weft": 2000}))
         self.assertIn('has no "shear"', self.refused("--material", "bad.json"))
-        run = self.run_command("lune.obj", "--grain", "30")
-        self.assertEqual(run.returncode, 2)
+        run = self.run_command("lune.obj", "--grain", "30", code=2)
         self.assertIn("--material", run.stderr)
 
     def test_files_that_are_no_material_are_named(self):
@@ -149,14 +148,12 @@ class Materials(command.CommandTest):
         self.write("a.obj", command.obj(points, triangles))
         sewn = []
         for name in ("denim", "Denim", "DENIM"):
-            run = self.run_command("a.obj", "--unit", "cm", "--material", name, "--output", f"of {name}")
-            self.assertIn(run.returncode, (0, 4), run.stderr)
+            self.run_command("a.obj", "--unit", "cm", "--material", name, "--output", f"of {name}", code=(0, 4))
             sewn.append(self.report(f"of {name}")["pieces"][0]["cloth"])
         self.assertIsNotNone(sewn[0])
         self.assertEqual(sewn[1:], sewn[:1] * 2)
         self.write("Denim", "no material")
-        run = self.run_command("a.obj", "--unit", "cm", "--material", "Denim", "--output", "file")
-        self.assertEqual(run.returncode, 3)
+        run = self.run_command("a.obj", "--unit", "cm", "--material", "Denim", "--output", "file", code=3)
         self.assertIn('the material file "Denim"', run.stderr)
 
     def test_the_list_has_every_material_with_its_source(self):

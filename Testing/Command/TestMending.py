@@ -46,8 +46,7 @@ class Mending(command.CommandTest):
         """The report, and what the command warned of."""
         self.write("bad.obj", command.obj(points, triangles))
         unit = () if "--unit" in options else ("--unit", "cm")
-        run = self.run_command(*options, "bad.obj", *unit, "--output", "out")
-        self.assertEqual(run.returncode, 0, run.stderr)
+        run = self.run_command(*options, "bad.obj", *unit, "--output", "out", code=0)
         report = self.report("out")
         self.assertEqual(report["status"], "Ok")
         prefix = "wirewarp: warning: "
@@ -104,13 +103,10 @@ class Mending(command.CommandTest):
         report = self.flatten("bad.obj", "--no-heal", "--unit", "cm", code=3)
         self.assertEqual((report["status"], report["ids"]), ("NonManifoldEdge", [count]))
         # The same in proposals, and in what check says and writes.
-        run = self.run_command("cut", "bad.obj", "--unit", "cm", "--output", "cuts.vtp")
-        self.assertEqual(run.returncode, 0, run.stderr)
+        run = self.run_command("cut", "bad.obj", "--unit", "cm", "--output", "cuts.vtp", code=0)
         self.assertIn(warnings[0], run.stderr)
-        run = self.run_command("cut", "bad.obj", "--unit", "cm", "--no-heal", "--output", "cuts.vtp")
-        self.assertEqual(run.returncode, 3, run.stderr)
-        run = self.run_command("check", "bad.obj", "--unit", "cm", "--output", "healed.vtp")
-        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.run_command("cut", "bad.obj", "--unit", "cm", "--no-heal", "--output", "cuts.vtp", code=3)
+        run = self.run_command("check", "bad.obj", "--unit", "cm", "--output", "healed.vtp", code=0)
         self.assertIn(warnings[2], run.stderr)
         healed = self.flatten("healed.vtp", "--unit", "cm")
         self.assertEqual(healed["warnings"], [])
@@ -179,8 +175,7 @@ class Mending(command.CommandTest):
         report, _ = self.flattened(self.points, self.triangles, "--weld", "29mm")
         self.assertEqual(report["pieces"][0]["triangles"], 2 * SIZE * SIZE)
         for text, code in (("1000", 3), ("-1", 2), ("3furlongs", 2), ("nan", 2)):
-            run = self.run_command(f"--weld={text}", "bad.obj", "--unit", "cm", "--output", "out")
-            self.assertEqual(run.returncode, code, run.stderr)
+            run = self.run_command(f"--weld={text}", "bad.obj", "--unit", "cm", "--output", "out", code=code)
             self.assertIn("--weld", run.stderr)
 
     def test_curves_that_name_points_keep_their_meaning(self):

@@ -34,8 +34,7 @@ def count(pixels, color):
 
 class Picture(CommandTest):
     def draw(self, name, *arguments, source=(SURFACE, CURVES)):
-        run = self.run_command("picture", *source, "--unit", "cm", "-o", name, *arguments)
-        self.assertEqual(run.returncode, 0, run.stderr)
+        run = self.run_command("picture", *source, "--unit", "cm", "-o", name, *arguments, code=0)
         self.assertEqual(run.stderr, "")
         return read_picture(self.path(name))
 
@@ -60,8 +59,7 @@ class Picture(CommandTest):
         self.assertTrue((default == strain).all())
         for other in (same, wide):
             self.assertGreater((other != strain).any(axis=2).mean(), 0.1)
-        run = self.run_command("picture", SURFACE, "-o", "a.png", "--color-range", "2", "1")
-        self.assertEqual(run.returncode, 2)
+        run = self.run_command("picture", SURFACE, "-o", "a.png", "--color-range", "2", "1", code=2)
         self.assertIn("--color-range", run.stderr)
 
     def test_its_size_may_be_chosen(self):
@@ -111,15 +109,13 @@ class Picture(CommandTest):
 
     def test_a_folder_that_cannot_be_written_to_is_refused(self):
         self.write("file", "in the way")
-        run = self.run_command("picture", SURFACE, "-o", "out", "-o", os.path.join("file", "a.png"))
-        self.assertEqual(run.returncode, 3)
+        run = self.run_command("picture", SURFACE, "-o", "out", "-o", os.path.join("file", "a.png"), code=3)
         self.assertIn("cannot make", run.stderr)
         self.assertFalse(os.path.exists(self.path("out/flat.vtp")))
 
     def test_a_folder_in_its_place_is_refused_before_anything_is_written(self):
         os.mkdir(self.path("a.png"))
-        run = self.run_command("picture", SURFACE, "-o", "out", "-o", "a.png")
-        self.assertEqual(run.returncode, 3)
+        run = self.run_command("picture", SURFACE, "-o", "out", "-o", "a.png", code=3)
         self.assertIn("--output", run.stderr)
         self.assertEqual(os.listdir(self.folder), ["a.png"])
 
@@ -133,15 +129,13 @@ class Picture(CommandTest):
 
     def test_colorings_need_what_they_show(self):
         for coloring, remedy in (("distance", "wirewarp sew"), ("stretch", "--material"), ("shear", "--material")):
-            run = self.run_command("picture", SURFACE, "-o", "a.png", "--color", coloring)
-            self.assertEqual(run.returncode, 3)
+            run = self.run_command("picture", SURFACE, "-o", "a.png", "--color", coloring, code=3)
             self.assertIn(remedy, run.stderr)
             self.assertEqual(os.listdir(self.folder), [])
 
     def test_other_endings_and_colorings_are_bad_usage(self):
         for arguments in (("-o", "a.pdf"), ("-o", "a.png", "--color", "taste")):
-            run = self.run_command("picture", SURFACE, *arguments)
-            self.assertEqual(run.returncode, 2)
+            run = self.run_command("picture", SURFACE, *arguments, code=2)
             self.assertIn(arguments[-1], run.stderr)
 
 

@@ -71,8 +71,7 @@ class Readers(command.CommandTest):
                             (off("OFF\n" + counts, face="3\n%d\n%d 1%d\n"), "vertex id"),
                             (off("OFF\n" + counts, face="3 %d %d 1%d\n"), "vertex id")):
             self.write("a.off", text)
-            run = self.run_command("a.off", "--output", "out")
-            self.assertEqual(run.returncode, 3, run.stdout)
+            run = self.run_command("a.off", "--output", "out", code=3)
             self.assertIn(words, command.error_lines(run)[0])
 
     def gltf(self, matrix=None, cut_at=None):
@@ -137,8 +136,7 @@ class Readers(command.CommandTest):
         for name, content in (("a.gltf", b"{}"), ("a.glb", b"glTF" + bytes(20)), ("a.gltf", b"v 0 0 0"),
                               ("a.gltf", json.dumps({**scene, "meshes": []}).encode())):
             self.write(name, content)
-            run = self.run_command(name, "--output", "out")
-            self.assertEqual(run.returncode, 3, run.stdout)
+            run = self.run_command(name, "--output", "out", code=3)
             self.assertIn(name, command.error_lines(run)[0])
         self.write("a.3mf", b"PK")
         self.assertIn("save the surface as .obj", self.run_command("a.3mf").stderr)
@@ -159,8 +157,7 @@ class Readers(command.CommandTest):
             self.flatten(name)
             self.assertEqual(self.array("out/cut.vtp", "connectivity", "Polys"), wanted)
         self.write("bad.ply", command.ply_strips(points, [[0, 1, -2]], ""))
-        run = self.run_command("bad.ply", "--output", "out")
-        self.assertEqual(run.returncode, 3)
+        run = self.run_command("bad.ply", "--output", "out", code=3)
         self.assertIn("strip 0", command.error_lines(run)[0])
 
     def test_texture_seams_of_an_obj_split_nothing(self):

@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: BSD-3-Clause
-import json
 import os
 import resource
 import shutil
@@ -18,8 +17,7 @@ class Refusals(command.CommandTest):
 
     def refuse(self, *arguments, says=(), status=None):
         """Exit 3, one message in plain words, and a report that tells it."""
-        run = self.run_command(*arguments, "--output", "out")
-        self.assertEqual(run.returncode, 3, run.stdout + run.stderr)
+        run = self.run_command(*arguments, "--output", "out", code=3)
         self.assertEqual(run.stdout, "")
         lines = command.error_lines(run)
         self.assertEqual(len(lines), 1, lines)
@@ -65,8 +63,7 @@ class Refusals(command.CommandTest):
         self.assertEqual(self.run_command("check", "unused.obj", "--unit", "cm").returncode, 0)
         points[3] = (float("nan"), 0.0, 0.0)
         self.write("nan.obj", "# a comment\n" + command.obj(points, triangles))
-        run = self.run_command("check", "nan.obj")
-        self.assertEqual(run.returncode, 3)
+        run = self.run_command("check", "nan.obj", code=3)
         self.assertIn("nan.obj:5: a coordinate is not a finite number", run.stderr)
 
     def test_other_formats_name_the_line_or_the_facet(self):
@@ -79,15 +76,11 @@ class Refusals(command.CommandTest):
         for name, text, place in (("a.ply", ply.format(points, 2), ":12: "), ("a.off", off.format(points, 2), ":5: "),
                                   ("a.stl", stl, ":4: "), ("b.stl", binary, "facet 0 ")):
             with self.subTest(name):
-                with open(self.path(name), "wb") as file:
-                    file.write(text if isinstance(text, bytes) else text.encode())
-                run = self.run_command("check", name)
-                self.assertEqual(run.returncode, 3)
+                run = self.run_command("check", self.write(name, text), code=3)
                 self.assertIn(place, run.stderr)
                 self.assertIn("not a finite number", run.stderr)
         for name, text in (("u.ply", ply.format(points, 3)), ("u.off", off.format(points, 3))):
-            self.write(name, text)
-            self.assertEqual(self.run_command("check", name, "--unit", "cm").returncode, 0, name)
+            self.run_command("check", self.write(name, text), "--unit", "cm", code=0)
 
     def test_strains_are_said_in_few_figures(self):
         """A plane has none but that of rounding."""
@@ -97,8 +90,7 @@ class Refusals(command.CommandTest):
 
     def test_a_result_in_another_unit_than_it_was_made_in(self):
         self.run_command("flatten", "good.obj", "--unit", "cm", "--output", "flat")
-        run = self.run_command("pattern", "flat", "--unit", "mm", "--output", "flat.svg")
-        self.assertEqual(run.returncode, 3)
+        run = self.run_command("pattern", "flat", "--unit", "mm", "--output", "flat.svg", code=3)
         self.assertIn("is in cm", run.stderr)
         self.assertFalse(os.path.exists(self.path("flat.svg")))
         self.assertEqual(self.run_command("pattern", "flat", "--unit", "cm", "--output", "flat.svg").returncode, 0)
@@ -204,24 +196,20 @@ class Refusals(command.CommandTest):
     def test_a_file_in_the_way_of_the_output_folder(self):
         self.write("out", "precious")
         for folder in ("out", "out/below"):
-            run = self.run_command("good.obj", "--output", folder)
-            self.assertEqual(run.returncode, 3)
+            run = self.run_command("good.obj", "--output", folder, code=3)
             self.assertIn("output folder", command.error_lines(run)[0])
-        with open(self.path("out"), encoding="utf-8") as file:
-            self.assertEqual(file.read(), "precious")
+        self.assertEqual(self.read("out"), "precious")
 
     def test_a_result_that_cannot_be_put_in_place_leaves_no_part_behind(self):
         os.makedirs(self.path("out/flat.vtp/inner"))
-        run = self.run_command("good.obj", "--output", "out")
-        self.assertEqual(run.returncode, 3)
+        run = self.run_command("good.obj", "--output", "out", code=3)
         self.assertIn("flat.vtp", command.error_lines(run)[0])
         self.assertEqual(os.listdir(self.path("out")), ["flat.vtp"])
 
     def test_no_file_is_in_place_where_another_cannot_be(self):
         os.makedirs(self.path("out/report.json/inner"))
         self.write("out/pattern.svg", "of an earlier run")
-        run = self.run_command("good.obj", "--output", "out")
-        self.assertEqual(run.returncode, 3)
+        run = self.run_command("good.obj", "--output", "out", code=3)
         self.assertIn("report.json", command.error_lines(run)[0])
         self.assertEqual(sorted(os.listdir(self.path("out"))), ["pattern.svg", "report.json"])
 
@@ -292,8 +280,7 @@ class Refusals(command.CommandTest):
         before = self.flatten("good.obj")
         files = os.listdir(self.path("out"))
         # The command starts with the default action of SIGXFSZ, which would end it.
-        run = self.run_command("good.obj", "--output", "out", preexec_fn=limit_files)
-        self.assertEqual(run.returncode, 3, run.stderr)
+        run = self.run_command("good.obj", "--output", "out", preexec_fn=limit_files, code=3)
         self.assertIn("flat.vtp", command.error_lines(run)[0])
         self.assertEqual(os.listdir(self.path("out")), files)
         self.assertEqual(self.report("out"), before)
@@ -321,26 +308,21 @@ class Refusals(command.CommandTest):
             for folder in ("out", "link"):
                 with self.subTest(name=name, folder=folder):
                     self.write("out/" + name, content)
-                    run = self.run_command(*arguments, "--output", folder)
-                    self.assertEqual(run.returncode, 3)
+                    run = self.run_command(*arguments, "--output", folder, code=3)
                     self.assertIn(folder + "/" + name, command.error_lines(run)[0])
                     self.assertIn("--output", command.error_lines(run)[0])
                     self.assertEqual(os.listdir(self.path("out")), [name])
-                    with open(self.path("out/" + name), encoding="utf-8") as file:
-                        self.assertEqual(file.read(), content)
+                    self.assertEqual(self.read("out/" + name), content)
             os.remove(self.path("out/" + name))
 
     def test_a_default_folder_is_not_made_for_a_refusal(self):
-        run = self.run_command("absent.obj", "--quiet")
-        self.assertEqual(run.returncode, 3)
+        run = self.run_command("absent.obj", "--quiet", code=3)
         self.assertEqual(len(command.error_lines(run)), 1)
         self.assertEqual(os.listdir(self.folder), ["good.obj"])
 
     def test_names_of_any_bytes_keep_the_report_readable(self):
-        run = self.run_command(b"caf\xe9.obj", "--output", "out", "--quiet", errors="replace")
-        self.assertEqual(run.returncode, 3)
-        with open(self.path("out/report.json"), encoding="utf-8") as file:
-            self.assertTrue(json.load(file)["message"])
+        self.run_command(b"caf\xe9.obj", "--output", "out", "--quiet", errors="replace", code=3)
+        self.assertTrue(self.report("out")["message"])
 
 
 if __name__ == "__main__":

@@ -63,22 +63,19 @@ class Resewing(command.CommandTest):
         self.assertGreater(min(knit["cloth"].values()), 0.0)
         self.assertEqual(len(self.array("out/sewn.vtp", "SewnShearAngle")), 72)
         run = self.run_command("sew", "tube.obj", "seams.txt", "--mode", "product", "--gravity", "0", "0", "-0.001",
-                               "--output", "out")
-        self.assertEqual(run.returncode, 3)
+                               "--output", "out", code=3)
         self.assertIn("nothing holds", run.stderr)
 
     def test_cloth_that_is_not_at_rest_is_told(self):
         self.write("hill.obj", command.obj(*command.hill(0.2)))
         run = self.run_command(
-            "sew", "hill.obj", "--mode", "panel", "--sewing-iterations", "1", "--output", "out")
-        self.assertEqual(run.returncode, 4, run.stderr)
+            "sew", "hill.obj", "--mode", "panel", "--sewing-iterations", "1", "--output", "out", code=4)
         self.assertIn("raise --sewing-iterations", run.stderr)
         self.assertFalse(self.report("out")["resewn"][0]["converged"])
 
     def test_bad_usage_is_refused(self):
         for arguments in (("--sewing-iterations", "0"), ("--mode", "dress"), ("--thickness", "2")):
-            run = self.run_command("sew", "tube.obj", *arguments)
-            self.assertEqual(run.returncode, 2, arguments)
+            self.run_command("sew", "tube.obj", *arguments, code=2)
 
 
 if __name__ == "__main__":

@@ -133,8 +133,7 @@ class Runs(command.CommandTest):
                 reading = 1 if first[0] != "batch" else 2  # its reader; a worker and that one's reader
                 self.assertTrue(wait_until(lambda: len(children(run.pid)) >= reading))
                 before = sorted(os.listdir(self.path("out")))
-                other = self.run_command(*second, "--output", folder)
-                self.assertEqual(other.returncode, 3, other.stdout)
+                other = self.run_command(*second, "--output", folder, code=3)
                 line = command.error_lines(other)[0]
                 self.assertIn("out: another run is writing to this folder", line)
                 self.assertIn("--output", line)

@@ -11,8 +11,8 @@ LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 
 class SeamsFrom(command.CommandTest):
     def names(self, *arguments):
-        run = self.run_command("pattern", *arguments, "--unit", "cm", "-o", "out/pattern.svg", "--smooth", "0", "--output", "out")
-        self.assertEqual(run.returncode, 0, run.stderr)
+        self.run_command("pattern", *arguments, "--unit", "cm", "-o", "out/pattern.svg", "--smooth", "0", "--output", "out",
+                         code=0)
         root = ElementTree.parse(self.path("out/pattern.svg")).getroot()
         layers = [group.get(LABEL) for group in root if group.get(LABEL)]
         return [layer for layer in layers if layer != "scale check"]
@@ -113,8 +113,7 @@ class SeamsFrom(command.CommandTest):
         self.write("sheet.stl", command.stl(*command.sheet()))
         for file in ("plain.obj", "sheet.stl"):
             for kind, word in (("uv", "texture coordinates"), ("material", "two materials"), ("group", "two groups")):
-                run = self.run_command(file, "--seams-from", kind)
-                self.assertEqual(run.returncode, 3)
+                run = self.run_command(file, "--seams-from", kind, code=3)
                 self.assertIn(file, run.stderr)
                 self.assertIn(word, run.stderr)
         file = self.sheets(("o Front\n", 1), ("o Back\n", 1))

@@ -49,11 +49,7 @@ class Sizes(command.CommandTest):
         self.assertEqual(self.flatten("plate.obj", "--unit", "cm")["unit"], "cm")
         self.assertEqual(self.run_command("pattern", "plate.obj", "-o", "of file/pattern.svg").stderr, "")
         self.run_command("pattern", "plate.obj", "-o", "stated/pattern.svg", "--unit", "mm")
-        patterns = []
-        for folder in ("of file", "stated"):
-            with open(self.path(folder + "/pattern.svg"), "rb") as file:
-                patterns.append(file.read())
-        self.assertEqual(*patterns)
+        self.assertEqual(self.read("of file/pattern.svg"), self.read("stated/pattern.svg"))
 
     def test_the_likely_unit_is_taken_and_said_once_and_not_where_one_is_stated(self):
         points, triangles = plate(6, 10)
@@ -80,11 +76,11 @@ class Sizes(command.CommandTest):
         for unit, name, *inputs in (("m", "m", "plate.obj", curves), ("INCH", "inch", os.path.join("first", "cut.vtp")),
                                     ("mm", "mm", os.path.join("first", "flat.vtp")),
                                     ("cm", "cm", "plate.obj", "line.txt", curves)):
-            run = self.run_command("cut", "plate.obj", "line.txt", "--unit", unit, "--kind", "darts", "--output", "first")
-            self.assertEqual(run.returncode, 0, run.stderr)
+            self.run_command("cut", "plate.obj", "line.txt", "--unit", unit, "--kind", "darts", "--output", "first",
+                             code=0)
             with self.subTest(unit=name, inputs=inputs):
-                run = self.run_command("pattern", *inputs, "-o", "out/pattern.svg", "--smooth", "0", "--output", "out")
-                self.assertEqual(run.returncode, 0, run.stderr)
+                run = self.run_command("pattern", *inputs, "-o", "out/pattern.svg", "--smooth", "0", "--output", "out",
+                                       code=0)
                 self.assertNotIn("--unit", run.stderr + run.stdout)
                 report = self.report("out")
                 self.assertEqual((report["unit"], report["unit_stated"]), (name, True))
@@ -103,8 +99,7 @@ class Sizes(command.CommandTest):
         self.write("bump.obj", command.obj(*plate(
             12, 12, lambda x, y: 1.5 * math.exp(-((x - 9.5) ** 2 + (y - 10.0) ** 2) / 3.0))))
         self.write("arc.txt", "accessory arc " + " ".join(str(13 * 6 + i) for i in range(13)) + "\n")
-        run = self.run_command("bump.obj", "arc.txt", "--unit", "cm", "--output", "out", "--no-arrange")
-        self.assertEqual(run.returncode, 0, run.stderr)
+        run = self.run_command("bump.obj", "arc.txt", "--unit", "cm", "--output", "out", "--no-arrange", code=0)
         flat, cut = (self.array(f"out/{name}.vtp", "Points") for name in ("flat", "cut"))
         cells = self.array("out/flat.vtp", "connectivity", "Polys")
         triangles = [cells[k:k + 3] for k in range(0, len(cells), 3)]
@@ -146,12 +141,11 @@ class Sizes(command.CommandTest):
         points = [(x, y, 0.06 * (x - 4) * (x - 4) + 0.05 * (y - 6) * x) for y in side for x in side]
         quads = [(13 * y + x, 13 * y + x + 1, 13 * y + x + 14, 13 * y + x + 13) for y in side[:-1] for x in side[:-1]]
         self.write("saddle.obj", command.obj(points, quads))
-        run = self.run_command("cut", "saddle.obj", "--unit", "cm", "--kind", "all", "--max-strain", "0", "--max-cuts", "2",
-                               "--output", "first")
-        self.assertEqual(run.returncode, 0, run.stderr)
+        self.run_command("cut", "saddle.obj", "--unit", "cm", "--kind", "all", "--max-strain", "0", "--max-cuts", "2",
+                         "--output", "first", code=0)
         self.assertGreater(len(self.report("first")["suggestions"]), 0)
-        run = self.run_command("saddle.obj", os.path.join("first", "curves.vtp"), "--unit", "cm", "--output", "second")
-        self.assertEqual(run.returncode, 0, run.stderr)
+        run = self.run_command("saddle.obj", os.path.join("first", "curves.vtp"), "--unit", "cm", "--output", "second",
+                               code=0)
         self.assertLess(self.report("second")["curve_distance_mm"], 1e-6)
         self.assertNotIn("off the surface", run.stdout)
 

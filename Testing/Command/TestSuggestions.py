@@ -69,8 +69,7 @@ class Suggestions(command.CommandTest):
 
     def test_nothing_is_cut_that_lies_flat(self):
         self.write("sheet.obj", command.obj(*command.sheet()))
-        run = self.run_command("cut", "sheet.obj", "--kind", "all", "--output", "out")
-        self.assertEqual(run.returncode, 0, run.stderr)
+        run = self.run_command("cut", "sheet.obj", "--kind", "all", "--output", "out", code=0)
         self.assertIn("nothing is proposed", run.stdout)
         self.assertEqual(self.report("out")["suggestions"], [])
 
@@ -85,8 +84,7 @@ class Suggestions(command.CommandTest):
                 ("bumps.obj", "plane", "mirrored across the plane with normal ("),
                 ("bent.obj", "axis", "mirrored, by lengths and angles, across the axis from (")):
             run = self.run_command("cut", surface, "--kind", "darts", "--max-strain", "0", "--max-cuts", "2",
-                                   "--output", "out")
-            self.assertIn(run.returncode, (0, 4), run.stderr)
+                                   "--output", "out", code=(0, 4))
             self.assertEqual(self.report("out")["suggestions_mirror"]["type"], kind)
             self.assertIn(words, run.stdout)
 
@@ -94,17 +92,14 @@ class Suggestions(command.CommandTest):
         middles = [sum(self.points[v][0] for v in t) / 3 for t in self.triangles]
         self.write("dome.vtk", legacy(self.points, self.triangles, [float(x > 0) for x in middles]))
         options = ("--kind", "darts", "--max-strain", "0", "--max-cuts", "1")
-        run = self.run_command("cut", "dome.vtk", *options, "--weights", "matters", "--output", "out")
-        self.assertIn(run.returncode, (0, 4), run.stderr)
+        self.run_command("cut", "dome.vtk", *options, "--weights", "matters", "--output", "out", code=(0, 4))
         self.assertEqual(len(self.report("out")["suggestions"]), 1)
         self.assertGreater(self.array("out/curves.vtp", "Points")[-3], 0.0)  # its tip
-        run = self.run_command("cut", "dome.vtk", *options, "--weights", "mattes", "--output", "none")
-        self.assertEqual(run.returncode, 3)
+        run = self.run_command("cut", "dome.vtk", *options, "--weights", "mattes", "--output", "none", code=3)
         self.assertIn('no cell array of numbers named "mattes"; give one of matters', run.stderr)
         self.assertFalse(os.path.exists(self.path("none/flat.vtp")))
         self.write("dome.vtk", legacy(self.points, self.triangles, [-1.0] + middles[1:]))
-        run = self.run_command("cut", "dome.vtk", *options, "--weights", "matters", "--output", "none")
-        self.assertEqual(run.returncode, 3)
+        run = self.run_command("cut", "dome.vtk", *options, "--weights", "matters", "--output", "none", code=3)
         self.assertIn("are negative or not finite", run.stderr)
 
     def test_what_ended_a_search_is_named(self):
@@ -114,8 +109,7 @@ class Suggestions(command.CommandTest):
         self.assertIn("the limit of work ended the search after ", run.stderr)
 
     def test_lines_cut_nothing_and_tell_what_they_cost(self):
-        run = self.run_command("cut", "dome.obj", "--kind", "lines", "--output", "out")
-        self.assertEqual(run.returncode, 0, run.stderr)
+        run = self.run_command("cut", "dome.obj", "--kind", "lines", "--output", "out", code=0)
         report = self.report("out")
         self.assertEqual(len(report["pieces"]), 1)
         lines, left_out = report["suggestions"], report["suggestions_left_out"]
@@ -142,15 +136,13 @@ class Suggestions(command.CommandTest):
         self.assertIsNone(rows[2]["price"])
         for row in rows:
             self.assertIn(row["trial"], run.stdout)
-        run = self.run_command("prices", "dome.obj", "--output", "none")
-        self.assertEqual(run.returncode, 3)
+        run = self.run_command("prices", "dome.obj", "--output", "none", code=3)
         self.assertIn("there is no key curve", run.stderr)
 
     def test_a_bound_out_of_reach_is_told(self):
         for unit in ("mm", "m"):
             options = ("--kind", "darts", "--max-cuts", "1", "--unit", unit, "--output", "out")
-            run = self.run_command("cut", "dome.obj", *options, "--max-strain", "0.001")
-            self.assertEqual(run.returncode, 4, run.stderr)
+            run = self.run_command("cut", "dome.obj", *options, "--max-strain", "0.001", code=4)
             report = self.report("out")
             self.assertEqual((report["status"], report["exit_code"]), ("BoundMissed", 4))
             strain = max(piece["strain_p95"] for piece in report["pieces"])
@@ -159,8 +151,7 @@ class Suggestions(command.CommandTest):
             self.assertTrue(any("above the bound of 0.1 %" in text for text in report["warnings"]))
             # One that is missed by less, and the default, are warned of.
             for bound in (("--max-strain", str(0.8 * strain)), ()):
-                run = self.run_command("cut", "dome.obj", *options, *bound)
-                self.assertEqual(run.returncode, 0, run.stderr)
+                run = self.run_command("cut", "dome.obj", *options, *bound, code=0)
                 self.assertIn("above the bound of", run.stderr)
 
     def test_a_search_that_is_interrupted_ends_with_the_best_so_far(self):
@@ -180,16 +171,14 @@ class Suggestions(command.CommandTest):
 
     def test_options_of_cuts_are_not_for_lines(self):
         for option in (("--max-strain", "0.1"), ("--max-cuts", "3"), ("--max-work", "1")):
-            run = self.run_command("cut", "dome.obj", "--kind", "lines", *option)
-            self.assertEqual(run.returncode, 2, run.stdout)
+            run = self.run_command("cut", "dome.obj", "--kind", "lines", *option, code=2)
             self.assertIn(f"{option[0]} is for --kind darts, seams, all or gores, not for --kind lines", run.stderr)
 
     def test_bad_usage_is_refused(self):
         for arguments in (["--kind", "pleats"], ["--max-strain", "-1"], ["--max-strain", "nan"], ["--max-cuts", "-1"],
                           ["--prefer", "waist"], ["--max-cuts", "x"], ["--prefer", "waist=-1"], ["--effort", "huge"],
                           ["--effort", "long", "--max-work", "3"]):
-            run = self.run_command("cut", "dome.obj", *arguments)
-            self.assertEqual(run.returncode, 2, arguments)
+            self.run_command("cut", "dome.obj", *arguments, code=2)
 
 
 if __name__ == "__main__":

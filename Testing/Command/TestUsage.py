@@ -15,8 +15,7 @@ def listed(text):
 
 class Usage(command.CommandTest):
     def assert_usage_error(self, *arguments):
-        run = self.run_command(*arguments)
-        self.assertEqual(run.returncode, 2, run.stderr)
+        run = self.run_command(*arguments, code=2)
         self.assertEqual(run.stdout, "")
         lines = command.error_lines(run)
         self.assertTrue(lines[0].startswith("wirewarp: error: "), lines)
@@ -42,9 +41,8 @@ class Usage(command.CommandTest):
         self.write("a.obj", command.obj(points, triangles))
         reports = []
         for scheme, unit, paper in (("global", "inch", "letter"), ("Global", "Inches", "LETTER")):
-            run = self.run_command("pattern", "a.obj", "--scheme", scheme, "--unit", unit, "--paper", paper, "-o", unit,
-                                   env={**os.environ, "SOURCE_DATE_EPOCH": "1000000000"})
-            self.assertEqual(run.returncode, 0, run.stderr)
+            self.run_command("pattern", "a.obj", "--scheme", scheme, "--unit", unit, "--paper", paper, "-o", unit,
+                             env={**os.environ, "SOURCE_DATE_EPOCH": "1000000000"}, code=0)
             with open(self.path(f"{unit}/pattern.pdf"), "rb") as file:
                 reports.append((self.report(unit)["sizes"], file.read()))
         self.assertEqual(*reports)
@@ -136,8 +134,7 @@ class Usage(command.CommandTest):
             self.assertIn(word, run.stdout)
 
     def test_version_is_a_version(self):
-        run = self.run_command("--version")
-        self.assertEqual(run.returncode, 0)
+        run = self.run_command("--version", code=0)
         self.assertRegex(run.stdout, r"^wirewarp \d+\.\d+\.\d+ \(VTK \d+\.\d+")
 
 

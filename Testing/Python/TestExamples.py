@@ -6,7 +6,6 @@ import importlib.util
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 from xml.etree import ElementTree
 
@@ -17,7 +16,7 @@ from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader
 
 import surfaceflattening as sf
 from pattern_files import bezier_length, curves_of
-from surfaces import DATA, SOURCE, points_of, polylines_of, read, triangles_of
+from surfaces import DATA, SOURCE, command, points_of, polylines_of, read, triangles_of
 
 EXAMPLES = os.path.join(SOURCE, "Examples", "Python")
 
@@ -58,12 +57,7 @@ def write_obj(path, name):
     return lengths
 
 
-class Examples(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-
+class Examples(command.CommandTest):
     def run_example(self, name, *arguments, code=0):
         run = subprocess.run(
             [sys.executable, os.path.join(EXAMPLES, name), *arguments],
@@ -74,10 +68,8 @@ class Examples(unittest.TestCase):
     def test_flatten_without_vtk(self):
         places = "".join(f"v {x} {y} {0.1 * x * y}\n" for y in range(3) for x in range(3))
         faces = "".join(f"f {a} {a + 1} {a + 4} {a + 3}\n" for a in (1, 2, 4, 5))
-        with open(os.path.join(self.folder, "a.obj"), "w", encoding="utf-8") as file:
-            file.write(f"# units: cm\n{places}{faces}")
-        with open(os.path.join(self.folder, "a.txt"), "w", encoding="utf-8") as file:
-            file.write("key middle 3 5\n")
+        self.write("a.obj", f"# units: cm\n{places}{faces}")
+        self.write("a.txt", "key middle 3 5\n")
         output = self.run_example("flatten_without_vtk.py", "a.obj", "a.png", "--curves", "a.txt")
         self.assertRegex(output, r"^piece 1: Ok, area error \d")
         self.assertGreater(len(colors_of(os.path.join(self.folder, "a.png"))), 10000)

@@ -3,7 +3,6 @@
 
 import csv
 import os
-import tempfile
 import unittest
 from xml.etree import ElementTree
 
@@ -12,7 +11,7 @@ import surfaceflattening as sf
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from surfaces import grid
+from surfaces import command, grid
 
 SVG = "{http://www.w3.org/2000/svg}"
 COLUMNS, ROWS = 6, 10
@@ -35,22 +34,16 @@ def flat_plate(width, height):
     return sf.flatten(*plate(width, height))
 
 
-class Grading(unittest.TestCase):
+class Grading(command.CommandTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+        super().setUp()
         self.sizes = {"S": flat_plate(28.0, 48.0), "M": flat_plate(30.0, 50.0), "L": flat_plate(33.0, 52.0)}
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
 
     def test_the_table_and_the_nest_hold_the_same_numbers(self):
         grading = sf.grade(self.sizes, unit="cm")
         grading.write_rules(self.path("rules.csv"))
         grading.write_nest(self.path("nest.svg"), "a <plate>")
-        with open(self.path("rules.csv"), encoding="utf-8", newline="") as file:
-            rows = list(csv.reader(file))
+        rows = list(csv.reader(self.read("rules.csv").splitlines()))
         self.assertEqual(rows[0], ["piece", "point", "name", "dx S mm", "dy S mm", "dx M mm", "dy M mm", "dx L mm",
                                    "dy L mm"])
         self.assertEqual(len(rows), 1 + len(grading.rules))

@@ -77,11 +77,9 @@ class Lengths(pattern.PatternTest):
 
     def test_the_audit_finds_what_is_wrong(self):
         self.make_raw("quarter_sphere", "-o", "out/pattern.dxf")
-        with open(self.path("out", "pattern.dxf"), encoding="ascii") as file:
-            text = file.read()
-        inserted = re.search("INSERT\n  5\n.*\n  8\n1\n  2\n", text).end()
-        with open(self.path("broken.dxf"), "w", encoding="ascii") as file:
-            file.write(text[:inserted] + "NOT_THERE_" + text[inserted:])
+        text = self.read("out", "pattern.dxf")
+        inserted = re.search("INSERT\r\n  5\r\n.*\r\n  8\r\n1\r\n  2\r\n", text).end()
+        self.write("broken.dxf", text[:inserted] + "NOT_THERE_" + text[inserted:])
         self.assertNotEqual(pattern.read_dxf(self.path("broken.dxf"))[1], [])
 
     def test_units_are_told_and_meant(self):

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What cannot be a pattern is refused with a message, and nothing half-written is left."""
 
-import json
 import os
 import re
 import unittest
@@ -31,8 +30,7 @@ class Refusals(pattern.PatternTest):
         return ("pattern", piece + ".vtp", piece + "_curves.vtp", "--output", "out", *options)
 
     def assert_refused(self, code, *options):
-        run = self.run_command(*self.arguments(*options))
-        self.assertEqual(run.returncode, code, run.stderr)
+        run = self.run_command(*self.arguments(*options), code=code)
         self.assertTrue(run.stderr.startswith("wirewarp: error: "), run.stderr)
         left = [name for _, _, files in os.walk(self.folder) for name in files]
         self.assertEqual([name for name in left if "pattern" in name or name.endswith(".part")], [])
@@ -60,8 +58,8 @@ class Refusals(pattern.PatternTest):
                  {"pattern.pdf"}, "5.08 m"),
             ):
                 with self.subTest(unit=unit, asked=asked):
-                    run = self.run_command("pattern", *plate, *every, *asked, "--unit", unit, "--output", "out")
-                    self.assertEqual(run.returncode, 3 if failed else 0, run.stderr)
+                    run = self.run_command("pattern", *plate, *every, *asked, "--unit", unit, "--output", "out",
+                                           code=3 if failed else 0)
                     report = self.report("out")
                     self.assertEqual((report["exit_code"], report["status"]), (run.returncode, "Ok"))
                     errors = [line for line in run.stderr.splitlines() if line.startswith("wirewarp: error: ")]
@@ -80,11 +78,9 @@ class Refusals(pattern.PatternTest):
         plate = self.write_plate("mm")
         self.write("list.txt", " ".join(plate) + "\nplate.obj\n")
         run = self.run_command("batch", "list.txt", "--unit", "mm", "--output", "out", "pattern", "-o", "pattern.svg", "-o",
-                               "pattern.json")
-        self.assertEqual(run.returncode, 3)
+                               "pattern.json", code=3)
         self.assertEqual(run.stderr.count("wirewarp: error: "), 1)
-        with open(self.path("out", "batch.json"), encoding="utf-8") as file:
-            rows = json.load(file)["surfaces"]
+        rows = self.report("out", "batch.json")["surfaces"]
         self.assertEqual([row["exit_code"] for row in rows], [3, 0])
         self.assertEqual([len(row["unwritten"]) for row in rows], [1, 0])
         for folder, json_there in (("plate", False), ("plate_2", True)):
@@ -103,8 +99,7 @@ class Refusals(pattern.PatternTest):
                     size = pattern.MILLIMETRES[unit]
                     self.write("c.obj", command.obj([(x / size, y / size, 0.0) for x, y in corners], faces))
                     run = self.run_command("pattern", "c.obj", "-o", "out/pattern.svg", "-o", "out/pattern.dxf", "--unit", unit, "--allowance", allowance,
-                                           "--output", "out")
-                    self.assertEqual(run.returncode, 0, run.stderr)
+                                           "--output", "out", code=0)
                     self.assertEqual("allowances meet" in run.stderr, met, run.stderr)
                     root = pattern.svg_root(self.path("out", "pattern.svg"))
                     holes = len(pattern.svg_paths(root, "cut-out"))
@@ -119,8 +114,7 @@ class Refusals(pattern.PatternTest):
         kept = self.report("out")
         for source, words, says in ((["out"], ["-o", "out/report.json"], "is an input"),
                                     ([surface], ["-o", "other", "-o", "./other/report.json"], "is a file of the result itself")):
-            run = self.run_command("pattern", *source, *words, "--unit", "cm")
-            self.assertEqual(run.returncode, 3, run.stderr)
+            run = self.run_command("pattern", *source, *words, "--unit", "cm", code=3)
             self.assertIn("report.json: " + says, run.stderr)
         self.assertEqual(self.report("out"), kept)
         self.assertFalse(os.path.exists(self.path("other")))
@@ -138,10 +132,9 @@ class Refusals(pattern.PatternTest):
     def test_names_of_any_characters_survive_in_every_format(self):
         for name in NAMES:
             with self.subTest(name):
-                run = self.run_command(
+                self.run_command(
                     *self.arguments("-o", "out/pattern.svg", "-o", "out/pattern.pdf", "-o", "out/pattern.dxf", "--unit", "m", "--paper", "A0",
-                                    "--name", name, "--size", name, "--piece", name))
-                self.assertEqual(run.returncode, 0, run.stderr)
+                                    "--name", name, "--size", name, "--piece", name), code=0)
                 shown = name.replace("\t", " ").replace("\n", " ")
                 root = pattern.svg_root(self.path("out", "pattern.svg"))
                 self.assertEqual(pattern.pieces_of(root)[0].get("data-name"), shown)
@@ -163,10 +156,9 @@ class Refusals(pattern.PatternTest):
                 self.assertTrue(word in drawn or word[::-1] in drawn, drawn)
 
     def test_bytes_that_are_no_text_are_replaced(self):
-        run = self.run_command(*self.arguments(
+        self.run_command(*self.arguments(
             "-o", "out/pattern.svg", "-o", "out/pattern.pdf", "-o", "out/pattern.dxf", "--unit", "cm", "--name", b"caf\xe9 \xff\xc3".decode(
-                "utf-8", "surrogateescape")))
-        self.assertEqual(run.returncode, 0, run.stderr)
+                "utf-8", "surrogateescape")), code=0)
         root = pattern.svg_root(self.path("out", "pattern.svg"))
         self.assertEqual(root.find(pattern.SVG + "title").text, "caf\ufffd \ufffd\ufffd")
 

@@ -4,7 +4,6 @@ wrong by file and line."""
 
 import os
 import pathlib
-import tempfile
 import unittest
 
 import numpy as np
@@ -12,7 +11,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import surfaceflattening as sf
-from surfaces import quarter_sphere
+from surfaces import command, quarter_sphere
 
 # Two squares side by side; coordinates that single precision does not hold. Texture coordinates break between them.
 X = (0.1, 1.0 / 3.0, 1e-9)
@@ -49,17 +48,9 @@ def types(curves):
     return vtk_to_numpy(curves.GetCellData().GetArray("CurveType")).tolist()
 
 
-class Files(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-
+class Files(command.CommandTest):
     def write(self, name, content):
-        path = os.path.join(self.folder, name)
-        with open(path, "wb") as file:
-            file.write(content if isinstance(content, bytes) else content.encode())
-        return path
+        return self.path(super().write(name, content))
 
 
 class Surfaces(Files):

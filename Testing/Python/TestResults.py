@@ -9,7 +9,6 @@ import pydoc
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
 import warnings
 from xml.etree import ElementTree
@@ -19,7 +18,7 @@ from vtkmodules.vtkCommonCore import vtkStringArray
 
 import surfaceflattening as sf
 from page import Page
-from surfaces import DATA, grid, points_of, polylines_of, quarter_sphere, read, triangles_of
+from surfaces import DATA, command, grid, points_of, polylines_of, quarter_sphere, read, triangles_of
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -272,15 +271,7 @@ class Meshes(unittest.TestCase):
             flattened().to_polydata("all")
 
 
-class Patterns(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
-
-    def path(self, name):
-        return os.path.join(self.folder, name)
-
+class Patterns(command.CommandTest):
     def content(self, name):
         with open(self.path(name), "rb") as file:
             return re.sub(rb"(?i)creation (date|time): [0-9:/-]+", b"", file.read())  # a minute may pass
@@ -351,8 +342,7 @@ class Patterns(unittest.TestCase):
                                     *([("lay.svg", options)] if laid else [])):
                     result.write_pattern(self.path("own" + file), unit=unit, **given)
                     self.assertEqual(self.content("own" + file), self.content(f"{folder}/{file}"), folder)
-            with open(self.path("ownpattern.dxf"), encoding="ascii") as file:
-                pairs = [line.strip() for line in file]
+            pairs = [line.strip() for line in self.read("ownpattern.dxf").splitlines()]
             groups = list(zip(pairs[::2], pairs[1::2]))
             arrows = [dict(groups[k + 1:k + 9]) for k, group in enumerate(groups)
                       if group == ("0", "LINE") and ("8", "7") in groups[k:k + 3]]
