@@ -20,10 +20,6 @@ def dome():
         SIZE, SIZE, lambda i, j: (3.0 * i, 3.0 * j, -0.01 * ((3.0 * i - 15) ** 2 + (3.0 * j - 15) ** 2)))
 
 
-def cross(u, v):
-    return u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
-
-
 def thick(points, triangles, depth):
     """The surface, another one below it, and the rim between them."""
     count = len(points)
@@ -116,9 +112,7 @@ class Mending(command.CommandTest):
         """Of the surface as it was flattened."""
         x = self.array("out/cut.vtp", "Points")
         ids = self.array("out/cut.vtp", "connectivity", "Polys")
-        corners = [[x[3 * v:3 * v + 3] for v in ids[k:k + 3]] for k in range(0, len(ids), 3)]
-        return sum(0.5 * math.hypot(*cross([q - p for p, q in zip(a, b)], [q - p for p, q in zip(a, c)]))
-                   for a, b, c in corners)
+        return sum(command.area(x, ids[k:k + 3]) for k in range(0, len(ids), 3))
 
     def strip(self, wedge):
         """Quads of 10 x 10 in rows, with a column of no width, or of quads that open like wedges."""

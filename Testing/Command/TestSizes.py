@@ -4,17 +4,12 @@ import math
 import os
 
 import command
+from command import area
 
 
 def plate(columns, rows, height=lambda x, y: 0.0):
     """columns x rows unit squares; vertex (i, j) is j * (columns + 1) + i."""
     return command.grid(columns, rows, lambda i, j: (float(i), float(j), height(i, j)))
-
-
-def area(points, corners):
-    a, b, c = ([points[3 * v + k] for k in range(3)] for v in corners)
-    u, v = ([q - p for p, q in zip(a, end)] for end in (b, c))
-    return 0.5 * math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
 
 
 class Sizes(command.CommandTest):

@@ -15,6 +15,9 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 from plugin import OUTPUT, PLUGIN, SOURCE, fetch, main, read
 
+sys.path.insert(0, os.path.join(SOURCE, "Examples", "ParaView"))
+from flat_beside import show_beside  # noqa: E402  - it lies in another folder
+
 BASELINES = os.path.join(SOURCE, "Testing", "Data", "Baseline")
 # Edges of lines may fall on other pixels with another OpenGL; areas may not.
 LARGEST_DIFFERENCE = 48
@@ -96,9 +99,6 @@ class Pictures(unittest.TestCase):
         self.compare("TestParaViewFigure9.png")
 
     def test_flat_pieces_beside_the_surface(self):
-        sys.path.insert(0, os.path.join(SOURCE, "Examples", "ParaView"))
-        from flat_beside import show_beside
-
         flattening = pv.FlattenSurfaceWireWarping(
             Input=read("shirt_front"), Curves=read("shirt_front_curves"), Scheme="Global",
             DartLegs="Free")
@@ -116,9 +116,6 @@ class Pictures(unittest.TestCase):
             show_beside(flattening.Input)
 
     def test_the_surface_is_in_the_middle_with_its_curves_colored_and_the_legend_below(self):
-        sys.path.insert(0, os.path.join(SOURCE, "Examples", "ParaView"))
-        from flat_beside import show_beside
-
         curves = read("shirt_front_curves")
         flattening = pv.FlattenSurfaceWireWarping(Input=read("shirt_front"), Curves=curves)
         view = pv.CreateView("RenderView")
@@ -136,9 +133,6 @@ class Pictures(unittest.TestCase):
         self.assertEqual((bar.Visibility, bar.Orientation), (1, "Horizontal"))
 
     def test_connectors_are_drawn_thinner_than_wires(self):
-        sys.path.insert(0, os.path.join(SOURCE, "Examples", "ParaView"))
-        from flat_beside import show_beside
-
         surface = read("shirt_front")
         cut = fetch(pv.FlattenSurfaceWireWarping(Input=surface), 2)
         ends = [cut.GetPoint(cut.GetCell(700).GetPointId(k)) for k in range(2)]

@@ -8,13 +8,12 @@ import unittest
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkCommonCore import vtkIntArray, vtkStringArray
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import surfaceflattening as sf
-from surfaces import SOURCE, read
+from surfaces import SOURCE, points_of, read, read_file
 
 TYPES = ("accessory", "key", "dart", "seam")
 
@@ -30,23 +29,8 @@ def tutorial():
 
 def through_vertices(surface):
     """The tutorial's curves as a user without an editor gives them."""
-    points, lines = vtkPoints(), vtkCellArray()
-    points.SetDataTypeToDouble()
-    types, names = vtkIntArray(), vtkStringArray()
-    types.SetName("CurveType")
-    names.SetName("CurveName")
-    for kind, name, vertices in tutorial():
-        lines.InsertNextCell(len(vertices))
-        for v in vertices:
-            lines.InsertCellPoint(points.InsertNextPoint(surface.GetPoint(v)))
-        types.InsertNextValue(kind)
-        names.InsertNextValue(name)
-    data = vtkPolyData()
-    data.SetPoints(points)
-    data.SetLines(lines)
-    data.GetCellData().AddArray(types)
-    data.GetCellData().AddArray(names)
-    return data
+    return sf.make_curves([sf.Curve(vertices, TYPES[kind], name) for kind, name, vertices in tutorial()],
+                          points_of(surface))
 
 
 def drawn(surface):
@@ -102,12 +86,9 @@ class Editor(unittest.TestCase):
             writer.SetFileName(path)
             writer.SetInputData(curves_of(self.editor))
             writer.Write()
-            reader = vtkXMLPolyDataReader()
-            reader.SetFileName(path)
-            reader.Update()
             again = sf.vtkFeatureCurveEditor()
             self.assertTrue(again.SetSurface(self.surface))
-            self.assertTrue(again.SetCurves(reader.GetOutput()), again.GetMessage())
+            self.assertTrue(again.SetCurves(read_file(path)), again.GetMessage())
         self.assertEqual(again.GetNumberOfCurves(), 5)
         self.assertFalse(again.CanUndo())
         for curve in range(5):

@@ -9,7 +9,7 @@ import unittest
 import numpy as np
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import pattern_files as pattern
 
@@ -166,11 +166,9 @@ class Fair(pattern.PatternTest):
             turn.RotateY(2.3 * angle)
             turn.RotateZ(1.7 * angle)
             for name in ("shirt_front.vtp", "shirt_front_curves.vtp"):
-                reader = vtkXMLPolyDataReader()
-                reader.SetFileName(os.path.join(pattern.DATA, name))
                 turned = vtkTransformPolyDataFilter()
                 turned.SetTransform(turn)
-                turned.SetInputConnection(reader.GetOutputPort())
+                turned.SetInputData(pattern.read_file(os.path.join(pattern.DATA, name)))
                 writer = vtkXMLPolyDataWriter()
                 writer.SetFileName(self.path(name))
                 writer.SetInputConnection(turned.GetOutputPort())

@@ -11,7 +11,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import surfaceflattening as sf
-from surfaces import command, quarter_sphere
+from surfaces import command, lengths_of, quarter_sphere
 
 # Two squares side by side; coordinates that single precision does not hold. Texture coordinates break between them.
 X = (0.1, 1.0 / 3.0, 1e-9)
@@ -27,16 +27,6 @@ f 2/1 3/2 6/3 5/4
 g dart middle
 l 2 5
 """
-
-
-def lengths(curves):
-    points = vtk_to_numpy(curves.GetPoints().GetData())
-    result = []
-    for k in range(curves.GetNumberOfCells()):
-        ids = curves.GetCell(k).GetPointIds()
-        x = points[[ids.GetId(i) for i in range(ids.GetNumberOfIds())]]
-        result.append(np.linalg.norm(np.diff(x, axis=0), axis=1).sum())
-    return result
 
 
 def names(curves):
@@ -67,7 +57,7 @@ class Surfaces(Files):
             with self.subTest(seams=seams):
                 _, curves = sf.read_surface(path, seams=seams)
                 self.assertEqual(types(curves), [2, 3])
-                np.testing.assert_allclose(lengths(curves), [1.0, 1.0], rtol=1e-15)
+                np.testing.assert_allclose(lengths_of(curves), [1.0, 1.0], rtol=1e-15)
 
     def test_files_and_what_was_read_name_the_call_that_was_meant(self):
         path = self.write("a.obj", OBJ)
@@ -111,7 +101,7 @@ class Curves(Files):
                 curves = sf.read_curves(self.write(name, content), surface)
                 self.assertEqual((names(curves), types(curves)), (["hem, left"], [1]))
                 np.testing.assert_allclose(
-                    lengths(curves), [np.linalg.norm(np.diff(points[ids], axis=0), axis=1).sum()], rtol=1e-15)
+                    lengths_of(curves), [np.linalg.norm(np.diff(points[ids], axis=0), axis=1).sum()], rtol=1e-15)
 
     def test_what_is_wrong_is_raised_with_file_and_line(self):
         surface = sf.make_surface(*quarter_sphere()[:2])

@@ -40,6 +40,12 @@ def polylines_of(polydata):
     return [np.array(ids[a:b]) for a, b in zip(offsets[:-1], offsets[1:])]
 
 
+def lengths_of(polydata):
+    """Of its polylines."""
+    points = points_of(polydata)
+    return [np.linalg.norm(np.diff(points[line], axis=0), axis=1).sum() for line in polylines_of(polydata)]
+
+
 def quarter_sphere():
     """The paper's quarter-sphere (Fig. 11): points, triangles, its arc."""
     points, triangles, arc = command.quarter_sphere()
