@@ -66,17 +66,6 @@ TEST(GuardedProcess, MemoryBeyondTheLimitIsNotToBeHad)
   EXPECT_EQ(run("take", std::to_string(std::size_t(1) << 30), limits).bytes, "refused");
 }
 
-TEST(GuardedProcess, WhatItPrintsIsLost)
-{
-  testing::internal::CaptureStderr();
-  testing::internal::CaptureStdout();
-  const ProcessAnswer answer = run("print", "malloc(): corrupted top size");
-  EXPECT_EQ(answer.end, ProcessEnd::Answered);
-  EXPECT_EQ(answer.bytes, "");
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
-}
-
 // A copy of this process would find the lock of malloc or of a stream held by a thread that it does
 // not have, and wait until its limit.
 TEST(GuardedProcess, AnswersWhileOtherThreadsAllocateAndPrint)

@@ -46,18 +46,14 @@ class Filters(unittest.TestCase):
 
         # The file says when it was made.
         with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.dict(os.environ, SOURCE_DATE_EPOCH="1000000000"):
-            for unit in ("mm", "cm", "m", "inch"):
-                with self.subTest(unit), warnings.catch_warnings(record=True) as caught:
-                    warnings.simplefilter("always")
-                    _, wanted = made("", "", folder, unit=unit)
-                    for of_surface, of_curves in ((unit.upper(), ""), ("", unit), (unit, "cm")):
+            for unit in ("m", "inch"):
+                _, wanted = made("", "", folder, unit=unit)
+                for of_surface, of_curves in ((unit.upper(), ""), ("", unit), (unit, "cm")):
+                    with self.subTest(unit, of_surface=of_surface):
                         result, pattern = made(of_surface, of_curves, folder)
                         self.assertEqual(pattern, wanted)
                         for part in ("flat", "wires", "cut"):
                             self.assertEqual(sf.vtkFlatteningAlgorithm.GetLengthUnitOf(result.to_polydata(part)), unit)
-                    # Of a sphere's quarter with the radius 1.
-                    small = ["the largest piece"] * (3 if unit in ("mm", "cm") else 0)
-                    self.assertEqual([str(warning.message).split(" is ")[0] for warning in caught], small)
             for word in ("", "furlong"):
                 with warnings.catch_warnings(record=True) as caught:
                     warnings.simplefilter("always")

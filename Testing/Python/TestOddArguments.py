@@ -146,11 +146,8 @@ class Arrays(OddCase):
             self.expect_same(self.points, self.triangles.astype(kind), np.array(CURVE, kind))
         self.expect_same(self.points.astype(object), self.triangles)
         self.expect_same(self.points.tolist(), self.triangles.tolist(), tuple(CURVE))
-
-    def test_big_endian_positions_of_a_curve(self):
-        positions = self.points[CURVE]
-        self.expect_same(self.points, self.triangles, positions)
-        self.expect_same(self.points, self.triangles, positions.astype(">f8"))
+        for positions in (self.points[CURVE], self.points[CURVE].astype(">f8")):
+            self.expect_same(self.points, self.triangles, positions)
 
     def test_empty_arrays_are_refused(self):
         self.wrong(["(n, 3)"], lambda: sf.flatten([], []))
@@ -215,7 +212,6 @@ class Arrays(OddCase):
             self.wrong(["close_cuts", repr(value), "True or False"],
                        lambda value=value: call(close_cuts=value), TypeError)
         self.assertEqual(call(close_cuts=np.bool_(False)).report["status"], "Ok")
-        self.wrong(["tolerance", "dict"], lambda: call(tolerance=0.1), TypeError)
         self.wrong(["tolerance of 'hem'", "'wide'"], lambda: call(tolerance={"hem": "wide"}), TypeError)
 
     def test_shapes_say_what_helps(self):

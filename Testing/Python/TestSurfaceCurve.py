@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
-    vtkCellArray, vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection,
+    vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection,
     vtkPolyData)
 
 import surfaceflattening as sf
@@ -33,6 +33,16 @@ def drawn(surface, points, **properties):
         curve.SetControlPoint(k, *point)
     for name, value in properties.items():
         getattr(curve, "Set" + name)(value)
+    curve.Update()
+    return curve
+
+
+def through(first, second, name):
+    """Two curves through points that port 1 has as polylines."""
+    curve = sf.vtkSurfaceCurve()
+    curve.SetInputData(cylinder())
+    curve.SetControlPointsData(sf.make_curves([np.array(first, float), np.array(second, float)], [[0, 0, 0]]))
+    curve.SetCurveName(name)
     curve.Update()
     return curve
 
@@ -78,19 +88,7 @@ class Curves(Quiet):
         self.assertEqual(out.GetOutput().GetNumberOfCells(), 0)
 
     def test_each_polyline_of_port_1_is_a_curve(self):
-        points, lines = vtkPoints(), vtkCellArray()
-        for pair in (((1, 0, 0.5), (0, 1, 0.5)), ((1, 0, 1.5), (0, 1, 1.2))):
-            lines.InsertNextCell(2)
-            for point in pair:
-                lines.InsertCellPoint(points.InsertNextPoint(point))
-        data = vtkPolyData()
-        data.SetPoints(points)
-        data.SetLines(lines)
-        curve = sf.vtkSurfaceCurve()
-        curve.SetInputData(cylinder())
-        curve.SetControlPointsData(data)
-        curve.SetCurveName("band")
-        curve.Update()
+        curve = through(((1, 0, 0.5), (0, 1, 0.5)), ((1, 0, 1.5), (0, 1, 1.2)), "band")
         names = curve.GetOutput().GetCellData().GetAbstractArray("CurveName")
         self.assertEqual([names.GetValue(k) for k in range(2)], ["band 1", "band 2"])
 
@@ -113,19 +111,8 @@ class Curves(Quiet):
     def test_a_refusal_names_the_curve(self):
         named = drawn(cylinder(), ((1, 0, 0), (1, 0, 0)), CurveName="waist")
         self.assertIn('curve "waist": 1 different control point', named.GetStatusMessage())
-        points = vtkPoints()
-        lines = vtkCellArray()
-        for line in (((1, 0, 0), (0, 1, 1)), ((0, 1, 0), (0, 1, 0))):
-            lines.InsertNextCell(2, [points.InsertNextPoint(point) for point in line])
-        controls = vtkPolyData()
-        controls.SetPoints(points)
-        controls.SetLines(lines)
         for name, told in (("", "curve 2: "), ("hem", 'curve "hem 2": ')):
-            curve = sf.vtkSurfaceCurve()
-            curve.SetInputData(cylinder())
-            curve.SetControlPointsData(controls)
-            curve.SetCurveName(name)
-            curve.Update()
+            curve = through(((1, 0, 0), (0, 1, 1)), ((0, 1, 0), (0, 1, 0)), name)
             self.assertEqual(curve.GetStatusName(), "CurveTooShort")
             self.assertIn(told, curve.GetStatusMessage())
 
