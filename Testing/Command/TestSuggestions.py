@@ -29,7 +29,6 @@ class Suggestions(command.CommandTest):
         self.assertTrue(cuts)
         self.assertLessEqual(max(piece["strain_p95"] for piece in report["pieces"]), 0.04)
         self.assertEqual(report["status"], "Ok")
-        strain = cuts[0]["strain_p95_before"]
         for number, cut in enumerate(cuts, 1):
             self.assertEqual(cut["name"], f"{cut['type']} {number}")
             self.assertGreater(cut["gain"], 0)
@@ -44,8 +43,6 @@ class Suggestions(command.CommandTest):
         for piece, other in zip(report["pieces"], again["pieces"]):
             self.assertTrue(math.isclose(piece["strain_p95"], other["strain_p95"], rel_tol=1e-9))
             self.assertEqual(piece["triangles"], other["triangles"])
-        uncut = self.flatten("dome.obj")
-        self.assertTrue(math.isclose(uncut["pieces"][0]["strain_p95"], strain, rel_tol=1e-9))
 
     def test_folders_in_the_way_of_files_are_found_before_the_search(self):
         for name in ("flat.vtp", "curves.vtp", "report.json"):

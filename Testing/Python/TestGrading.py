@@ -125,13 +125,10 @@ class Grading(command.CommandTest):
         other = sf.flatten(*plate(30.0, 50.0)[:2])
         fold = sf.Curve(plate(1, 1)[2][0].points, "key", "fold", "straight")
         renamed = sf.flatten(*plate(30.0, 50.0)[:2], [fold])
-        triangle = sf.flatten(np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0.0]]), np.array([[0, 1, 2]]))
         for sizes, options, words in (
-            ({"M": self.sizes["M"]}, {}, ["1 sizes", "two"]),
             (self.sizes, {"base": "XL"}, ["'XL'", "S, M, L"]),
             (self.sizes, {"at": "hem"}, ["'hem'", "centre"]),
             (self.sizes, {"unit": "ft"}, ["ft"]),
-            ({"M": self.sizes["M"], "L": triangle}, {}, ["'L'", "connectivity"]),
             ({"M": self.sizes["M"], "L": other}, {}, ["'L'", "'M'"]),
             ({"M": self.sizes["M"], "L": renamed}, {}, ["'L'", "fold"]),
         ):

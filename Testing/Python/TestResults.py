@@ -178,12 +178,6 @@ class Help(unittest.TestCase):
                 if not name.startswith("_"):
                     self.assertRegex(told, rf"(?m)^[ |]+(\w+, )*{name}[,:]")
 
-    def test_the_version_is_that_of_the_command(self):
-        printed = subprocess.run([os.environ["WIREWARP"], "--version"], capture_output=True, text=True,
-                                 check=True).stdout
-        self.assertIn(sf.__version__, printed)
-        self.assertRegex(sf.__version__, r"^\d+\.\d+\.\d+$")
-
 
 def arrays_of(data):
     return {data.GetArrayName(k): data.GetAbstractArray(k) for k in range(data.GetNumberOfArrays())}
