@@ -155,7 +155,7 @@ class Curves(command.CommandTest):
         said = {}
         for kind in ("key", "straight"):
             self.write("fold.txt", f"{kind} fold {line}\n")
-            run = self.run_command("pattern", "dome.obj", "fold.txt", "-o", "out/pattern.svg", "-o", "out/pattern.dxf", "--unit", "m", "--output", "out",
+            run = self.run_command("pattern", "dome.obj", "fold.txt", "-o", "out/pattern.svg", "--unit", "m",
                                    code=(0, 4))
             said[kind] = [row for row in run.stderr.splitlines() if "grainline" in row]
         self.assertEqual(len(said["key"]), 1, said)

@@ -32,8 +32,7 @@ class Flattenable(command.CommandTest):
 
     def test_what_it_writes_lies_flat_by_itself_and_goes_with_the_next_run(self):
         strain = self.flatten("reshape", "hill.obj", "curves.txt", "--max-strain", "0.03")["pieces"][0]["strain_p95"]
-        self.run_command(self.path("out/flattenable.vtp"), self.path("out/curves.vtp"), "--output", "out",
-                         code=0)
+        self.run_command("out/flattenable.vtp", "out/curves.vtp", "--output", "out", code=0)
         self.assertAlmostEqual(self.report("out")["pieces"][0]["strain_p95"], strain, 9)
         self.assertIsNone(self.flatten("hill.obj")["flattenable"])
 
@@ -60,8 +59,8 @@ class Flattenable(command.CommandTest):
     def test_kept_curves_are_named(self):
         report = self.flatten("reshape", "hill.obj", "curves.txt", "--max-strain", "0.1", "--keep", "middle")
         self.assertEqual(report["flattenable"]["keep"], ["middle"])
-        run = self.run_command("reshape", "hill.obj", "curves.txt", "--max-strain", "0.1", "--keep", "centre", "--output", "refused",
-                               code=3)
+        run = self.run_command("reshape", "hill.obj", "curves.txt", "--max-strain", "0.1", "--keep", "centre",
+                               "--output", "refused", code=3)
         self.assertIn('no curve is named "centre"; the curves are middle', run.stderr)
         self.assertNotIn("--tolerance", run.stderr)
         self.assertNotIn("flattenable.vtp", os.listdir(self.path("refused")))

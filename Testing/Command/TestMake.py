@@ -152,7 +152,8 @@ class Make(command.CommandTest):
         run = self.make("tent.obj", "--unit", "m", "--for", "tent", "--template", "strips", "--max-width", "150cm",
                         "-o", "out", "-o", "tent.pdf", "-o", "tent.svg")
         self.assertIn("pieces: 2, the longest", run.stdout)
-        grains = re.findall(r'class="grain".*?d="M([-\d.]+),([-\d.]+) L([-\d.]+),([-\d.]+)"', self.read("tent.svg"), re.S)
+        grains = re.findall(r'class="grain".*?d="M([-\d.]+),([-\d.]+) L([-\d.]+),([-\d.]+)"',
+                            self.read("tent.svg"), re.S)
         self.assertEqual(len(grains), 2)
         for x0, y0, x1, y1 in (map(float, grain) for grain in grains):
             self.assertAlmostEqual(x0, x1, delta=1e-6)

@@ -11,8 +11,8 @@ LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 
 class SeamsFrom(command.CommandTest):
     def names(self, *arguments):
-        self.run_command("pattern", *arguments, "--unit", "cm", "-o", "out/pattern.svg", "--smooth", "0", "--output", "out",
-                         code=0)
+        self.run_command("pattern", *arguments, "--unit", "cm", "-o", "out/pattern.svg", "--smooth", "0",
+                         "--output", "out", code=0)
         root = ElementTree.parse(self.path("out/pattern.svg")).getroot()
         layers = [group.get(LABEL) for group in root if group.get(LABEL)]
         return [layer for layer in layers if layer != "scale check"]

@@ -80,10 +80,8 @@ def edge_length(panel, edge):
 
 
 class Reading(pattern.PatternTest):
-    def read(self, document):
-        with open(self.path("read.json"), "w", encoding="utf-8") as file:
-            json.dump(document, file)
-        return sf.read_garmentcode(self.path("read.json"))
+    def load(self, document):
+        return sf.read_garmentcode(self.path(self.write("read.json", json.dumps(document))))
 
     def again(self, garment):
         garment.write_pattern(self.path("again.json"))
@@ -108,7 +106,7 @@ class Reading(pattern.PatternTest):
         return [element.get("d") for _, element in pattern.svg_elements(root, "sew-line")]
 
     def test_panels_keep_their_chords_unless_smoothness_is_asked_for(self):
-        garment = self.read(SKIRT)
+        garment = self.load(SKIRT)
         usual = self.drawn(garment)
         self.assertEqual(usual, self.drawn(garment, fair=0.0))
         self.assertFalse(any("C" in path for path in usual))
@@ -122,7 +120,7 @@ class Reading(pattern.PatternTest):
         self.assertEqual(hem, self.drawn(garment, fair=0.0, curve_fairs={"hem": 0.2}))
 
     def test_panels_of_others_are_written_with_the_edges_and_stitches_that_were_read(self):
-        written = json.loads(self.again(self.read(SKIRT)))["pattern"]
+        written = json.loads(self.again(self.load(SKIRT)))["pattern"]
         wanted = copy.deepcopy(SKIRT["pattern"])
         for panel in wanted["panels"].values():
             for edge in panel["edges"]:
@@ -133,7 +131,7 @@ class Reading(pattern.PatternTest):
         self.assertEqual(written["panel_order"], ["front", "back"])
 
     def test_curved_edges_have_their_lengths_and_chords_near_them(self):
-        garment = self.read(SKIRT)
+        garment = self.load(SKIRT)
         names = {("front", 0): ("hem", 0), ("front", 1): ("stitch 1", 0), ("front", 2): ("waist", 0),
                  ("front", 3): ("stitch 2", 0), ("back", 0): ("stitch 1", 1), ("back", 5): ("stitch 2", 1),
                  ("back", 2): ("stitch 3", 0)}
@@ -151,7 +149,7 @@ class Reading(pattern.PatternTest):
         self.assertLess(np.max(60.0 - np.linalg.norm(middles - centre, axis=1)), 0.002)
 
     def test_stitched_edges_have_as_many_points_at_even_lengths(self):
-        garment = self.read(SKIRT)
+        garment = self.load(SKIRT)
         for name in ("stitch 1", "stitch 2", "stitch 3"):
             sides = [garment.positions[self.wire(garment, name, k).vertices] for k in (0, 1)]
             self.assertEqual(*map(len, sides))
@@ -172,13 +170,13 @@ class Reading(pattern.PatternTest):
         self.assertEqual(ends[tuple(front[0])], tuple(back[6]))
 
     def test_edges_that_meet_in_a_point_and_are_sewn_are_a_dart(self):
-        garment = self.read(SKIRT)
+        garment = self.load(SKIRT)
         kinds = {wire.name: wire.type for wire in garment.wires}
         self.assertEqual(kinds, {"hem": "accessory", "stitch 1": "seam", "waist": "accessory", "stitch 2": "seam",
                                  "stitch 3": "dart", "boundary": "boundary"})
 
     def test_pieces_fill_their_borders_and_are_placed_in_space(self):
-        garment = self.read(SKIRT)
+        garment = self.load(SKIRT)
         for number, panel in enumerate((FRONT, BACK)):
             mine = garment.triangles[garment.piece_ids == number]
             a, b, c = (garment.positions[mine[:, k]] for k in range(3))
@@ -203,7 +201,7 @@ class Reading(pattern.PatternTest):
             self.assertLess(np.abs(garment.points[ids] - placed).max(), 1e-12)
 
     def test_lengths_are_those_of_the_panel_in_space_and_in_the_plane(self):
-        garment = self.read(SKIRT)
+        garment = self.load(SKIRT)
         for wire in garment.wires:
             space, plane = (np.linalg.norm(np.diff(points[wire.vertices], axis=0), axis=1)
                             for points in (garment.points, garment.positions))
@@ -225,17 +223,17 @@ class Reading(pattern.PatternTest):
                     start, end = (np.array(panel["vertices"][k]) for k in edge["endpoints"])
                     left = np.array([start[1] - end[1], end[0] - start[0]])
                     shape["params"] = [list(start + x * (end - start) + y * left) for x, y in shape["params"]]
-        one, other = self.read(SKIRT), self.read(millimetres)
+        one, other = self.load(SKIRT), self.load(millimetres)
         self.assertEqual(one.positions.shape, other.positions.shape)
         self.assertLess(np.abs(one.positions - other.positions).max(), 1e-9)
         self.assertLess(np.abs(one.points - other.points).max(), 1e-9)
         old = copy.deepcopy(SKIRT)
         hem = old["pattern"]["panels"]["front"]["edges"][0]
         hem["curvature"] = hem["curvature"]["params"][0]  # as files had it before there were others
-        self.assertTrue((self.read(old).positions == one.positions).all())
+        self.assertTrue((self.load(old).positions == one.positions).all())
 
     def test_panels_are_drawn_at_true_scale_with_their_names(self):
-        garment = self.read(SKIRT)
+        garment = self.load(SKIRT)
         garment.write_pattern(self.path("skirt.dxf"), allowance=12.0, curve_allowances={"hem": 40.0})
         document, complaints = pattern.read_dxf(self.path("skirt.dxf"))
         self.assertEqual(complaints, [])
@@ -281,17 +279,16 @@ class Reading(pattern.PatternTest):
         )
         for document, words in cases:
             with self.subTest(words=words), self.assertRaises(ValueError) as caught:
-                self.read(document)
+                self.load(document)
             for word in words:
                 self.assertIn(word, str(caught.exception))
         with self.assertRaisesRegex(FileNotFoundError, "none.json"):
             sf.read_garmentcode(self.path("none.json"))
-        with open(self.path("cut.json"), "w", encoding="utf-8") as file:
-            file.write(json.dumps(SKIRT, indent=1)[:500])
+        self.write("cut.json", json.dumps(SKIRT, indent=1)[:500])
         with self.assertRaisesRegex(ValueError, "not JSON at line"):
             sf.read_garmentcode(self.path("cut.json"))
         with self.assertRaisesRegex(TypeError, "unit"):
-            self.read(SKIRT).write_pattern(self.path("a.svg"), unit="mm")
+            self.load(SKIRT).write_pattern(self.path("a.svg"), unit="mm")
 
     def test_the_message_of_the_reader_has_the_remedy(self):
         for name in (None, ""):
@@ -304,13 +301,12 @@ class Reading(pattern.PatternTest):
     def test_the_reader_gives_empty_outputs_after_a_refusal(self):
         reader = sf.vtkGarmentCodeReader()
         reader.AddObserver("ErrorEvent", lambda *_: None)
-        self.read(SKIRT)
+        self.load(SKIRT)
         reader.SetFileName(self.path("read.json"))
         reader.Update()
         self.assertEqual((reader.GetStatusName(), reader.GetErrorMessage()), ("Ok", ""))
         self.assertEqual(reader.CanReadFile(self.path("read.json")), 1)
-        with open(self.path("report.json"), "w", encoding="utf-8") as file:
-            file.write('{"status": "Ok"}')
+        self.write("report.json", '{"status": "Ok"}')
         self.assertEqual(reader.CanReadFile(self.path("report.json")), 0)
         reader.SetFileName(self.path("report.json"))
         reader.Update()

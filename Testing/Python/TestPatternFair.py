@@ -115,29 +115,23 @@ class Fair(pattern.PatternTest):
             for a, b in zip(found, wanted):
                 self.assertLess(abs(a - b), 0.05 * max(1.0, b / 100.0))  # of each 100 mm
 
-    def control_points(self, *kinds):
-        """Of the curves of the SVG, by pieces."""
+    def misses(self):
+        """By pieces, how far control points of sew lines and legs are from the image of others of them, at the
+        axis of their second moments, which is one of symmetry if there is any."""
         control = {}
         root = pattern.svg_root(self.path("out", "pattern.svg"))
-        for kind in kinds:
+        for kind in ("sew-line", "dart-leg"):
             for piece, element in pattern.svg_elements(root, kind):
                 control.setdefault(piece, []).extend(pattern.curves_of(element))
-        return {piece: np.vstack(curves) for piece, curves in control.items()}
-
-    def misses(self, *kinds):
-        """By pieces, how far control points of sew lines and legs, and those of other lines, are from the image
-        of others of them, at the axis of the first's second moments, which is one of symmetry if there is any."""
-        outlines = self.control_points("sew-line", "dart-leg")
-        others = self.control_points(*kinds) if kinds else outlines
 
         def miss(points, normal):
             return max(np.linalg.norm(points - (p - 2 * (p @ normal) * normal), axis=1).min() for p in points)
         misses = []
-        for piece, points in outlines.items():
-            centre = points.mean(axis=0)
-            _, axes = np.linalg.eigh((points - centre).T @ (points - centre))
-            normal = min(axes.T, key=lambda n: miss(points - centre, n))
-            misses.append(miss(others[piece] - centre, normal))
+        for curves in control.values():
+            points = np.vstack(curves)
+            points -= points.mean(axis=0)
+            _, axes = np.linalg.eigh(points.T @ points)
+            misses.append(min(miss(points, normal) for normal in axes.T))
         return misses
 
     def assert_lengths_are_kept(self):
@@ -214,8 +208,8 @@ class Fair(pattern.PatternTest):
     def test_what_was_done_is_said_and_what_could_not_be_is_named(self):
         def printed(*options):
             arguments = [os.path.join(pattern.DATA, name) for name in ("tshirt.vtp", "tshirt_curves.vtp")]
-            run = self.run_command("pattern", *arguments, "--unit", "cm", "--output", "out", "-o", "out/pattern.svg", *options,
-                                   code=(0, 4))
+            run = self.run_command("pattern", *arguments, "--unit", "cm", "--output", "out",
+                                   "-o", "out/pattern.svg", *options, code=(0, 4))
             mark = "wirewarp: note: "
             return [line[len(mark):] for line in run.stderr.splitlines() if line.startswith(mark)]
 

@@ -38,7 +38,7 @@ def rotation(degrees):
 
 
 class GarmentCode(pattern.PatternTest):
-    def read(self):
+    def document(self):
         return json.loads(self.content("pattern.json"))
 
     def seam_lengths(self):
@@ -47,7 +47,7 @@ class GarmentCode(pattern.PatternTest):
                 if wire.kind in (pattern.SEAM, pattern.DART)}
 
     def check(self, tolerance):
-        document = self.read()
+        document = self.document()
         self.assertEqual(document["properties"]["units_in_meter"], 100)
         self.assertEqual(document["properties"]["curvature_coords"], "relative")
         panels = document["pattern"]["panels"]
@@ -94,14 +94,14 @@ class GarmentCode(pattern.PatternTest):
             for edge in panel["edges"]:
                 self.assertGreater(pattern.bezier_length(bezier(panel, edge)), 0.5)
         self.make_raw("tshirt", "-o", "out/pattern.json")
-        raw = sum(len(panel["edges"]) for panel in self.read()["pattern"]["panels"].values())
+        raw = sum(len(panel["edges"]) for panel in self.document()["pattern"]["panels"].values())
         self.assertLess(2 * len(edges), raw)
 
     def test_smooth_edges_end_at_notches_of_the_usual_spacing_as_well(self):
         counts = []
         for options in ((), ("--notch-spacing", "0")):
             self.make("tshirt", "-o", "out/pattern.json", *options)
-            counts.append(sum(len(panel["edges"]) for panel in self.read()["pattern"]["panels"].values()))
+            counts.append(sum(len(panel["edges"]) for panel in self.document()["pattern"]["panels"].values()))
         self.assertGreater(counts[0], counts[1] + 5)
 
     def test_legs_of_a_dart_are_stitched_to_each_other(self):
@@ -117,7 +117,7 @@ class GarmentCode(pattern.PatternTest):
         self.write("flat.obj", command.obj([point.tolist() for point in in_space], [(0, 1, 2), (0, 2, 3), (0, 3, 4)]))
         self.run_command("pattern", "flat.obj", "-o", "out/pattern.json", "--unit", "cm", "-q", "--output", "out",
                          code=0)
-        (panel,) = self.read()["pattern"]["panels"].values()
+        (panel,) = self.document()["pattern"]["panels"].values()
         placed = [rotation(panel["rotation"]) @ (x, y, 0) + panel["translation"]
                   for x, y in panel["vertices"]]
         for point in in_space:

@@ -34,7 +34,8 @@ class Refusals(pattern.PatternTest):
             run = self.run_command(*self.arguments(
                 "-o", "out/pattern.pdf", "--unit", "m", "--paper", paper, "--allowance", "1e6"), code=3)
             self.assertTrue(run.stderr.startswith("wirewarp: error: "), run.stderr)
-            self.assertFalse([name for name in os.listdir(self.path("out")) if "pattern" in name or name.endswith(".part")])
+            self.assertFalse([name for name in os.listdir(self.path("out"))
+                              if "pattern" in name or name.endswith(".part")])
 
     def write_plate(self, unit):
         """A plate of 100 x 80 mm with a fish-eye dart and a hole's curve in its middle."""

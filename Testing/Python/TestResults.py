@@ -379,7 +379,8 @@ class Patterns(command.CommandTest):
             (TypeError, ["quantity", "1.5"], "a.svg", {"quantity": 1.5}),
             (TypeError, ["double_notches"], "a.svg", {"double_notches": "boundary"}),
             (TypeError, ["folds"], "a.svg", {"folds": "grainline"}),
-            *((ValueError, ["no_such"], "a.svg", {name: {"no_such": 1.0}}) for name in ("curve_dart_tips", "curve_fairs")),
+            *((ValueError, ["no_such"], "a.svg", {name: {"no_such": 1.0}})
+              for name in ("curve_dart_tips", "curve_fairs")),
             (TypeError, ["piece_names"], "a.svg", {"piece_names": "front"}),
             (TypeError, ["piece_quantities = 5", "list"], "a.svg", {"piece_quantities": 5}),
             *((sf.ArgumentTypeError, [name, "dict"], "a.svg", {name: [("boundary", 3)]})
