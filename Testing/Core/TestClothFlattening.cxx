@@ -253,7 +253,7 @@ TEST(ClothFlattening, WiresBetweenSliversAreNotGivenUpForTheCloth)
   }
 }
 
-TEST(ClothFlattening, LimitsThatCannotBeMetNameTheTrianglesBeyondThem)
+TEST(ClothFlattening, LimitsThatCannotBeMetNameTrianglesAndTheWire)
 {
   const Surface surface = shell();
   const FlatteningResult result = flatten(surface, on("laminate"));
@@ -277,6 +277,12 @@ TEST(ClothFlattening, LimitsThatCannotBeMetNameTheTrianglesBeyondThem)
     EXPECT_EQ(std::count(out.begin(), out.end(), t), beyond(t) > 1.0 ? 1 : 0) << t;
     EXPECT_LE(beyond(t), beyond(out.front()) * (1.0 + 1e-12)) << t;
   }
+  ASSERT_TRUE(report.limitedByBoundary || report.limitingCurve != none);
+  const std::string wire = report.limitedByBoundary
+    ? "along the boundary"
+    : "along \"" + result.curves[report.limitingCurve].name + "\"";
+  EXPECT_NE(result.status.message.find(wire), std::string::npos) << result.status.message;
+  EXPECT_NE(result.status.message.find("laminate"), std::string::npos);
   EXPECT_TRUE(has(result.status, Remedy::AddDarts));
   EXPECT_TRUE(has(result.status, Remedy::TakeSofterCloth));
   EXPECT_LT(worstLength(result), 1e-12);

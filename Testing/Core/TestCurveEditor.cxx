@@ -182,6 +182,20 @@ TEST(CurveEditor, AMovedNodeLeavesTheSegmentsOfOtherNodes)
   EXPECT_NE(pointsAlong({ editor.curve(0).segments[2] }), pointsAlong({ before.segments[2] }));
 }
 
+TEST(CurveEditor, ADragIsUndoneAsOne)
+{
+  CurveEditor editor = editorWith(hill(), { { 1, 2, 0 }, { 6, 14, 0 } });
+  const CurveSet before = copied(editor.state());
+  editor.beginGroup();
+  for (double x = 6.0; x < 16.0; x += 0.25)
+  {
+    ASSERT_TRUE(editor.moveNode(0, 1, editor.surface().pointNear({ x, 13, 0 })).ok());
+  }
+  editor.endGroup();
+  editor.undo();
+  EXPECT_TRUE(identical(editor.state(), before));
+}
+
 TEST(CurveEditor, CommandsThatAreJoinedAreUndoneAndRedoneAsOne)
 {
   CurveEditor editor = editorWith(hill(), { { 1, 2, 0 }, { 6, 14, 0 } });
@@ -195,12 +209,14 @@ TEST(CurveEditor, CommandsThatAreJoinedAreUndoneAndRedoneAsOne)
     ASSERT_TRUE(
       editor.insertNode(1, node, place(2.0 + 2.0 * double(node)), SegmentKind::Geodesic).ok());
   }
+  const CurveSet drawn = copied(editor.state());
   EXPECT_EQ(editor.commandCount(), since + 4);
   editor.joinSince(since);
   EXPECT_EQ(editor.commandCount(), since + 1);
   editor.undo();
   EXPECT_TRUE(identical(editor.state(), before));
   editor.redo();
+  EXPECT_TRUE(identical(editor.state(), drawn));
   // What came to nothing is no step.
   ASSERT_TRUE(editor.add(through(editor.surface(), { { 3, 3, 0 } })).ok());
   ASSERT_TRUE(editor.remove(2).ok());

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -80,4 +81,26 @@ TEST(CutCandidates, LinesTakeNoTimeThatGrowsWithTheMesh)
     }
   });
   EXPECT_LT(lines, distances / 2.0);
+}
+
+TEST(CutCandidates, DartsAcrossTheirEdgeAreCheapest)
+{
+  const TriangleMesh mesh = unitSquares(12, 12).mesh;
+  const SearchedPiece piece = plainPiece(mesh);
+  const SearchOptions options;
+  const Index base = 6; // in the middle of the side where j = 0
+  const Point3 side = (mesh.point(12) - mesh.point(0)).normalized();
+  const Point3 across = (mesh.point(12 * 13) - mesh.point(0)).normalized();
+  const auto priceAt = [&](double degrees) {
+    const double angle = degrees * pi / 180.0;
+    CutPlan plan;
+    plan.base = piece.ruler().placeOf(base);
+    plan.tip =
+      mesh.point(base) + 0.3 * piece.size() * (std::cos(angle) * side + std::sin(angle) * across);
+    return piece.price(plan, 0.3 * piece.size(), options);
+  };
+  EXPECT_NEAR(priceAt(90.0), (options.fixedPrice + 0.3) * piece.size(), 1e-12);
+  EXPECT_NEAR(priceAt(45.0), std::sqrt(2.0) * priceAt(90.0), 1e-9);
+  EXPECT_NEAR(priceAt(135.0), priceAt(45.0), 1e-9);
+  EXPECT_NEAR(priceAt(10.0), 2.0 * priceAt(90.0), 1e-9);
 }

@@ -112,6 +112,7 @@ TEST(DerivedCurves, AStrokeThatComesBackIsClosed)
   EXPECT_TRUE(editor.curve(0).closed);
   EXPECT_LE(editor.curve(0).nodes.size(), 12U);
   EXPECT_EQ(editor.addStroke({ stroke[0] }, 0.1).code, StatusCode::CurveTooShort);
+  EXPECT_EQ(editor.addStroke({}, 0.1).code, StatusCode::CurveTooShort);
   EXPECT_EQ(editor.curveCount(), 1U);
 }
 

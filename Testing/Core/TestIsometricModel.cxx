@@ -110,3 +110,22 @@ TEST(IsometricModel, DerivativesAreThoseOfFiniteDifferences)
       [&fixed](Index k) { return k / 2 == fixed[0] || k / 2 == fixed[1]; });
   }
 }
+
+TEST(IsometricModel, KnowsWhatTheRoundingOfPositionsLeavesOfTheGradient)
+{
+  const Example example;
+  IsometricModel model(example.wired.piece, example.problem, {}, 5.0);
+  // Far from the origin rounding is large; a stiff wire feels it most.
+  Eigen::VectorXd x = example.point(model);
+  x.head(model.coordinateCount()).array() += 1e6;
+  const Eigen::VectorXd gradient = model.differentiate(x, {})->gradient;
+  Eigen::VectorXd rounded = x;
+  for (Index k = 0; k < model.coordinateCount(); ++k)
+  {
+    rounded[k] = std::nextafter(x[k], k % 3 == 0 ? 0.0 : 2e6);
+  }
+  const double moved =
+    (model.differentiate(rounded, {})->gradient - gradient).cwiseAbs().maxCoeff();
+  EXPECT_LT(moved, 10.0 * model.gradientRounding(x));
+  EXPECT_GT(moved, 0.1 * model.gradientRounding(x));
+}

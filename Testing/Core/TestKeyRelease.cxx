@@ -154,3 +154,10 @@ TEST(ReleaseAdvice, OnTheQuarterSphereWithTwoArcsReleasingTheFirstGivesThePapers
   EXPECT_EQ(advice.ranking[0], 1);
   EXPECT_NEAR(advice.first().objective, 0.197157, 1e-6);
 }
+
+TEST(ReleaseAdvice, IsSilentWhereTheSolutionIsGood)
+{
+  const Surface surface = quarterSphere();
+  const FlatteningResult result = flatten(surface);
+  EXPECT_FALSE(result.pieces[0].advice.first().solved);
+}

@@ -126,6 +126,21 @@ TEST(MultifrontalFactorization, IsNoneInSinglePrecisionWhereItsNumbersAreTooLarg
   EXPECT_TRUE(factorization.factorize(matrix, {}));
 }
 
+TEST(MultifrontalFactorization, DissectionFillsInLessThanTheOrderOfTheMesh)
+{
+  const KktSystem system = kktSystem(60);
+  Dissection given;
+  given.order.resize(system.order.order.size());
+  std::iota(given.order.begin(), given.order.end(), 0);
+  given.end.resize(given.order.size());
+  std::iota(given.end.begin(), given.end.end(), 1);
+  Indices sorted = system.order.order;
+  std::sort(sorted.begin(), sorted.end());
+  EXPECT_EQ(sorted, given.order) << "an order names each column once";
+  EXPECT_LT(SupernodalStructure(system.matrix, system.order).factorSize(),
+    SupernodalStructure(system.matrix, given).factorSize() / 2);
+}
+
 namespace
 {
 void expectOrderInRanges(const Dissection& dissection, Index count)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Options/OptionStructures.h"
 #include "Options/OptionTable.h"
 #include "Options/OptionValues.h"
 
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 using namespace flattening;
@@ -89,6 +91,43 @@ TEST(OptionTable, ConditionsNameOptionsAndTheirWords)
       }
     }
   }
+}
+
+TEST(OptionTable, SetsTheMembersOfTheStructures)
+{
+  OptionStructures structures;
+  const auto set = [&structures](
+                     OptionOwner owner, const char* property, const OptionValue& value) {
+    findOption(owner, property)->set(structures, value);
+  };
+  set(OptionOwner::Warping, "AngleWeight", 7.0);
+  set(OptionOwner::Warping, "Scheme", global);
+  set(OptionOwner::Warping, "Arrange", 0.0);
+  set(OptionOwner::Suggestion, "MaximumCuts", 3.0);
+  set(OptionOwner::Sewing, "Gravity", std::vector<double>{ 1.0, 2.0, 3.0 });
+  EXPECT_EQ(structures.flattening.isometric.angleWeight, 7.0);
+  EXPECT_EQ(structures.flattening.scheme, Scheme::Global);
+  EXPECT_FALSE(structures.flattening.arrange);
+  EXPECT_EQ(structures.search.maximumCuts, 3);
+  EXPECT_EQ(structures.sewing.gravity, Point3(1.0, 2.0, 3.0));
+  EXPECT_EQ(std::get<double>(findOption(OptionOwner::Warping, "AngleWeight")->byDefault),
+    FlatteningOptions().isometric.angleWeight);
+}
+
+TEST(OptionTable, RangesAndValuesAsText)
+{
+  const auto range = [](const char* property) {
+    return rangeOf(*findOption(OptionOwner::Warping, property));
+  };
+  EXPECT_EQ(range("AngleWeight"), "[0, 100]");
+  EXPECT_EQ(range("RelaxationFactor"), "(0, 2)");
+  EXPECT_EQ(range("ClosureTolerance"), "[0, inf)");
+  EXPECT_EQ(range("RigidMaximumIterations"), "from 1");
+  EXPECT_EQ(range("Scheme"), "");
+  const OptionValues values(OptionOwner::Warping);
+  EXPECT_EQ(values.text("Scheme"), "isometric");
+  EXPECT_EQ(values.text("ClosureTolerance"), "1e-12");
+  EXPECT_EQ(values.text("Pins"), "-1 -1");
 }
 
 TEST(OptionTable, AnOptionWithoutEffectIsNamedWithWhatItIsFor)

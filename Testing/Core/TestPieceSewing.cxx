@@ -208,6 +208,12 @@ TEST(PieceSewing, RefusesWhatItCannotSew)
   EXPECT_EQ(code(Points2(pieces.positions.size(), Point2(1.0, 1.0)), panel()),
     StatusCode::DegenerateTriangle);
   EXPECT_EQ(sewPieces({}, {}, panel(), {}).status.code, StatusCode::EmptySurface);
+  SewingOptions options = panel();
+  options.material.emplace();
+  const SewingResult refused = sewn(dome(), options);
+  EXPECT_EQ(refused.status.code, StatusCode::InvalidOption);
+  EXPECT_NE(refused.status.message.find("stiffness"), std::string::npos);
+  EXPECT_TRUE(refused.points.empty());
 }
 
 TEST(PieceSewing, LeavesNothingWhenItIsCancelled)

@@ -75,6 +75,35 @@ Surface seamedTorus()
 }
 }
 
+TEST(PieceTopology, AllPiecesThatCannotBeLaidFlatAreNamedInOneMessage)
+{
+  const Surface surface = together({ shirt(), partOf(tetrahedron()), partOf(torusWithAHole()),
+    shirt(), partOf(ring()), partOf(tetrahedron()) });
+  const Index shirtSize = 2 * 8 * 6;
+  const Index torusSize = 2 * ringSize * ringSize;
+  const Index button = shirtSize;
+  const Index holed = button + 4;
+  const Index ring = holed + torusSize - 1 + shirtSize;
+  const Index lastButton = ring + torusSize;
+  for (const Scheme scheme :
+    { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::LeastSquaresConformal })
+  {
+    FlatteningOptions options = skipping(scheme);
+    options.skipClosed = false;
+    const FlatteningResult result = flatten(surface, options);
+    EXPECT_EQ(result.status.code, StatusCode::ClosedSurface);
+    EXPECT_EQ(result.status.ids,
+      (ElementIds{ ElementKind::Cells, Indices{ button, holed, ring, lastButton } }));
+    for (const std::int64_t id : result.status.ids.values)
+    {
+      EXPECT_NE(result.status.message.find(std::to_string(id)), std::string::npos)
+        << result.status.message;
+    }
+    EXPECT_TRUE(result.positions.empty());
+    EXPECT_TRUE(result.leftOut.empty());
+  }
+}
+
 TEST(PieceTopology, ARefusalCostsNoFlattening)
 {
   const Surface surface = together({ shirt(), shirt(), partOf(tetrahedron()) });

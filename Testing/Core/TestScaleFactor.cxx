@@ -210,6 +210,41 @@ TEST(ScaleFactor, ADartToTheApexOfAConeOpensByItsAngleDefect)
   EXPECT_NEAR(forecast.leastOpening(), 0.0, 1e-10);
 }
 
+TEST(ScaleFactor, ADartInsideIsClosedAtBothEndsAndOpensAtAWaist)
+{
+  const Index columns = 12;
+  const TriangleMesh mesh = patch(columns, 20, [](double i, double j) {
+    const double turn = 0.35 * pi * (i / 6.0 - 1.0);
+    const double y = j / 5.0 - 2.0;
+    const double radius = 1.0 - 0.25 * std::exp(-y * y / 0.36);
+    return Point3(radius * std::sin(turn), y, radius * std::cos(turn));
+  }).mesh;
+  const ScaleFactor factor(mesh, {}, {});
+  ASSERT_TRUE(factor.ok());
+  Indices meridian;
+  for (Index j = 6; j <= 14; ++j)
+  {
+    meridian.push_back(j * (columns + 1) + columns / 2);
+  }
+  const CutForecast dart = factor.forecastInside(meridian);
+  ASSERT_EQ(dart.arc.size(), meridian.size());
+  double turn = 0.0;
+  double most = 0.0;
+  for (double swallowed : dart.swallowed)
+  {
+    turn += swallowed;
+    most = std::max(most, std::abs(swallowed));
+  }
+  EXPECT_LT(std::abs(turn), 1e-9 * most);
+  EXPECT_LT(std::abs(dart.opening(0.0)), 1e-9 * dart.greatestOpening());
+  EXPECT_GE(dart.leastOpening(), -1e-9 * dart.greatestOpening());
+  EXPECT_LT(dart.swallowed[4], 0.0); // the saddle
+  EXPECT_GT(dart.swallowed.front(), 0.0);
+  EXPECT_GT(dart.swallowed.back(), 0.0);
+  EXPECT_GT(dart.gain, 0.3 * factor.energy());
+  EXPECT_NEAR(dart.opening(dart.arc[4]), dart.greatestOpening(), 1e-9);
+}
+
 TEST(ScaleFactor, ADartIntoASaddleIsToldToOverlap)
 {
   const auto saddle = [](double sign) {
@@ -260,6 +295,22 @@ TEST(ScaleFactor, FindsTheBestCutThroughFewClustersAsThroughAllVertices)
     many = std::max(many, std::abs(gains[1][k] / gains[2][k] - 1.0));
   }
   EXPECT_LT(many, 0.7 * few);
+}
+
+TEST(ScaleFactor, WeighsWhatMattersMore)
+{
+  const TriangleMesh mesh = cushion(20, 20, 0.2).mesh;
+  ScaleFactorOptions left;
+  for (const Point3& p : mesh.points())
+  {
+    left.weight.push_back(p.x() < 0.5 ? 1.0 : 0.0);
+  }
+  const Indices near = columnCurve(20, 10, 5).vertices;
+  const Indices far = columnCurve(20, 10, 15).vertices;
+  const ScaleFactor even(mesh, {}, {});
+  const ScaleFactor weighted(mesh, left, {});
+  EXPECT_NEAR(even.forecast(near).gain, even.forecast(far).gain, 0.05 * even.forecast(far).gain);
+  EXPECT_GT(weighted.forecast(near).gain, 2.0 * weighted.forecast(far).gain);
 }
 
 TEST(ScaleFactor, IsUndefinedWhereNothingFixesTheScale)

@@ -281,3 +281,13 @@ TEST(MetricDensity, KeepsItsDigitsWhereLittleIsStrained)
     EXPECT_NEAR(isotropicDensity(0.0, stretched) / (strain * strain), 1.0, 1e-6);
   }
 }
+
+TEST(MetricDensity, IsConvexInTheMetricWithoutBias)
+{
+  for (const Eigen::Matrix2d& map : planarMaps())
+  {
+    const MetricDensity density = evaluateIsotropicDensity(0.0, metricOf(map));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(density.hessian);
+    EXPECT_GT(solver.eigenvalues()[0], -1e-12 * solver.eigenvalues()[2]);
+  }
+}

@@ -126,6 +126,41 @@ TEST(SurfaceHealing, JoinsCollapsedPointsWithTheirNeighbors)
   EXPECT_TRUE(healSurface(sheet.points, sheet.triangles).mendings.empty());
 }
 
+TEST(SurfaceHealing, DividesWhatLiesBehindTrianglesWithoutArea)
+{
+  Sheet sheet;
+  const double area = prepareSurface(sheet.points, sheet.triangles).mesh.area();
+  // Two points on a diagonal, which the triangle on one side has and the other has not.
+  const Index a = Sheet::at(4, 4);
+  const Index c = Sheet::at(5, 5);
+  const Index t = sheet.with({ a, c }).front();
+  const Triangle whole = sheet.triangles[t];
+  const Index b = whole[0] + whole[1] + whole[2] - a - c;
+  const Index half = sheet.add(0.5 * (sheet.points[a] + sheet.points[c]));
+  const Index quarter = sheet.add(0.5 * (sheet.points[a] + sheet.points[half]));
+  const auto part = [&](Index from, Index to) {
+    Triangle result = whole;
+    std::replace(result.begin(), result.end(), from, to);
+    return result;
+  };
+  Triangle middle = part(a, quarter);
+  std::replace(middle.begin(), middle.end(), c, half);
+  sheet.triangles[t] = part(c, quarter);
+  sheet.triangles.push_back(middle);
+  sheet.triangles.push_back(part(a, half));
+  const Index first = sheet.size();
+  sheet.triangles.push_back({ a, quarter, half });
+  sheet.triangles.push_back({ a, half, c });
+  sheet.triangles.push_back({ b, b, a });
+  const HealedSurface surface =
+    healed(sheet, SurfaceDefect::FlatTriangles, { first, first + 1, first + 2 });
+  EXPECT_EQ(surface.mendings.size(), 1U);
+  EXPECT_NEAR(surface.mesh.area() / area, 1.0, 1e-12);
+  EXPECT_EQ(surface.mesh.triangleCount(), 2 * sheetColumns * sheetRows + 4);
+  EXPECT_EQ(surface.mesh.boundaryLoops().size(), 1U);
+  EXPECT_EQ(eulerCharacteristic(surface.mesh), 1);
+}
+
 TEST(SurfaceHealing, TakesOutDoubledTriangles)
 {
   Sheet sheet;
@@ -238,6 +273,18 @@ TEST(SurfaceHealing, LeavesOutSpecks)
   // A larger one is a part.
   sheet.points.back() = Point3(3.0, 0.1, 0.0);
   EXPECT_EQ(healSurface(sheet.points, sheet.triangles).mesh.triangleCount(), first + 1);
+}
+
+TEST(SurfaceHealing, RefusesWhatHasNothingLeft)
+{
+  Sheet sheet;
+  for (Point3& p : sheet.points)
+  {
+    p = Point3(p.x(), 0.0, 0.0);
+  }
+  const HealedSurface surface = healSurface(sheet.points, sheet.triangles);
+  EXPECT_EQ(surface.status.code, StatusCode::DegenerateTriangle);
+  EXPECT_EQ(surface.status.ids.values.size(), static_cast<std::size_t>(sheet.size()));
 }
 
 TEST(SurfaceHealing, KeepsToTheSameWhateverOrderAndSizeTrianglesHave)
