@@ -122,7 +122,7 @@ TEST_F(PatternEditor, TheUnitIsKeptWithCurvesAndSurface)
 {
   const std::string lines = this->file("unit_curves.vtp");
   const std::string saved = this->file("unit_surface.vtp");
-  for (const char* const unit : { "inch", "cm" })
+  for (const char* const unit : { "m", "inch", "mm", "cm" })
   {
     this->window->unit()->setCurrentText(unit);
     vtkFeatureCurveEditor* const curves = this->window->curves();

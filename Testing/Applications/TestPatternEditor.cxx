@@ -281,6 +281,23 @@ TEST_F(PatternEditor, ACommandIsFoundBySomeOfItsLetters)
   EXPECT_TRUE(this->window->action(Hand::FREEHAND)->isChecked());
 }
 
+TEST_F(PatternEditor, KeysDoWhatTheBarDoes)
+{
+  EXPECT_FALSE(this->window->action(Hand::FINISH)->isEnabled());
+  QTest::keyClick(this->window.get(), Qt::Key_N);
+  EXPECT_TRUE(this->window->hand()->IsDrawing());
+  this->click(this->vertex(401));
+  this->click(this->vertex(12));
+  QTest::keyClick(this->window.get(), Qt::Key_Return);
+  EXPECT_FALSE(this->window->hand()->IsDrawing());
+  ASSERT_EQ(this->window->curves()->GetNumberOfCurves(), 1);
+  QTest::keyClick(this->window.get(), Qt::Key_K);
+  EXPECT_EQ(this->window->curves()->GetCurveType(0), 1);
+  EXPECT_TRUE(this->window->action(Hand::MAKE_KEY)->isChecked());
+  QTest::keyClick(this->window.get(), Qt::Key_Delete);
+  EXPECT_EQ(this->window->curves()->GetNumberOfCurves(), 0);
+}
+
 TEST_F(PatternEditor, WhatTheMouseCouldNotDoIsSaidUntilSomethingIsDone)
 {
   QTest::keyClick(this->window.get(), Qt::Key_N);

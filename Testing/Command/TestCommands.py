@@ -71,6 +71,16 @@ class Commands(command.CommandTest):
             surface = ("b.obj", "seam.txt", "--unit", "cm", "--scheme", "global")
             self.assertEqual(self.made(*surface), self.made(*surface, "--notch-spacing", spacing), scale)
 
+    def test_legs_of_darts_are_mirror_images_by_default(self):
+        self.write("dart.txt", "dart front 22 23 24\n")
+        reports = {}
+        for legs in ((), ("--dart-legs", "mirrored"), ("--dart-legs", "free")):
+            self.run_well("a.obj", "dart.txt", "--unit", "cm", "-o", "out", *legs)
+            reports[legs] = self.array("out/flat.vtp", "Points")
+        default, mirrored, free = reports.values()
+        self.assertEqual(default, mirrored)
+        self.assertNotEqual(default, free)
+
     def test_legs_that_fold_tell_what_they_cost(self):
         data = os.path.join(command.DATA, "shirt_back")
         pieces = {}

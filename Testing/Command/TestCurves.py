@@ -406,6 +406,11 @@ class Curves(command.CommandTest):
         self.assertEqual((piece["release"]["first"], first["curve"]), ("meridian", "meridian"))
         self.assertIn(f"without the curve meridian E_area would fall from {piece['E_area']:.4g} to "
                       f"{first['E_area_without']:.4g}, E_h go from", run.stdout)
+        # Following the advice gives what it says.
+        followed = self.flatten("lune.obj", "arc.txt")["pieces"][0]
+        self.assertAlmostEqual(first["E_area_without"], followed["E_area"], delta=1e-7)
+        self.assertAlmostEqual(first["E_h_without"], followed["E_h"], delta=1e-7)
+        self.assertLess(followed["E_area"], piece["E_area"])
         # A piece that lies well is left alone.
         self.assertNotIn("without the curve", self.run_command("lune.obj", "arc.txt").stdout)
 

@@ -65,6 +65,15 @@ class Flattenable(command.CommandTest):
         self.assertNotIn("--tolerance", run.stderr)
         self.assertNotIn("flattenable.vtp", os.listdir(self.path("refused")))
 
+    def test_a_bound_that_is_not_met_is_told(self):
+        lines = "".join(f"accessory row{j} " + " ".join(str(7 * j + i) for i in range(7)) + "\n" for j in range(1, 6))
+        self.write("all.txt", lines)
+        keep = [word for j in range(1, 6) for word in ("--keep", f"row{j}")]
+        run = self.run_command("reshape", "hill.obj", "all.txt", "--max-strain", "0.01", *keep, "--output", "out",
+                               code=0)
+        self.assertIn("above the bound of 1 %", run.stderr)
+        self.assertFalse(self.report("out")["flattenable"]["bound_met"])
+
     def test_the_moved_surface_is_sewn_again(self):
         self.flatten("reshape", "hill.obj", "--max-strain", "0.02")
         self.assertEqual(self.run_command("sew", "out").returncode, 0)

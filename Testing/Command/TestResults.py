@@ -142,9 +142,15 @@ class Results(command.CommandTest):
         self.assertEqual(len(self.array("out/flat.vtp", "Points")), 3 * 37)
 
     def test_what_a_plane_cannot_hold_is_said_with_a_cut(self):
-        self.write("ball.obj", command.obj(*command.cap(math.radians(120), 8, 12)))
+        # The sphere down to 120 degrees: 2 pi (1 - cos) of area, a disk of pi sin^2 for its boundary.
+        angle = math.radians(120)
+        self.write("ball.obj", command.obj(*command.cap(angle, 8, 12)))
         run = self.run_command("ball.obj", "--output", "out", code=0)
         piece = self.report("out")["pieces"][0]
+        loss = 1 - 0.5 * math.sin(angle) ** 2 / (1 - math.cos(angle))
+        self.assertAlmostEqual(piece["forecast_area_loss"], loss, delta=0.03)
+        self.assertAlmostEqual(piece["E_area"], loss, delta=0.03)
+        self.assertEqual(piece["flipped"], 0)
         self.assertEqual(piece["forecast_cut_to"], 0)  # the pole, from the boundary
         self.assertGreater(piece["forecast_cut_from"], 12 * 7)
         self.assertLess(piece["forecast_area_loss_after_cut"], piece["forecast_area_loss"] - 0.1)

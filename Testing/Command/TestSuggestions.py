@@ -133,6 +133,8 @@ class Suggestions(command.CommandTest):
         self.assertIsNone(rows[2]["price"])
         for row in rows:
             self.assertIn(row["trial"], run.stdout)
+        released = self.flatten(surface, curves, "--no-keys", "--scheme", "global")
+        self.assertAlmostEqual(rows[-1]["E_area"], released["pieces"][0]["E_area"], 12)
         run = self.run_command("prices", "dome.obj", "--output", "none", code=3)
         self.assertIn("there is no key curve", run.stderr)
 

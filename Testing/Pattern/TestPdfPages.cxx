@@ -84,6 +84,13 @@ TEST(PdfPages, EveryPointOfEveryLineIsOnAPage)
   }
 }
 
+TEST(PdfPages, AFrameLeavesItsMiddlePagesOut)
+{
+  const PagePlan plan = planOf(patternOf({ { 1500.0, 1500.0 } }), PaperSize::A4);
+  EXPECT_LT(plan.pages.size(), static_cast<std::size_t>(plan.rows * plan.columns));
+  EXPECT_GT(plan.pages.size(), 10U);
+}
+
 TEST(PdfPages, PiecesDoNotOverlapOnTheSheet)
 {
   const Pattern pattern =
@@ -125,6 +132,19 @@ TEST(PdfPages, TooLargeIsRefusedWithTheSizeOfThePiece)
   {
     refuse(size, PaperSize::Sheet);
     refuse(size, PaperSize::A4);
+  }
+}
+
+TEST(PdfPages, ASheetBeyondTheLimitOfPdfIsDivided)
+{
+  const Pattern pattern = patternOf({ { 29e3, 1400.0 }, { 900.0, 700.0 } });
+  const PagePlan plan = planOf(pattern, PaperSize::Sheet);
+  EXPECT_TRUE(plan.tiled);
+  EXPECT_LE(plan.paper.maxCoeff(), 5080.0);
+  EXPECT_EQ(plan.pages.size(), 6U); // of 5.05 m each
+  for (const double at : { 0.0, 14e3, 29e3 })
+  {
+    EXPECT_TRUE(isOnAPage(plan, plan.layout.place(pattern, 0, { at, 700.0 })));
   }
 }
 

@@ -2,6 +2,7 @@
 """price_keys() tells which key curve costs what."""
 
 import dataclasses
+import math
 import unittest
 import warnings
 
@@ -49,6 +50,12 @@ class KeyPrices(unittest.TestCase):
         self.assertAlmostEqual(prices.all.E_area, largest(whole, "E_area"), 12)
         self.assertEqual([key.price for key in prices.keys],
                          sorted((key.price for key in prices.keys), reverse=True))
+
+    def test_a_key_costs_nothing_where_the_surface_unrolls(self):
+        prices = sf.price_keys(*piece("cone", "cone_curves"))
+        for key in prices.keys:
+            self.assertLess(abs(key.price), 1e-9)
+            self.assertFalse(math.isnan(key.alone.E_area))
 
 
 if __name__ == "__main__":

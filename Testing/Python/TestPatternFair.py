@@ -171,6 +171,24 @@ class Fair(pattern.PatternTest):
                 self.make(self.path("shirt_front"), "-o", "out/pattern.svg", "--symmetrize")
                 self.assert_lengths_are_kept()
 
+    def test_a_symmetric_piece_strained_by_too_much_is_nearer_to_its_points_and_stays_symmetric(self):
+        self.make("shirt_shoulder", "-o", "out/pattern.svg", "--smooth", "0.5", "--symmetrize")
+        self.assertLess(max(self.misses()), 1e-3)
+        notes = self.notes()
+        self.assertTrue(any(re.search(r"kept within [5-9]\d(\.\d)? % of the tolerance", note) for note in notes), notes)
+
+    def test_what_was_made_symmetric_is_told_piece_by_piece(self):
+        self.make("tshirt", "-o", "out/pattern.svg", "--symmetrize")
+        notes = self.notes()
+        told = [note for note in notes if "its own mirror image" in note]
+        self.assertEqual(len(told), 4)
+        for piece in (1, 2):
+            self.assertTrue(any(note.startswith(f"piece tshirt {piece}: its outline is drawn as its own mirror image")
+                                for note in told), told)
+        for piece in (3, 4):  # sleeves, whose caps are not symmetric
+            self.assertTrue(any(re.match(f"piece tshirt {piece}: its outline is not drawn as its own mirror image: "
+                                         r"mirrored, it misses itself by \d\.\d+ mm", note) for note in told), told)
+
     def test_a_piece_that_symmetry_would_strain_keeps_its_own_outline(self):
         self.make("quarter_sphere", "-o", "out/pattern.svg", "--symmetrize")
         notes = self.notes()

@@ -170,6 +170,13 @@ class Pages(pattern.PatternTest):
         x, y = pixel
         return any((x + i, y + j) in others for i in range(-2, 3) for j in range(-2, 3))
 
+    def test_a_small_pattern_is_one_page_without_joints(self):
+        self.make("quarter_sphere", "-o", "out/pattern.pdf")
+        path = self.path("out", "pattern.pdf")
+        (text,) = page_texts(path)
+        self.assertNotIn("row", text)
+        self.assertNotIn("to A2", text)
+
     def test_the_same_input_gives_the_same_file(self):
         contents = []
         for _ in range(2):

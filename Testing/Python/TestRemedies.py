@@ -4,6 +4,7 @@
 import inspect
 import re
 import unittest
+import warnings
 
 import surfaceflattening as sf
 from surfaceflattening._core import make_message
@@ -14,6 +15,12 @@ NAMES = [Algorithm.GetRemedyName(k) for k in range(Algorithm.GetNumberOfRemedies
 
 
 class Words(unittest.TestCase):
+    def test_there_are_remedies_each_once(self):
+        self.assertGreater(len(NAMES), 30)
+        self.assertEqual(len(set(NAMES)), len(NAMES))
+        self.assertIsNone(Algorithm.GetRemedyName(len(NAMES)))
+        self.assertIsNone(Algorithm.GetRemedySentence("Despair"))
+
     def test_each_names_properties_that_the_filters_have(self):
         arrays = {"LengthTolerance", "CurveType"}
         named = 0
@@ -62,6 +69,26 @@ class Reports(unittest.TestCase):
         self.assertEqual(error.kind, "curve points")
         self.assertEqual(error.remedies[0], ("SplitTriangles", ""))
         self.assertIn("split_triangles", error.message)
+
+    def test_the_run_agrees_with_its_worst_piece(self):
+        # The four sides of a pyramid with their ridges as curves have no flat shape.
+        points = [[0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]]
+        points += [[x + 10, y, z] for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0))]
+        triangles = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1], [5, 6, 7]]
+        ridges = [sf.Curve([0, v], name=f"ridge {v}") for v in range(1, 5)]
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            report = sf.flatten(points, triangles, ridges).report
+        pieces = sorted(report["pieces"], key=lambda piece: piece["triangles"])
+        self.assertEqual([piece["status"] for piece in pieces], ["Ok", "LengthError"])
+        for key in ("status", "message", "ids", "id_kind", "remedies"):
+            with self.subTest(key):
+                self.assertEqual(report[key], pieces[1][key])
+        self.assertEqual((pieces[0]["ids"], pieces[0]["remedies"]), ([], []))
+        self.assertEqual(report["id_kind"], "curves")
+        self.assertIn("ReleaseCurves", [remedy["name"] for remedy in report["remedies"]])
+        self.assertIn("length_tolerance", report["message"])
+        self.assertIn(report["message"], str(caught[0].message))
 
 
 if __name__ == "__main__":

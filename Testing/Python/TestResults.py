@@ -178,6 +178,10 @@ class Help(unittest.TestCase):
                 if not name.startswith("_"):
                     self.assertRegex(told, rf"(?m)^[ |]+(\w+, )*{name}[,:]")
 
+    def test_the_version_is_that_of_the_command(self):
+        printed = subprocess.check_output([os.environ["WIREWARP"], "--version"], text=True)
+        self.assertRegex(printed, rf"^wirewarp {re.escape(sf.__version__)} ")
+
 
 def arrays_of(data):
     return {data.GetArrayName(k): data.GetAbstractArray(k) for k in range(data.GetNumberOfArrays())}
@@ -378,6 +382,7 @@ class Patterns(command.CommandTest):
             (ValueError, ["mm wide", "cloth 20 mm"], "a.svg", {"fabric_width": 20}),
             (TypeError, ["quantity", "1.5"], "a.svg", {"quantity": 1.5}),
             (TypeError, ["double_notches"], "a.svg", {"double_notches": "boundary"}),
+            (ValueError, ["no_such"], "a.svg", {"double_notches": ["no_such"]}),
             (TypeError, ["folds"], "a.svg", {"folds": "grainline"}),
             *((ValueError, ["no_such"], "a.svg", {name: {"no_such": 1.0}})
               for name in ("curve_dart_tips", "curve_fairs")),

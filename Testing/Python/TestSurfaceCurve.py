@@ -101,6 +101,23 @@ class Curves(Quiet):
         self.assertAlmostEqual(lengths_of(waist)[0], girth, 9)
         np.testing.assert_allclose(points_of(waist)[:, 2], 1.2, atol=1e-7)
 
+    def test_an_offset_is_that_of_the_editor(self):
+        surface = cylinder()
+        points = ((1, 0, 0.3), (0, 1, 1.7), (-0.95, 0.2, 0.4))
+        out = drawn(surface, points, SegmentKind=3, Offset=0.2, Mirror=True).GetOutput()
+        editor = sf.vtkFeatureCurveEditor()
+        editor.SetSurface(surface)
+        nodes = vtkPoints()
+        nodes.SetDataTypeToDouble()
+        for point in points:
+            nodes.InsertNextPoint(point)
+        self.assertTrue(editor.AddCurve(nodes, editor.SPLINE))
+        self.assertTrue(editor.AddOffset(0, 0.2))
+        line = vtkPolyData()
+        editor.GetCurve(1, line)
+        self.assertAlmostEqual(lengths_of(out)[0], editor.GetCurveLength(1), 12)
+        self.assertEqual(out.GetCellData().GetArray("CurveImageOf").GetValue(1), 0)
+
     def test_what_is_wrong_is_said(self):
         for points, status in (((), "CurveTooShort"), (((1, 0, 0), (1, 0, 0)), "CurveTooShort"),
                                (((1, 0, 0), (math.nan, 0, 0)), "NonFinitePoint")):
