@@ -206,7 +206,7 @@ TEST(ChartCuts, MakeAsManyPiecesAsAreWanted)
 
 TEST(ChartCuts, OpenABodyWithLimbsAsOnePieceWithAFreeBoundary)
 {
-  for (double limbs : { 0.8, 1.6 })
+  for (double limbs : { 0.0, 0.8, 1.6 })
   {
     const TriangleMesh body = limbedBall(3, limbs);
     double before = 0.0;

@@ -70,6 +70,13 @@ constexpr double nearShare = 0.6;
 /// In snap distances of an imprint, how near points of the mirror plane's section are to it.
 constexpr double inPlaneShare = 2.0;
 
+/// Whether the surface may open into one piece along a tree of cuts. Of exact length the sides of a
+/// tree's cuts hardly ever lie flat without an overlap.
+bool growsTree(const ChartOptions& options)
+{
+  return options.pieces == 1 && options.darts && options.flattening.boundary == BoundaryMode::Free;
+}
+
 /// With few triangles; creases stay.
 TriangleMesh fewTriangles(const TriangleMesh& mesh, Index most)
 {
@@ -299,8 +306,7 @@ public:
 
   std::vector<SuggestedCurve> run()
   {
-    if (this->Options.pieces == 1 && this->Options.darts && !this->Mirror &&
-      this->Options.flattening.boundary == BoundaryMode::Free)
+    if (growsTree(this->Options) && !this->Mirror)
     {
       std::vector<SuggestedCurve> cuts = this->onePiece();
       if (!cuts.empty())
@@ -362,11 +368,13 @@ public:
 
   /// How many pieces are folded, or lie over themselves, and the largest strain.
   double worst() const { return this->Settled.worst; }
-  /// Whether it is far from what it was to reach.
-  bool fails() const
+  /// Whether it is far from a bound.
+  bool fails(double bound) const
   {
-    return this->excess() > 0 || this->Settled.worst > partedShare * this->Bound;
+    return this->excess() > 0 || this->Settled.worst > partedShare * bound;
   }
+  /// The bound of charts, or what the number that is wanted keeps.
+  double bound() const { return this->Bound; }
   /// Whether its cuts are better than another's: fewer pieces beyond the number that is wanted;
   /// then within the bound, or nearer to it; then fewer.
   bool betterThan(const ChartSearch& other, double bound) const
@@ -389,8 +397,7 @@ private:
   }
 
   /// The surface as one piece, opened along a tree until it keeps the bound, or as near to it as it
-  /// comes; none where the surface itself does not lie so. Of exact length the sides of a tree's
-  /// cuts hardly ever lie flat without an overlap.
+  /// comes; none where the surface itself does not lie so.
   std::vector<SuggestedCurve> onePiece()
   {
     const TriangleMesh mesh = fewTriangles(this->Surface, chartTriangles);
@@ -433,7 +440,7 @@ private:
     chart.shorten(sewing, this->Run);
     std::vector<SuggestedCurve> cuts =
       this->settled(mesh, mesh.vertexCount(), chart.arcs(false), maxTreeSteps);
-    if (this->fails())
+    if (this->fails(this->Bound))
     {
       this->Bound = given;
       return {};
@@ -753,7 +760,15 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
       best = &*second;
     }
   }
-  const bool failed = plane && (cuts.empty() || ((near || options.pieces == 1) && best->fails()));
+  const double reached = growsTree(options) ? options.bound : best->bound();
+  const bool failed =
+    plane && (cuts.empty() || ((near || options.pieces == 1) && best->fails(reached)));
+  if (failed && growsTree(options))
+  {
+    ChartSearch tree(mesh, std::nullopt, true, options, budget, execution);
+    std::vector<SuggestedCurve> others = tree.run();
+    return tree.betterThan(*best, options.bound) ? others : cuts;
+  }
   if (failed || (near && second))
   {
     std::vector<SuggestedCurve> others = chartCuts(mesh, std::nullopt, options, budget, execution);

@@ -21,6 +21,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <tuple>
 
 namespace flattening
 {
@@ -165,10 +166,11 @@ private:
     return refusal({ StatusCode::InvalidOption, defect, {}, { { Remedy::Give, wanted } } });
   }
 
-  /// Whether one set is before another: what has a flattening before what has none; then what meets
-  /// the bound by its price, before what does not by how many pieces are folded or lie over
-  /// themselves, and its strain. Without a bound by the product of the mean of the rigid energy
-  /// and, counted twice, the square of the mean change of area.
+  /// Whether one set is before another: what has a flattening before what has none, then what meets
+  /// the bound; of these what has fewer pieces beyond the number that is wanted; then what meets
+  /// the bound by its price, other sets by how many pieces are folded or lie over themselves, and
+  /// the strain. Without a bound by the product of the mean of the rigid energy and, counted twice,
+  /// the square of the mean change of area.
   bool better(const CutSet& a, const CutSet& b) const
   {
     const auto merit = [this](const CutSet& set) {
@@ -176,17 +178,18 @@ private:
       const TrialOutcome& outcome = set.outcome;
       if (!outcome.valid)
       {
-        return std::pair(2, set.cuts.empty() ? 1.0 : 0.0);
+        return std::tuple(2, Index(0), set.cuts.empty() ? 1.0 : 0.0);
       }
+      const Index excess = this->excess(set);
       if (search.bound == 0.0)
       {
-        return std::pair(0, std::cbrt(outcome.energy * std::pow(outcome.areaError, 4.0)));
+        return std::tuple(0, excess, std::cbrt(outcome.energy * std::pow(outcome.areaError, 4.0)));
       }
       const double waste = search.pieces > 0 ? 0.0 : wastePrice * outcome.waste / this->Area;
       const double price = waste + priceOf(set.cuts, std::sqrt(this->Area / pi));
       return this->isFlat(set)
-        ? std::pair(0, price)
-        : std::pair(1, static_cast<double>(outcome.faults()) + outcome.strainP95);
+        ? std::tuple(0, excess, price)
+        : std::tuple(1, excess, static_cast<double>(outcome.faults()) + outcome.strainP95);
     };
     return merit(a) < merit(b);
   }
@@ -195,6 +198,14 @@ private:
   {
     return *std::min_element(sets.begin(), sets.end(),
       [this](const CutSet& a, const CutSet& b) { return this->better(a, b); });
+  }
+
+  /// How many pieces a set has beyond the number that is wanted.
+  Index excess(const CutSet& set) const
+  {
+    const Index pieces = this->Options.search.pieces;
+    const auto found = static_cast<Index>(set.outcome.pieceStrains.size());
+    return pieces > 0 ? std::max<Index>(0, found - pieces) : 0;
   }
 
   bool tooWide() const
@@ -301,7 +312,8 @@ private:
       (flat || wanted.pieces > 0 || wanted.maximumCuts > 0);
     // Charts of a smooth round surface are strips that wind round it, with less seam and worse to
     // sew.
-    const bool alone = !creased && (flat || (gores.equal && usable && wanted.pieces > 0));
+    const bool alone = !creased && this->excess(gores.set) == 0 &&
+      (flat || (gores.equal && usable && wanted.pieces > 0));
     this->Result.end = SearchEnd::NothingHelps;
     CutSet set = alone ? gores.set : this->searchedSet(uncut, strained, creased);
     if (alone || (usable && !this->better(set, gores.set)))
