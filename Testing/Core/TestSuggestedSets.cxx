@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Report/SuggestionReport.h"
 #include "Sewing/PieceSewing.h"
 #include "SuggestionTesting.h"
 
@@ -367,4 +368,16 @@ TEST(CurveSuggestion, PartsWhatLiesOverItselfWithoutStrain)
     const FlatteningResult flat = flattened(ramp, {}, suggestions);
     EXPECT_EQ(flat.status.code, StatusCode::Ok) << turns;
   }
+}
+
+TEST(CurveSuggestion, SaysThatPiecesOverlapWhereTheStrainIsWithinTheBound)
+{
+  CurveSuggestions suggestions;
+  suggestions.strainBefore = 0.4;
+  suggestions.strainAfter = 0.2;
+  const std::string within = describeShortfall(suggestions, 0.3, 0.0, {});
+  EXPECT_NE(within.find("fold or overlap"), std::string::npos) << within;
+  EXPECT_EQ(within.find("above"), std::string::npos) << within;
+  const std::string above = describeShortfall(suggestions, 0.1, 0.0, {});
+  EXPECT_NE(above.find("above the bound of 10 %"), std::string::npos) << above;
 }

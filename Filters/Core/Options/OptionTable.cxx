@@ -348,8 +348,8 @@ void addSuggestion(Table& table)
     .where({ "SuggestedCuts", { "seams", "all", "gores" } })
     .help(
       "Approximate number of pieces into which seams divide the surface, with as little strain "
-      "as that allows; 0: as few as the bound needs. 1 with a free boundary: one piece within the "
-      "bound, opened along a tree of cuts.");
+      "as that allows; 0: as few as the bound needs. 1 with a free boundary and all kinds of cuts: "
+      "one piece, opened along a tree of cuts until it keeps the bound or comes near to it.");
   table.add("MaximumWidth", [](All& all) { return &all.search.maximumWidth; })
     .spelled("max-width", "max_width")
     .range(0.0, unlimited)

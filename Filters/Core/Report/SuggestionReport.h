@@ -28,9 +28,9 @@ Columns leftOutTable(const CurveSuggestions& suggestions);
 /// One row: how the search ended.
 Columns searchTable(const CurveSuggestions& suggestions);
 
-/// For a warning: how far the strain stays above the bound and where, or how wide a piece is, and
-/// what ended the search. Empty where both are kept, or there is none and no limit of work ended
-/// the search.
+/// For a warning: how far the strain stays above the bound and where, that pieces fold or overlap,
+/// or how wide one is, and what ended the search. Empty where both are kept, or there is none and
+/// no limit of work ended the search.
 /// \param curves of the input
 std::string describeShortfall(const CurveSuggestions& suggestions, double bound,
   double maximumWidth, const std::vector<Polyline>& curves);
