@@ -5,7 +5,7 @@
 #include "Peer.h"
 #include "RefinedPiece.h"
 
-#include "Base/Stopwatch.h"
+#include "Base/Execution.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "Quality/FlatteningQuality.h"
 #include "Wires/WireNetwork.h"

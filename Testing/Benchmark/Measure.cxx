@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Measure.h"
 
-#include "Base/Stopwatch.h"
+#include "Base/Execution.h"
 
 #include <vtkSMPTools.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The project's sparse factorization and order of elimination beside CHOLMOD's, AMD's and METIS's,
 // on the systems that a trouser leg of several sizes gives. Prints a table in Markdown.
-#include "Base/Stopwatch.h"
+#include "Base/Execution.h"
 #include "Measure.h"
 #include "SystemCase.h"
 

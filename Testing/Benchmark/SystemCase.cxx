@@ -2,7 +2,7 @@
 #include "SystemCase.h"
 
 #include "Angles/WireLayout.h"
-#include "Base/Stopwatch.h"
+#include "Base/Execution.h"
 #include "Embedding/InteriorEmbedding.h"
 #include "Isometric/IsometricModel.h"
 #include "Isometric/IsometricWarping.h"

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -110,4 +111,23 @@ void computeAndAdd(Index count, const Execution& execution, const Compute& compu
     }
   }
 }
+
+/// Wall-clock seconds since it was made or last restarted.
+class Stopwatch
+{
+public:
+  double seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
+  }
+  double restart()
+  {
+    const double elapsed = this->seconds();
+    this->Start = std::chrono::steady_clock::now();
+    return elapsed;
+  }
+
+private:
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
 }

@@ -2,7 +2,7 @@
 #include "Flattening/PieceFlattening.h"
 
 #include "Angles/AngleSolver.h"
-#include "Base/Stopwatch.h"
+#include "Base/Execution.h"
 #include "Base/Types.h"
 #include "Cut/CutClosure.h"
 #include "Embedding/ConvexEmbedding.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattening/SurfaceFlattening.h"
 
+#include "Base/Execution.h"
 #include "Base/Memory.h"
-#include "Base/Stopwatch.h"
 #include "Flattening/FlatteningCache.h"
 #include "Flattening/FlatteningOptions.h"
 #include "Flattening/FlatteningResult.h"

@@ -56,10 +56,26 @@ private:
 
 /// Sum of the angles of the triangles at a vertex, in radians; inside 2 pi where the surface is
 /// flat.
-double angleSum(const TriangleMesh& mesh, Index vertex);
+inline double angleSum(const TriangleMesh& mesh, Index vertex)
+{
+  double sum = 0.0;
+  for (Index h : VertexFan(mesh, vertex))
+  {
+    sum += mesh.angle(h);
+  }
+  return sum;
+}
 
 /// A third of the area of the triangles at a vertex.
-double vertexArea(const TriangleMesh& mesh, Index vertex);
+inline double vertexArea(const TriangleMesh& mesh, Index vertex)
+{
+  double area = 0.0;
+  for (Index h : VertexFan(mesh, vertex))
+  {
+    area += mesh.area(h / 3) / 3.0;
+  }
+  return area;
+}
 
 /// Per vertex a third of the areas of its triangles. \param areaOf gives that of a triangle.
 template <class Area>
@@ -84,5 +100,13 @@ inline constexpr double cornerTurn = pi / 6.0;
 
 /// By how much a boundary loop turns to its left in the surface, in radians: 2 pi around a flat
 /// disk, -2 pi around a hole in it, 0 at the end of a cylinder.
-double turnOf(const TriangleMesh& mesh, const Indices& loop);
+inline double turnOf(const TriangleMesh& mesh, const Indices& loop)
+{
+  double turn = 0.0;
+  for (Index h : loop)
+  {
+    turn += pi - angleSum(mesh, mesh.from(h));
+  }
+  return turn;
+}
 }
