@@ -4,7 +4,6 @@
 #include "Cut/PieceTopology.h"
 #include "Flattening/PieceArrangement.h"
 #include "SuggestionTesting.h"
-#include "TestThreads.h"
 
 #include <algorithm>
 #include <cmath>

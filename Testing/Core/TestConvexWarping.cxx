@@ -3,8 +3,6 @@
 #include "ClosedMeshes.h"
 #include "Embedding/ConvexEmbedding.h"
 #include "Flattened.h"
-#include "SphereCap.h"
-#include "StatusTesting.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/CutTrials.h"
 #include "SuggestionTesting.h"
-#include "TestThreads.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/CutCandidates.h"
-
-#include "SphereCap.h"
+#include "TestMeshes.h"
 
 #include <gtest/gtest.h>
 

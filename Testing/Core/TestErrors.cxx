@@ -4,7 +4,6 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
 #include "MeshTriangles.h"
-#include "StatusTesting.h"
 #include "Surface/SurfacePreparation.h"
 #include "WiredSurface.h"
 

@@ -2,7 +2,6 @@
 #include "Reshaping/FlattenableSurface.h"
 #include "Sewing/BodyContact.h"
 #include "TestMeshes.h"
-#include "TestThreads.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,6 @@
 #include "Quality/FlatteningQuality.h"
 #include "Quality/StrainMeasures.h"
 #include "TestMeshes.h"
-#include "TestThreads.h"
 
 #include <Eigen/SVD>
 #include <gtest/gtest.h>

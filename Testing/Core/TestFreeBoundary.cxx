@@ -4,8 +4,6 @@
 #include "Embedding/ConvexEmbedding.h"
 #include "Flattened.h"
 #include "ModelDerivatives.h"
-#include "SphereCap.h"
-#include "StatusTesting.h"
 #include "Suggestion/ChartClusters.h"
 #include "Suggestion/SeamTree.h"
 

@@ -4,7 +4,6 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
 #include "TestMeshes.h"
-#include "TestThreads.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,6 @@
 #include "Sparse/NestedDissection.h"
 #include "TestGraphs.h"
 #include "TestMeshes.h"
-#include "TestThreads.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 #include "Reference/SuperLUFactorization.h"
 #include "Surface/SurfacePreparation.h"
 #include "TestGraphs.h"
-#include "TestThreads.h"
 
 #include <gtest/gtest.h>
 

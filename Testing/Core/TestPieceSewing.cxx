@@ -6,7 +6,6 @@
 #include "Renumbered.h"
 #include "Sewing/PieceSewing.h"
 #include "TestMeshes.h"
-#include "TestThreads.h"
 
 #include <gtest/gtest.h>
 

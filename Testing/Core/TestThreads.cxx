@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several pieces and wire-patches on several threads. Built with -fsanitize=thread it also shows
 // that the threads do not race (see Testing/Fuzz/README.md).
-#include "TestThreads.h"
 #include "Base/ThreadedLoop.h"
 #include "Design/KeyPrices.h"
 #include "Design/LineSuggestion.h"
@@ -19,6 +18,7 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <thread>
 
 using namespace flattening;
 using namespace testmeshes;

@@ -5,8 +5,6 @@
 #include "Cloth/ClothMaterial.h"
 #include "Flattened.h"
 #include "Quality/AreaForecast.h"
-#include "SphereCap.h"
-#include "StatusTesting.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>
