@@ -459,6 +459,14 @@ TEST(CurveSuggestion, RefusesWhatIsNoOption)
   {
     EXPECT_EQ(suggestCurves(dome(0.2), {}, options).status.code, StatusCode::InvalidOption);
   }
+  Polyline curve;
+  curve.points = { dome(0.2).point(0), dome(0.2).point(1) };
+  for (double tolerance : { -0.1, 1.0, std::nan("") })
+  {
+    curve.tolerance = tolerance;
+    const Status status = suggestCurves(dome(0.2), { curve }, optionsOf(0.02, 4)).status;
+    EXPECT_NE(status.message.find("tolerance"), std::string::npos) << tolerance;
+  }
 }
 
 TEST(CurveSuggestion, RefusesAGrainAlongNoCurveBeforeTheSearch)

@@ -101,6 +101,10 @@ public:
       return refusal(mirror);
     }
     this->Cut = cutSurface(this->Surface.mesh, this->Surface.curves);
+    if (!this->Cut.status.ok())
+    {
+      return refusal(this->Cut.status);
+    }
     this->Pieces = extractPieces(this->Cut);
     this->Marks = markVertices(this->Surface, this->Options.search);
     CutSet uncut;

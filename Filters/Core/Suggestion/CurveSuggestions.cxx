@@ -168,9 +168,6 @@ Status checkSuggestion(
   const SuggestionOptions& suggestion, Index triangles, const std::vector<Polyline>& curves)
 {
   const SearchOptions& options = suggestion.search;
-  const auto refusal = [](const std::string& message, const std::string& wanted) {
-    return Status{ StatusCode::InvalidOption, message, {}, { { Remedy::Give, wanted } } };
-  };
   struct Check
   {
     bool holds;
@@ -178,12 +175,12 @@ Status checkSuggestion(
     const char* wanted;
   };
   const Check checks[] = {
-    { options.bound >= 0.0 && options.bound < 1.0,
+    { std::isfinite(options.bound) && options.bound >= 0.0 && options.bound < 1.0,
       "the bound of the strain is " + shortNumber(options.bound), "a number from 0 to below 1" },
-    { options.maximumCutLength >= 0.0,
+    { !std::isnan(options.maximumCutLength) && options.maximumCutLength >= 0.0,
       "the greatest length of cuts is " + shortNumber(options.maximumCutLength),
       "a length from 0, 0 for no limit" },
-    { options.maximumWidth >= 0.0,
+    { !std::isnan(options.maximumWidth) && options.maximumWidth >= 0.0,
       "the greatest width of pieces is " + shortNumber(options.maximumWidth),
       "a width from 0, 0 for any" },
     { options.maximumCuts >= 0, "the greatest number of cuts is below 0",
@@ -197,7 +194,7 @@ Status checkSuggestion(
   {
     if (!check.holds)
     {
-      return refusal(check.defect, check.wanted);
+      return invalidOption(check.defect, check.wanted);
     }
   }
   for (const SearchOptions::Preference& preference : options.preferences)
@@ -206,11 +203,11 @@ Status checkSuggestion(
       [&](const Polyline& curve) { return curve.name == preference.curve; });
     if (!known)
     {
-      return refusal("no curve is named \"" + preference.curve + "\"", "the name of a curve");
+      return invalidOption("no curve is named \"" + preference.curve + "\"", "the name of a curve");
     }
     if (!std::isfinite(preference.weight) || preference.weight < 0.0)
     {
-      return refusal(
+      return invalidOption(
         "the weight of \"" + preference.curve + "\" is " + shortNumber(preference.weight),
         "a number from 0");
     }

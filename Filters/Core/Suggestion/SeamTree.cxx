@@ -14,7 +14,7 @@ namespace flattening
 namespace
 {
 /// Tips that are compared, and how far apart they are, in sqrt(area / pi).
-constexpr std::size_t maxTips = 16;
+constexpr std::size_t maxTreeTips = 16;
 constexpr double tipsApart = 0.2;
 /// What is added to the length of a path, in sqrt(area / pi): short ones gain much for their length
 /// and are many.
@@ -75,7 +75,7 @@ bool SeamTree::grow(double bound, TrialBudget& budget, const Execution& executio
     const EdgePaths paths(this->Mesh, this->Vertices, {}, EdgePaths::Through::Boundary);
     Indices best;
     double most = 0.0;
-    for (Index tip : factor.peaks(vertices, tipsApart * this->Size, maxTips))
+    for (Index tip : factor.peaks(vertices, tipsApart * this->Size, maxTreeTips))
     {
       if (!paths.reaches(tip))
       {
