@@ -49,7 +49,6 @@ int valueAt(vtkDataArray* array, vtkIdType cell, int otherwise)
 {
   return array ? static_cast<int>(array->GetComponent(cell, 0)) : otherwise;
 }
-
 }
 
 Vector facing(const PolyData& surface, const Vector& up)

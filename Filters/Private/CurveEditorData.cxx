@@ -36,8 +36,11 @@ std::string noteOnFarthest(const std::vector<const Polyline*>& lines, const Draw
     for (const Point3& point : line->points)
     {
       const double distance = surface.locator().closest(point).distance;
-      name = distance > largest ? line->name : name;
-      largest = std::max(largest, distance);
+      if (distance > largest)
+      {
+        largest = distance;
+        name = line->name;
+      }
     }
   }
   Eigen::AlignedBox3d box;

@@ -24,8 +24,8 @@ void writeImprint(const CurvedPolyData& source, vtkPolyData* surface, vtkPolyDat
   std::vector<std::string>& warnings);
 
 /// Fills a data set with a cut surface over the given points, with the input's point and cell data
-/// (interpolated at points made by imprinting) and field data. \param arrays its arrays beside
-/// those of the input
+/// (interpolated at points made by imprinting), vtkOriginalCellIds and field data. \param arrays
+/// its arrays beside those of the input
 void writeCutSurface(const CurvedPolyData& source, const CutSurface& cut, const CutArrays& arrays,
   vtkPoints* points, vtkPolyData* output);
 

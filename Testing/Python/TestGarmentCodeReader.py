@@ -258,6 +258,8 @@ class Reading(pattern.PatternTest):
             return document
 
         front = ("pattern", "panels", "front")
+        named = changed(*front, "edges", 2, "endpoints", value=[2, 9])
+        named["pattern"]["panels"]["a\0b"] = named["pattern"]["panels"].pop("front")
         cases = (
             (changed(*front, "edges", 1, "endpoints", value=[1, 3]), ["edge 1", "front", "ring"]),
             (changed(*front, "edges", 2, "endpoints", value=[2, 9]), ["edge 2", "front", "vertex 9"]),
@@ -276,6 +278,7 @@ class Reading(pattern.PatternTest):
             (changed("properties", "units_in_meter", value=0), ["units_in_meter"]),
             ({"pattern": {}}, ["panels"]),
             ([], ["pattern"]),
+            (named, ["a\0b", "ends at the vertex 9"]),
         )
         for document, words in cases:
             with self.subTest(words=words), self.assertRaises(ValueError) as caught:

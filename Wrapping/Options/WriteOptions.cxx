@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // write-options TEMPLATE FILE: copies a text and replaces each line
-// @KIND:CLASS@ by what the table of options says. write-options [--check] PAGE: the same between the lines
+// @KIND:NAME@ by what the table of options says. write-options [--check] PAGE: the same between the lines
 // <!-- options:CLASS --> and <!-- end --> of a page; with --check it only says whether they differ.
 #include "Cloth/ClothMaterial.h"
 #include "Formats/PatternOptionTable.h"
@@ -423,6 +423,10 @@ void writeProperty(const Option& option, std::ostream& out)
 /// or "polydata"
 void writeInput(const std::string& kind, std::ostream& out)
 {
+  if (kind != "composite" && kind != "polydata")
+  {
+    throw std::runtime_error("an input is composite or polydata, not " + kind);
+  }
   out << R"(        <ProxyGroupDomain name="groups">
           <Group name="sources" />
           <Group name="filters" />
@@ -563,7 +567,7 @@ void writeFile(const std::string& path, const std::string& text)
   }
 }
 
-/// The template with what each line @KIND:CLASS@ stands for.
+/// The template with what each line @KIND:NAME@ stands for.
 std::string filled(const std::string& text)
 {
   using Writer = std::function<void(const std::string&, std::ostream&)>;

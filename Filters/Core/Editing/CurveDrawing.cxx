@@ -125,8 +125,9 @@ bool isOfWhole(const SurfaceSpline& whole, const EditedCurve& curve, std::size_t
   return !whole.path.triangles.empty() && (!spline || curve.kinds[s] == SegmentKind::Spline);
 }
 
-/// Draws the segments of a curve between other nodes, or its own. \param before what is as in it is
-/// taken over; may be null \param hintOf gives where segment s may run near, or an empty path
+/// Draws the segments of a curve between other nodes, or its own.
+/// \param before what is as in it is taken over; may be null
+/// \param hintOf gives where segment s may run near, or an empty path
 template <typename HintOf>
 Status drawSegments(const DrawingSurface& surface, const EditedCurve& curve,
   const std::vector<SurfacePoint>& nodes, const EditedCurve* before, const HintOf& hintOf,
@@ -223,7 +224,7 @@ Status drawCurve(const DrawingSurface& surface, const CurveSet& curves, const Ed
     hints.assign(count, SurfacePath());
   }
   curve.image.clear();
-  const auto hintOf = [&hints](std::size_t s) { return hints[s]; };
+  const auto hintOf = [&hints](std::size_t s) -> const SurfacePath& { return hints[s]; };
   Status status = drawSegments(surface, curve, curve.nodes, before, hintOf, curve.segments);
   if (status.refused() || !curve.traits.mirrored || !curves.mirror)
   {

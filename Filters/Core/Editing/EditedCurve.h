@@ -78,7 +78,7 @@ std::size_t segmentCount(std::size_t nodes, bool closed);
 double lengthOf(const EditedCurve& curve);
 /// All points from the first node on, once each; a closed curve ends where it starts.
 Points3 pointsAlong(const std::vector<SurfacePath>& segments);
-/// The segments as one path.
+/// The segments as one path. \pre each has points
 SurfacePath wholePath(const EditedCurve& curve);
 
 /// Whether two are the same to the last bit.

@@ -244,12 +244,10 @@ private:
       {
         nearest = std::min(nearest, distance(vertex));
       }
-      near.erase(std::remove_if(near.begin(), near.end(),
-                   [&](Index vertex) {
-                     return distance(vertex) > this->AtVertex.ofVertex(vertex) &&
-                       (this->Options.split || distance(vertex) > nearest);
-                   }),
-        near.end());
+      eraseIf(near, [&](Index vertex) {
+        return distance(vertex) > this->AtVertex.ofVertex(vertex) &&
+          (this->Options.split || distance(vertex) > nearest);
+      });
     }
   }
 

@@ -53,8 +53,8 @@ struct JsonFault
   std::string remedy;
 };
 
-/// Reads a text as JSON, comments allowed, and hands it on. Exceptions of what it is handed to are
-/// taken for numbers beyond all doubles.
+/// Reads a text as JSON, comments allowed, and hands it on. Exceptions of nlohmann from what it is
+/// handed to are taken for numbers beyond all doubles; others pass.
 template <typename Json, typename Read>
 JsonFault readJson(const std::string& text, const Read& read)
 {

@@ -80,9 +80,7 @@ void PathSearch::followArcs(Index vertex, const Point3& target)
 Index PathSearch::lastVertex(const SurfacePoint& target)
 {
   const Indices goals = cornersAround(this->Graph.mesh(), target);
-  this->Open.erase(std::remove_if(this->Open.begin(), this->Open.end(),
-                     [this](const Entry& entry) { return this->States[entry.vertex].settled; }),
-    this->Open.end());
+  eraseIf(this->Open, [this](const Entry& entry) { return this->States[entry.vertex].settled; });
   for (Entry& entry : this->Open)
   {
     entry.bound =

@@ -47,6 +47,7 @@ public:
     this->Result.order.resize(count);
     std::iota(this->Result.order.begin(), this->Result.order.end(), 0);
   }
+
   Dissection run()
   {
     const bool byLevels = !this->Positions && !this->Queue.empty();
@@ -59,10 +60,19 @@ public:
       if (step.begin == none || step.end - step.begin <= smallPart)
       {
         this->Result.endRange(step.end);
+        continue;
       }
-      else if (!this->AnyHub || !this->takeHubs(step))
+      if (this->AnyHub && this->takeHubs(step))
       {
-        this->Positions ? this->divideByPlane(step) : this->divideByLevels(step);
+        continue;
+      }
+      if (this->Positions)
+      {
+        this->divideByPlane(step);
+      }
+      else
+      {
+        this->divideByLevels(step);
       }
     }
     return std::move(this->Result);

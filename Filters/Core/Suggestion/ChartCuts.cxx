@@ -368,7 +368,7 @@ public:
 
   /// How many pieces are folded, or lie over themselves, and the largest strain.
   double worst() const { return this->Settled.worst; }
-  /// Whether it is far from a bound.
+  /// Whether it is far from a bound, or has more pieces than are wanted.
   bool fails(double bound) const
   {
     return this->excess() > 0 || this->Settled.worst > partedShare * bound;
@@ -443,6 +443,7 @@ private:
     if (this->fails(this->Bound))
     {
       this->Bound = given;
+      this->Settled = {};
       return {};
     }
     return cuts;
@@ -760,14 +761,15 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
       best = &*second;
     }
   }
-  const double reached = growsTree(options) ? options.bound : best->bound();
+  const bool opens = growsTree(options) && !options.mirrorKept;
+  const double reached = opens ? options.bound : best->bound();
   const bool failed =
     plane && (cuts.empty() || ((near || options.pieces == 1) && best->fails(reached)));
-  if (failed && growsTree(options))
+  if (failed && opens && !cuts.empty())
   {
     ChartSearch tree(mesh, std::nullopt, true, options, budget, execution);
     std::vector<SuggestedCurve> others = tree.run();
-    return tree.betterThan(*best, options.bound) ? others : cuts;
+    return !others.empty() && tree.betterThan(*best, options.bound) ? others : cuts;
   }
   if (failed || (near && second))
   {

@@ -20,6 +20,9 @@ namespace flattening
 /// not keep it there are parted again. With a mirror plane the cuts are those of one side and their
 /// images, and what of the plane's section is needed.
 ///
+/// One piece that need not keep the length of its boundary is opened along a SeamTree; also where
+/// there is a mirror plane that need not be kept, and what is alike on both sides misses the bound.
+///
 /// \return empty where none are needed, or where the surface cannot be parted
 std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   const std::optional<SymmetryPlane>& plane, const ChartOptions& options, TrialBudget& budget,

@@ -307,9 +307,7 @@ void Charts::eliminate(
     list(this->arcs(), removals);
     if (static_cast<Index>(this->All.size()) <= this->Fewest)
     {
-      removals.erase(std::remove_if(removals.begin(), removals.end(),
-                       [](const Removal& one) { return one.charts.size() > one.left; }),
-        removals.end());
+      eraseIf(removals, [](const Removal& one) { return one.charts.size() > one.left; });
     }
     std::vector<Candidate*> order;
     std::vector<Candidate*> fresh;
@@ -332,10 +330,8 @@ void Charts::eliminate(
         budget.pay(forecastSteps * static_cast<double>(this->All[chart].triangles.size()));
       }
     }
-    order.erase(
-      std::remove_if(order.begin(), order.end(),
-        [](const Candidate* one) { return std::isinf(one->cost) || (one->tried && !one->keeps); }),
-      order.end());
+    eraseIf(order,
+      [](const Candidate* one) { return std::isinf(one->cost) || (one->tried && !one->keeps); });
     std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) {
       return a->removal.saved * b->cost > b->removal.saved * a->cost;
     });

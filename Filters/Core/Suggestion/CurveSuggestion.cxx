@@ -167,14 +167,15 @@ private:
   }
   static CurveSuggestions refusal(const std::string& defect, const std::string& wanted)
   {
-    return refusal({ StatusCode::InvalidOption, defect, {}, { { Remedy::Give, wanted } } });
+    return refusal(invalidOption(defect, wanted));
   }
 
-  /// Whether one set is before another: what has a flattening before what has none, then what meets
-  /// the bound; of these what has fewer pieces beyond the number that is wanted; then what meets
-  /// the bound by its price, other sets by how many pieces are folded or lie over themselves, and
-  /// the strain. Without a bound by the product of the mean of the rigid energy and, counted twice,
-  /// the square of the mean change of area.
+  /// Whether one set is before another: what meets the bound before what has a flattening within
+  /// itself, then what folds or lies over itself, and what has none; among equals what has fewer
+  /// pieces beyond the number that is wanted; then what meets the bound by its price, other sets by
+  /// how many pieces are folded or lie over themselves, and the strain. Without a bound by the
+  /// product of the mean of the rigid energy and, counted twice, the square of the mean change of
+  /// area.
   bool better(const CutSet& a, const CutSet& b) const
   {
     const auto merit = [this](const CutSet& set) {
@@ -182,7 +183,7 @@ private:
       const TrialOutcome& outcome = set.outcome;
       if (!outcome.valid)
       {
-        return std::tuple(2, Index(0), set.cuts.empty() ? 1.0 : 0.0);
+        return std::tuple(3, Index(0), set.cuts.empty() ? 1.0 : 0.0);
       }
       const Index excess = this->excess(set);
       if (search.bound == 0.0)
@@ -191,9 +192,9 @@ private:
       }
       const double waste = search.pieces > 0 ? 0.0 : wastePrice * outcome.waste / this->Area;
       const double price = waste + priceOf(set.cuts, std::sqrt(this->Area / pi));
-      return this->isFlat(set)
-        ? std::tuple(0, excess, price)
-        : std::tuple(1, excess, static_cast<double>(outcome.faults()) + outcome.strainP95);
+      return this->isFlat(set) ? std::tuple(0, excess, price)
+                               : std::tuple(outcome.faults() > 0 ? 2 : 1, excess,
+                                   static_cast<double>(outcome.faults()) + outcome.strainP95);
     };
     return merit(a) < merit(b);
   }

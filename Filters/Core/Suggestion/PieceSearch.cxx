@@ -315,7 +315,7 @@ TriedCut PieceSearch::polished(
         return alike(piece, plan, other, 0.2 * lastStep * piece.size());
       });
     };
-    plans.erase(std::remove_if(plans.begin(), plans.end(), tried), plans.end());
+    eraseIf(plans, tried);
     before.insert(before.end(), plans.begin(), plans.end());
     std::vector<TriedCut> found = this->tryAll(plans, longest, budget, execution);
     if (!found.empty() && found.front().score > (1.0 + minRise) * cut.score)

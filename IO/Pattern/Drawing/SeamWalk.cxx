@@ -167,7 +167,7 @@ Status walkSeams(const DrawingSource& all, std::vector<WalkInterval>& walk)
     }
     stops.push_back(arc.back());
     auto stop = std::upper_bound(stops.begin(), std::prev(stops.end()), join.from);
-    int number = wireOfLast == join.wire ? walk.back().number + 1 : 1;
+    int number = !walk.empty() && wireOfLast == join.wire ? walk.back().number + 1 : 1;
     wireOfLast = join.wire;
     for (std::size_t e = 0; e + 1 < join.points[0].size(); ++e)
     {

@@ -14,7 +14,6 @@
 #include <iterator>
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,9 +41,9 @@ using Json = nlohmann::ordered_json;
 constexpr std::uintmax_t largestFile = 100'000'000;
 
 /// What is wrong with a document.
-class GarmentDefect : public std::runtime_error
+struct GarmentDefect
 {
-  using std::runtime_error::runtime_error;
+  std::string text;
 };
 
 /// Takes a garment from a document. Throws GarmentDefect.
@@ -57,7 +56,7 @@ public:
     const Json& panels = member(pattern, "panels", "the pattern");
     if (!panels.is_object())
     {
-      throw GarmentDefect("the panels are not an object of panels by their names");
+      throw GarmentDefect{ "the panels are not an object of panels by their names" };
     }
     this->readProperties(document);
     Garment garment;
@@ -79,7 +78,7 @@ private:
   {
     if (!object.is_object() || !object.contains(key))
     {
-      throw GarmentDefect(owner + " has no member \"" + key + "\"");
+      throw GarmentDefect{ owner + " has no member \"" + key + "\"" };
     }
     return object[key];
   }
@@ -89,7 +88,7 @@ private:
     const double number = value.is_number() ? value.get<double>() : 0.0;
     if (!value.is_number() || !std::isfinite(number) || std::abs(number) > 1e12)
     {
-      throw GarmentDefect(what + " is not a number, or is too large");
+      throw GarmentDefect{ what + " is not a number, or is too large" };
     }
     return number;
   }
@@ -99,8 +98,8 @@ private:
   {
     if (!value.is_array() || value.size() != static_cast<std::size_t>(Vector::SizeAtCompileTime))
     {
-      throw GarmentDefect(
-        what + " is not a list of " + std::to_string(Vector::SizeAtCompileTime) + " numbers");
+      throw GarmentDefect{ what + " is not a list of " + std::to_string(Vector::SizeAtCompileTime) +
+        " numbers" };
     }
     Vector result = Vector::Zero();
     for (std::size_t k = 0; k < value.size(); ++k)
@@ -114,7 +113,7 @@ private:
   {
     if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 1'000'000'000)
     {
-      throw GarmentDefect(what + " is not a whole number from 0");
+      throw GarmentDefect{ what + " is not a whole number from 0" };
     }
     return value.get<std::size_t>();
   }
@@ -128,7 +127,7 @@ private:
     }
     if (!found->is_string())
     {
-      throw GarmentDefect("the label of " + owner + " is not text");
+      throw GarmentDefect{ "the label of " + owner + " is not text" };
     }
     return found->get<std::string>();
   }
@@ -146,7 +145,7 @@ private:
       const double perMetre = number(*unit, "units_in_meter");
       if (!(perMetre > 0.0))
       {
-        throw GarmentDefect("units_in_meter must be above 0");
+        throw GarmentDefect{ "units_in_meter must be above 0" };
       }
       this->Scale = 100.0 / perMetre; // exactly 1 where the file is in centimetres
     }
@@ -156,7 +155,7 @@ private:
       this->Absolute = *coordinates == "absolute";
       if (!this->Absolute && *coordinates != "relative")
       {
-        throw GarmentDefect("curvature_coords is neither \"relative\" nor \"absolute\"");
+        throw GarmentDefect{ "curvature_coords is neither \"relative\" nor \"absolute\"" };
       }
     }
   }
@@ -169,7 +168,7 @@ private:
     const Json& edges = member(json, "edges", owner);
     if (!vertices.is_array() || !edges.is_array())
     {
-      throw GarmentDefect("vertices and edges of " + owner + " must be lists");
+      throw GarmentDefect{ "vertices and edges of " + owner + " must be lists" };
     }
     panel.label = label(json, owner);
     if (json.contains("translation"))
@@ -199,15 +198,15 @@ private:
     const Json& ends = member(json, "endpoints", owner);
     if (!ends.is_array() || ends.size() != 2)
     {
-      throw GarmentDefect("the endpoints of " + owner + " are not two");
+      throw GarmentDefect{ "the endpoints of " + owner + " are not two" };
     }
     for (const std::size_t k : { 0U, 1U })
     {
       edge.ends[k] = index(ends[k], "an end of " + owner);
       if (edge.ends[k] >= panel.vertices.size())
       {
-        throw GarmentDefect(owner + " ends at the vertex " + std::to_string(edge.ends[k]) +
-          ", and there are " + std::to_string(panel.vertices.size()));
+        throw GarmentDefect{ owner + " ends at the vertex " + std::to_string(edge.ends[k]) +
+          ", and there are " + std::to_string(panel.vertices.size()) };
       }
     }
     edge.label = label(json, owner);
@@ -232,11 +231,11 @@ private:
     const std::size_t wanted = type == "quadratic" ? 1 : type == "cubic" ? 2 : 3;
     if (wanted == 3 && type != "circle")
     {
-      throw GarmentDefect(what + " is neither quadratic, cubic nor circle");
+      throw GarmentDefect{ what + " is neither quadratic, cubic nor circle" };
     }
     if (!parameters.is_array() || parameters.size() != wanted)
     {
-      throw GarmentDefect(what + " has not the " + std::to_string(wanted) + " parameters");
+      throw GarmentDefect{ what + " has not the " + std::to_string(wanted) + " parameters" };
     }
     if (wanted < 3)
     {
@@ -275,7 +274,7 @@ private:
   {
     if (!json.is_array())
     {
-      throw GarmentDefect("the stitches are not a list");
+      throw GarmentDefect{ "the stitches are not a list" };
     }
     for (const Json& stitch : json)
     {
@@ -284,7 +283,7 @@ private:
       if (!stitch.is_array() || stitch.size() < 2 || stitch.size() > 3 ||
         (marked && !stitch[2].is_string()))
       {
-        throw GarmentDefect(owner + " does not name two edges");
+        throw GarmentDefect{ owner + " does not name two edges" };
       }
       GarmentStitch& made = garment.stitches.emplace_back();
       made.rightToWrong = marked && stitch[2] == "right_wrong";
@@ -296,14 +295,14 @@ private:
           name.is_string() ? this->Numbers.find(name.get<std::string>()) : this->Numbers.end();
         if (panel == this->Numbers.end())
         {
-          throw GarmentDefect(owner + " names the panel " + name.dump() + ", which is not there");
+          throw GarmentDefect{ owner + " names the panel " + name.dump() + ", which is not there" };
         }
         made.sides[k] = { panel->second, index(edge, "an edge of " + owner) };
         if (made.sides[k].edge >= garment.panels[panel->second].edges.size())
         {
-          throw GarmentDefect(owner + " names the edge " + edge.dump() + " of the panel " +
+          throw GarmentDefect{ owner + " names the edge " + edge.dump() + " of the panel " +
             panel->first + ", which has " +
-            std::to_string(garment.panels[panel->second].edges.size()));
+            std::to_string(garment.panels[panel->second].edges.size()) };
         }
       }
     }
@@ -338,7 +337,7 @@ Status readGarmentCode(const std::string& path, Garment& garment)
   }
   catch (const GarmentDefect& defect)
   {
-    status = invalid(defect.what());
+    status = invalid(defect.text);
   }
   if (!status.ok())
   {
