@@ -356,5 +356,5 @@ TEST(VariedFewDefects, AreHealedOnEverySurface)
 
 TEST(VariedDefects, AreHealedOnManySurfaces)
 {
-  heal(100, 1000, 5000);
+  heal(100, 1000, 10000);
 }
