@@ -150,7 +150,7 @@ Status drawSegments(const DrawingSurface& surface, const EditedCurve& curve,
       segments.push_back(*kept);
       continue;
     }
-    const SurfacePath hint = hintOf(s);
+    const SurfacePath& hint = hintOf(s);
     DrawnSegment drawn = drawSegment(surface, curve.kinds[s], nodes[s],
       nodes[(s + 1) % nodes.size()], hint.points.empty() ? nullptr : &hint);
     if (drawn.status.refused())

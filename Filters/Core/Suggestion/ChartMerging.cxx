@@ -15,6 +15,7 @@
 #include <numeric>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 namespace flattening
 {
@@ -262,8 +263,8 @@ std::vector<Charts::Arc> Charts::arcs(bool opened) const
 /// Finds the charts. Those without a triangle that changed are as before.
 void Charts::group(const std::vector<char>& changed)
 {
-  const std::vector<Chart> before = std::move(this->All);
-  const Indices chartBefore = std::move(this->ChartOf);
+  const std::vector<Chart> before = std::exchange(this->All, {});
+  const Indices chartBefore = std::exchange(this->ChartOf, {});
   this->All.assign(connectedParts(this->Mesh, this->Cut, this->ChartOf), {});
   for (Index t = 0; t < this->Mesh.triangleCount(); ++t)
   {
