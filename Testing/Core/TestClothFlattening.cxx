@@ -2,6 +2,7 @@
 #include "Base/Types.h"
 #include "Cloth/ClothMaterial.h"
 #include "Flattened.h"
+#include "StatusTesting.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

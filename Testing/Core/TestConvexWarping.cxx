@@ -3,6 +3,7 @@
 #include "ClosedMeshes.h"
 #include "Embedding/ConvexEmbedding.h"
 #include "Flattened.h"
+#include "StatusTesting.h"
 
 #include <gtest/gtest.h>
 

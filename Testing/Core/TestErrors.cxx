@@ -4,6 +4,7 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
 #include "MeshTriangles.h"
+#include "StatusTesting.h"
 #include "Surface/SurfacePreparation.h"
 #include "WiredSurface.h"
 

@@ -4,6 +4,7 @@
 #include "Embedding/ConvexEmbedding.h"
 #include "Flattened.h"
 #include "ModelDerivatives.h"
+#include "StatusTesting.h"
 #include "Suggestion/ChartClusters.h"
 #include "Suggestion/SeamTree.h"
 
@@ -49,7 +50,7 @@ public:
         this->Mesh.point(c[2]) - this->Mesh.point(c[0]);
       const Eigen::Matrix2d metric = space.transpose() * space;
       this->Roots.push_back(std::sqrt(metric.determinant()));
-      this->Inverses.push_back(metric.inverse());
+      this->Inverses.emplace_back(metric.inverse());
       this->Area += 0.5 * this->Roots.back();
     }
     this->X.resize(2 * this->Mesh.vertexCount());

@@ -5,6 +5,7 @@
 #include "Cloth/ClothMaterial.h"
 #include "Flattened.h"
 #include "Quality/AreaForecast.h"
+#include "StatusTesting.h"
 #include "WiredSurface.h"
 
 #include <gtest/gtest.h>

@@ -5,8 +5,6 @@
 #include "TestMeshes.h"
 #include "Wires/KeyCurveLocks.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <complex>
 
@@ -113,26 +111,5 @@ inline Surface quarterSphereWithTwoArcs()
   Surface surface = quarterSphere();
   surface.curves.push_back(accessory("meridian", { 0, 3, 8, 13, 18, 23, 28, 33, 36 }));
   return surface;
-}
-}
-
-/// What holds for every status.
-namespace statustesting
-{
-using namespace flattening;
-
-/// The code of a status, which names the defect and a way out wherever it is not Ok.
-inline StatusCode codeOf(const Status& status)
-{
-  EXPECT_EQ(status.ok(), status.message.empty()) << status.message;
-  EXPECT_EQ(status.ok() || status.code == StatusCode::Cancelled, status.remedies.empty())
-    << status.message;
-  return status.code;
-}
-
-inline bool has(const Status& status, Remedy remedy)
-{
-  return std::any_of(status.remedies.begin(), status.remedies.end(),
-    [remedy](const SuggestedRemedy& suggested) { return suggested.remedy == remedy; });
 }
 }

@@ -320,17 +320,26 @@ inline double largestLengthError(vtkPolyData* lines, vtkPoints* flat, vtkPoints*
   return largest;
 }
 
-/// What stands behind -D on the command line.
-inline std::string dataDirectory(int argc, char* argv[])
+/// What stands behind an option on the command line.
+inline std::string argumentOf(
+  const std::string& option, int argc, char* argv[], const char* otherwise)
 {
   for (int i = 1; i + 1 < argc; ++i)
   {
-    if (std::string(argv[i]) == "-D")
+    if (argv[i] == option)
     {
       return argv[i + 1];
     }
   }
-  return ".";
+  return otherwise;
+}
+inline std::string dataDirectory(int argc, char* argv[])
+{
+  return argumentOf("-D", argc, argv, ".");
+}
+inline std::string temporaryDirectory(int argc, char* argv[])
+{
+  return argumentOf("-T", argc, argv, "Testing/Temporary");
 }
 
 inline vtkSmartPointer<vtkPolyData> read(const std::string& path)

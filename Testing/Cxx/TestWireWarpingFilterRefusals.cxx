@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bad input: one error that names the defect, the ids of the input and the way out; empty outputs,
+// Bad input: one error that names the defect, the ids of the input and the remedy; empty outputs,
 // but for a row in the table of pieces.
 #include "FlatteningTesting.h"
 

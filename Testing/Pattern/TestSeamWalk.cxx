@@ -15,7 +15,7 @@ constexpr double degrees = 57.295779513082320877;
 const double legLength = std::hypot(20.0, 120.0); ///< of the dart
 
 /// Two triangles that are sewn along a side of 100 in two edges; the second one's is longer by 10
-/// in its upper half, and stands on a corner of 45 degrees in the place of one of 90.
+/// in its upper half, and stands on a corner of 45 degrees, not on one of 90.
 PatternSource twoTriangles()
 {
   PatternSource source;

@@ -257,25 +257,13 @@ void CurveEditor::push(CurveSet next)
   this->Present = std::move(next);
 }
 
-void CurveEditor::undo()
+void CurveEditor::takeLast(std::vector<CurveSet>& from, std::vector<CurveSet>& to)
 {
-  if (this->canUndo())
+  if (!from.empty())
   {
     this->endGroup();
-    this->Future.push_back(this->Present);
-    this->Present = std::move(this->Past.back());
-    this->Past.pop_back();
-  }
-}
-
-void CurveEditor::redo()
-{
-  if (this->canRedo())
-  {
-    this->endGroup();
-    this->Past.push_back(this->Present);
-    this->Present = std::move(this->Future.back());
-    this->Future.pop_back();
+    to.push_back(std::exchange(this->Present, std::move(from.back())));
+    from.pop_back();
   }
 }
 

@@ -67,16 +67,16 @@ public:
 
   bool canUndo() const { return !this->Past.empty(); }
   bool canRedo() const { return !this->Future.empty(); }
-  void undo();
-  void redo();
+  void undo() { this->takeLast(this->Past, this->Future); }
+  void redo() { this->takeLast(this->Future, this->Past); }
   /// Until the end of the group all commands are undone as one, such as the moves of a drag.
   void beginGroup() { this->Grouped = Group::Begun; }
   void endGroup() { this->Grouped = Group::None; }
   /// How many commands undo() can take back.
   std::size_t commandCount() const { return this->Past.size(); }
-  /// Makes all commands after so many one step of undo, or none where nothing changed: for a group
-  /// that is known as one only when it ends, such as the nodes of a curve, which are undone one by
-  /// one while it is drawn.
+  /// Joins all commands after the first `count` into one step of undo, or none where nothing
+  /// changed: for a group that is known as one only when it ends, such as the nodes of a curve,
+  /// which are undone one by one while it is drawn.
   void joinSince(std::size_t count);
 
 private:
@@ -90,6 +90,8 @@ private:
   /// The next state; what was undone is forgotten. Within a group it takes the place of the
   /// group's last.
   void push(CurveSet next);
+  /// Makes the last of some states the present one, which becomes the last of others.
+  void takeLast(std::vector<CurveSet>& from, std::vector<CurveSet>& to);
   Status replace(std::size_t c, EditedCurve changed);
   void put(std::size_t c, EditedCurve drawn);
   Status checkCurve(std::size_t c) const;

@@ -43,16 +43,6 @@ struct ClothReport
   bool limitedByBoundary = false;
 };
 
-/// Calls visit(a, b) for each two vertices that follow each other.
-template <class Visit>
-void forEachEdge(const Indices& line, const Visit& visit)
-{
-  for (std::size_t k = 0; k + 1 < line.size(); ++k)
-  {
-    visit(line[k], line[k + 1]);
-  }
-}
-
 /// A wire in the result: a stretch of one feature curve, or a boundary loop.
 struct Wire
 {

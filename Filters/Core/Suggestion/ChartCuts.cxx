@@ -126,15 +126,14 @@ CutMesh cutAlong(const ImprintedSurface& imprinted)
   result.cut.assign(result.mesh.halfedgeCount(), 0);
   for (const FeatureCurve& curve : imprinted.curves)
   {
-    for (std::size_t k = 1; k < curve.vertices.size(); ++k)
-    {
-      const Index h = result.mesh.find(curve.vertices[k - 1], curve.vertices[k]);
+    forEachEdge(curve.vertices, [&](Index a, Index b) {
+      const Index h = result.mesh.find(a, b);
       const Index twin = h == none ? none : result.mesh.twin(h);
       if (twin != none)
       {
         result.cut[h] = result.cut[twin] = 1;
       }
-    }
+    });
   }
   return result;
 }
@@ -145,16 +144,13 @@ std::vector<Indices> curvesBeside(const ImprintedSurface& surface, const std::ve
   std::vector<Indices> sets;
   for (std::size_t c = 0; c < surface.curves.size(); ++c)
   {
-    const Indices& vertices = surface.curves[c].vertices;
     bool bad = false;
-    for (std::size_t k = 1; k < vertices.size(); ++k)
-    {
-      for (Index h : { surface.mesh.find(vertices[k - 1], vertices[k]),
-             surface.mesh.find(vertices[k], vertices[k - 1]) })
+    forEachEdge(surface.curves[c].vertices, [&](Index a, Index b) {
+      for (Index h : { surface.mesh.find(a, b), surface.mesh.find(b, a) })
       {
         bad = bad || (h != none && !keeping[h / 3]);
       }
-    }
+    });
     if (bad)
     {
       sets.push_back({ static_cast<Index>(c) });
@@ -762,9 +758,9 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
     }
   }
   const bool opens = growsTree(options) && !options.mirrorKept;
-  const double reached = opens ? options.bound : best->bound();
-  const bool failed =
-    plane && (cuts.empty() || ((near || options.pieces == 1) && best->fails(reached)));
+  const bool failed = plane &&
+    (cuts.empty() ||
+      ((near || options.pieces == 1) && best->fails(opens ? options.bound : best->bound())));
   if (failed && opens && !cuts.empty())
   {
     ChartSearch tree(mesh, std::nullopt, true, options, budget, execution);

@@ -170,12 +170,12 @@ private:
     return refusal(invalidOption(defect, wanted));
   }
 
-  /// Whether one set is before another: what meets the bound before what has a flattening within
-  /// itself, then what folds or lies over itself, and what has none; among equals what has fewer
-  /// pieces beyond the number that is wanted; then what meets the bound by its price, other sets by
-  /// how many pieces are folded or lie over themselves, and the strain. Without a bound by the
-  /// product of the mean of the rigid energy and, counted twice, the square of the mean change of
-  /// area.
+  /// Whether one set is before another. First are those that meet the bound, then those that do
+  /// not, those with pieces that fold or overlap, and those without a flattening. Of one kind the
+  /// set with fewer pieces beyond the number that is wanted is first. Then sets that meet the bound
+  /// go by their price; others by how many pieces fold or overlap, and by strain; all, without a
+  /// bound, by the product of the mean of the rigid energy and, counted twice, the square of the
+  /// mean change of area.
   bool better(const CutSet& a, const CutSet& b) const
   {
     const auto merit = [this](const CutSet& set) {
@@ -475,7 +475,7 @@ private:
       const double looser = bound * std::max(looserBound, excess * excess);
       if (excess > 1.0 && (looser > noise || k + 1 == maxLooser))
       {
-        return { {}, {}, SearchEnd::GivenUp, needed }; // it is no nearer to flat with as many cuts
+        return rejected(SearchEnd::GivenUp, needed); // it is no nearer to flat with as many cuts
       }
       if (excess <= 1.0)
       {
@@ -493,11 +493,11 @@ private:
       set.outcome.strainP95 >
         std::max(chartStrain * wanted.bound, noiseShare * uncut.outcome.strainP95))
     {
-      return { {}, {}, SearchEnd::GivenUp, needed }; // noise is hardly nearer to flat with few cuts
+      return rejected(SearchEnd::GivenUp, needed); // noise is hardly nearer to flat with few cuts
     }
     if (!set.outcome.valid || !this->allowed(set))
     {
-      return { {}, {}, spent ? SearchEnd::WorkUsedUp : SearchEnd::CutsUsedUp, set.cutsNeeded };
+      return rejected(spent ? SearchEnd::WorkUsedUp : SearchEnd::CutsUsedUp, set.cutsNeeded);
     }
     set.end = this->isFlat(set) ? SearchEnd::BoundMet
       : tooMany                 ? SearchEnd::CutsUsedUp
@@ -556,6 +556,15 @@ private:
     return searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
                         options, this->Result.mirror, this->Weights, goal },
       std::move(set), budget, this->Run);
+  }
+
+  /// No cuts, and why.
+  static CutSet rejected(SearchEnd end, double needed)
+  {
+    CutSet set;
+    set.end = end;
+    set.cutsNeeded = needed;
+    return set;
   }
 
   bool allowed(const CutSet& set) const

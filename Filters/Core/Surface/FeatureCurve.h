@@ -72,6 +72,16 @@ struct Polyline
   Indices pointIds;
 };
 
+/// Calls visit(a, b) for each two vertices of a line that follow each other.
+template <class Visit>
+void forEachEdge(const Indices& line, const Visit& visit)
+{
+  for (std::size_t k = 0; k + 1 < line.size(); ++k)
+  {
+    visit(line[k], line[k + 1]);
+  }
+}
+
 /// "accessory", "key", "dart" or "seam".
 inline const char* curveTypeName(CurveType type)
 {

@@ -10,7 +10,6 @@
 #include "vtkPatternWriter.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
-#include "vtkTestUtilities.h"
 
 #include <fstream>
 #include <sstream>
@@ -91,10 +90,7 @@ void statusOfSuccess(Checks& checks, const std::string& folder)
 int TestPatternWriterRefusals(int argc, char* argv[])
 {
   Checks checks;
-  char* argument =
-    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
-  const std::string folder = argument;
-  delete[] argument;
+  const std::string folder = temporaryDirectory(argc, argv);
   const Refusals refusals{ checks, folder };
   const auto plainly = [](vtkPatternWriter&) {};
   const auto grid = makeGrid(3, 3);

@@ -5,7 +5,6 @@
 
 #include "vtkIdTypeArray.h"
 #include "vtkPatternWriter.h"
-#include "vtkTestUtilities.h"
 #include "vtkWireWarpingFilter.h"
 
 using namespace flatteningTesting;
@@ -30,10 +29,7 @@ vtkSmartPointer<vtkAbstractArray> make(vtkIdType tuples)
 int TestShortPatternArrays(int argc, char* argv[])
 {
   Checks checks;
-  char* argument =
-    vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");
-  const std::string folder = argument;
-  delete[] argument;
+  const std::string folder = temporaryDirectory(argc, argv);
   const auto grid = makeGrid(3, 3);
   vtkNew<vtkWireWarpingFilter> filter;
   filter->SetInputData(grid);
