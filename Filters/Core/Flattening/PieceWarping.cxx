@@ -71,18 +71,13 @@ Points2 bent(const TriangleMesh& mesh, const Points2& start)
 
 /// A map without a fold, in the size in which it has least of the energy with a barrier: the
 /// conformal one where it is good, else the better of that and the convex one. Empty: both fold.
-/// \param convex the convex one alone, which does not overlap
-Points2 unfoldedMap(const PieceContext& context, bool convex)
+Points2 unfoldedMap(const PieceContext& context)
 {
   const TriangleMesh& mesh = context.piece.mesh;
   Points2 best;
   double least = std::numeric_limits<double>::infinity();
   for (const bool conformal : { true, false })
   {
-    if (conformal && convex)
-    {
-      continue;
-    }
     Points2 map = conformal ? leastSquaresConformalMap(mesh, {}, context.execution).positions
                             : embedConvexly(mesh, context.execution);
     if (map.empty() || countFlipped(mesh, map) > 0)
@@ -253,10 +248,21 @@ bool holdsAny(const AngleProblem& problem)
 std::optional<IsometricSolution> warpApart(const PieceContext& context, const PieceSolution& wires,
   const IsometricOptions& options, const Execution& execution)
 {
-  const Points2 start = unfoldedMap(context, true);
-  if (start.empty() || !findBoundaryOverlaps(context.piece.mesh, start, fewListed).empty())
+  const TriangleMesh& mesh = context.piece.mesh;
+  Points2 start = embedConvexly(mesh, context.execution);
+  if (start.empty() || countFlipped(mesh, start) > 0 ||
+    !findBoundaryOverlaps(mesh, start, fewListed).empty())
   {
     return std::nullopt;
+  }
+  double area = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles())
+  {
+    area += 0.5 * cross(start[b] - start[a], start[c] - start[a]);
+  }
+  for (Point2& point : start)
+  {
+    point *= std::sqrt(mesh.area() / area);
   }
   IsometricSolution solution =
     warpWithoutOverlap(context.piece, withoutWires(context, wires), start, options, execution);
@@ -421,7 +427,7 @@ std::optional<PieceSolution> warpFromConvexStart(
 {
   const bool free = wires.rules.freeBoundary;
   const Points2 start =
-    free ? unfoldedMap(context, false) : embedConvexly(context.piece.mesh, context.execution);
+    free ? unfoldedMap(context) : embedConvexly(context.piece.mesh, context.execution);
   if (start.empty() || countFlipped(context.piece.mesh, start) > 0)
   {
     return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include "Base/Execution.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace flattening
@@ -18,16 +19,22 @@ IsometricSheet::IsometricSheet(const TriangleMesh& mesh, double unit, const Shee
     this->Frames.emplace_back(
       mesh.point(c[0]) / unit, mesh.point(c[1]) / unit, mesh.point(c[2]) / unit);
   }
+  const auto inUnits = [unit](const Point2& p) { return Point3(p.x() / unit, p.y() / unit, 0.0); };
+  for (std::size_t t = 0; t < filling.shapes.size(); ++t)
+  {
+    // The stiffness of what is crushed stays that of the others.
+    const double area = this->Frames[t].area;
+    const auto& [first, second] = filling.shapes[t];
+    this->Frames[t] = TriangleFrame(Point3::Zero(), inUnits(first), inUnits(second));
+    this->Frames[t].area = std::min(area, this->Frames[t].area);
+  }
   for (std::size_t t = 0; t < weights.size(); ++t)
   {
     this->Frames[t].area *= weights[t];
   }
   for (const Triangle& c : filling.triangles)
   {
-    const auto rest = [&](std::size_t k) {
-      const Point2 p = filling.rest[c[k]] / unit;
-      return Point3(p.x(), p.y(), 0.0);
-    };
+    const auto rest = [&](std::size_t k) { return inUnits(filling.rest[c[k]]); };
     this->Frames.emplace_back(rest(0), rest(1), rest(2)).area = BoundaryFilling::share;
     this->Cells.push_back(c);
   }

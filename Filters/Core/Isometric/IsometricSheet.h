@@ -81,6 +81,9 @@ struct BoundaryFilling
 {
   Triangles triangles; ///< of the piece's vertices
   Points2 rest;        ///< where the vertices lie when the triangles have no strain
+  /// Shapes without strain of the piece's own triangles, as sides from their first corners. Empty:
+  /// those on the surface.
+  std::vector<std::array<Point2, 2>> shapes;
 
   /// What one costs is that of this share of a triangle of mean area: it holds nothing back that
   /// matters, but the barrier of the energy is the same.

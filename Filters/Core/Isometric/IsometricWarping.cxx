@@ -82,6 +82,11 @@ NewtonKktOptions newtonOptions(const IsometricOptions& options)
   // Threads come to rest in fewer iterations by them as well, but not sooner.
   newton.correctsAgain = !options.cloth;
   newton.saddleReduction = options.cloth ? clothSaddleReduction : finalObjectiveReduction;
+  if (options.inRounds)
+  {
+    newton.exactWithin = newton.exactBeforeSettling = 0.0;
+    newton.saddleReduction = 0.0;
+  }
   newton.phase = "Warping wires and interior together";
   return newton;
 }

@@ -6,8 +6,11 @@
 #include "Quality/FlatteningQuality.h"
 #include "Quality/IntrinsicDelaunay.h"
 #include "Surface/PolygonTriangulation.h"
+#include "Surface/TriangleFrame.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -20,8 +23,19 @@ namespace
 constexpr int stepsOfRound = 4;
 constexpr int maxRounds = 150;
 constexpr double minGain = 1e-3; ///< of the energy, in a round
-constexpr int idleRounds = 3;    ///< with less
-constexpr int halvings = 8;      ///< of a step that overlaps
+constexpr int idleRounds = 2;    ///< with less
+/// The symmetric Dirichlet energy, over its area, of what a triangle is deformed by at once. Parts
+/// of a convex map can be 1e9 times smaller than on the surface: a matrix that holds both is
+/// singular to rounding. Of 7 to 40, 10 takes the fewest factorizations.
+constexpr double mostDeformed = 10.0;
+/// No more than which Newton's method gets along with.
+constexpr double littleDeformed = 100.0;
+/// Where shapes between leave out no less than this share of what they did, in this number of
+/// rounds, they lead no further.
+constexpr double leadsOn = 0.9;
+constexpr int leadingRounds = 6;
+constexpr int shapeHalvings = 20;
+constexpr int halvings = 8; ///< of a step that overlaps
 /// In mean edges of the boundary: wider openings stay open, since with triangles there it could not
 /// bulge out. Where a step overlaps there nevertheless they are filled, up to the widest.
 constexpr double minOpening = 4.0;
@@ -141,6 +155,55 @@ BoundaryFilling fillingOf(const TriangleMesh& mesh, const Points2& positions, do
   return filling;
 }
 
+/// Shapes of triangles between those on the surface and those in a map (Liu, Ye, Ni and Fu,
+/// Progressive Parameterizations, 2018), as sides from their first corners. Empty where the map
+/// deforms none by much.
+/// \param left is set to the sum of the shares of their strains that are left out
+std::vector<std::array<Point2, 2>> shapesBetween(
+  const TriangleMesh& mesh, const Points2& positions, double& left)
+{
+  constexpr double least = std::numeric_limits<double>::min();
+  std::vector<std::array<Point2, 2>> shapes;
+  left = 0.0;
+  double worst = 0.0;
+  for (const Triangle& c : mesh.triangles())
+  {
+    std::array<Complex, 3> corner;
+    for (int k = 0; k < 3; ++k)
+    {
+      corner[k] = Complex(positions[c[k]].x(), positions[c[k]].y());
+    }
+    const TriangleFrame frame(mesh.points(), c);
+    const Complex alpha = frame.alpha(corner);
+    const Complex beta = frame.beta(corner);
+    const double large = std::max(std::abs(alpha) + std::abs(beta), least);
+    const double small = std::max(std::abs(alpha) - std::abs(beta),
+      std::max(least, std::numeric_limits<double>::epsilon() * large));
+    const Point2 strain(std::log(large), std::log(small));
+    const auto density = [&strain](double share) {
+      return 2.0 * (std::cosh(2.0 * share * strain.x()) + std::cosh(2.0 * share * strain.y()));
+    };
+    worst = std::max(worst, density(1.0));
+    double share = 1.0;
+    double kept = density(1.0) > mostDeformed ? 0.0 : 1.0;
+    for (int k = 0; kept < 1.0 && k < shapeHalvings; ++k)
+    {
+      const double middle = 0.5 * (kept + share);
+      (density(middle) > mostDeformed ? share : kept) = middle;
+    }
+    left += 1.0 - kept;
+    // The sides along the principal directions in the map, with this share of the strain taken out.
+    const Complex turn = std::polar(1.0, -0.5 * (std::arg(alpha) + std::arg(beta)));
+    const auto side = [&](int k) {
+      const Complex e = turn * (corner[k] - corner[0]);
+      return Point2(
+        e.real() * std::exp(-kept * strain.x()), e.imag() * std::exp(-kept * strain.y()));
+    };
+    shapes.push_back({ side(1), side(2) });
+  }
+  return worst > littleDeformed ? shapes : std::vector<std::array<Point2, 2>>();
+}
+
 bool isBijective(const TriangleMesh& mesh, const Points2& positions)
 {
   return countFlipped(mesh, positions) == 0 && findBoundaryOverlaps(mesh, positions, 1).empty();
@@ -183,8 +246,11 @@ IsometricSolution warpWithoutOverlap(const Piece& piece, const AngleProblem& pro
 {
   const TriangleMesh& mesh = piece.mesh;
   IsometricOptions round = options;
+  round.inRounds = true;
   FlatMap map{ start, std::vector<double>(problem.groups.size(), 0.0) };
   double energy = std::numeric_limits<double>::infinity();
+  double least = energy; // that shapes between have left out, and the rounds since
+  int leading = 0;
   double opening = minOpening;
   int steps = stepsOfRound;
   int factorizations = 0;
@@ -193,8 +259,17 @@ IsometricSolution warpWithoutOverlap(const Piece& piece, const AngleProblem& pro
   for (int k = 0; k < maxRounds && idle < idleRounds; ++k)
   {
     round.maximumIterations = steps;
-    IsometricSolution next = warpIsometrically(piece, problem, map.positions, map.stretch, round,
-      execution, fillingOf(mesh, map.positions, opening));
+    BoundaryFilling filling = fillingOf(mesh, map.positions, opening);
+    if (leading < leadingRounds)
+    {
+      double left = 0.0;
+      filling.shapes = shapesBetween(mesh, map.positions, left);
+      leading = left < leadsOn * least ? 0 : leading + 1;
+      least = leading == 0 ? left : least;
+    }
+    const bool between = !filling.shapes.empty();
+    IsometricSolution next =
+      warpIsometrically(piece, problem, map.positions, map.stretch, round, execution, filling);
     factorizations += next.factorizations;
     if (next.status.refused())
     {
@@ -211,10 +286,11 @@ IsometricSolution warpWithoutOverlap(const Piece& piece, const AngleProblem& pro
     opening = share < 1.0 ? std::min(widening * opening, maxOpening)
                           : std::max(opening / widening, minOpening);
     const bool gains = next.distortionEnergy < (1.0 - minGain) * energy;
-    idle = share < 1.0 || gains ? 0 : idle + 1;
+    idle = share < 1.0 || gains || between ? 0 : idle + 1;
     energy = share < 1.0 ? std::numeric_limits<double>::infinity() : next.distortionEnergy;
   }
   // What it is without the filling, where it lies.
+  round.inRounds = false;
   round.maximumIterations = 0;
   IsometricSolution result =
     warpIsometrically(piece, problem, map.positions, map.stretch, round, execution);

@@ -39,10 +39,10 @@ ChartTrials::Key ChartTrials::keyOf(const TriangleMesh& chart)
 }
 
 ChartTrials::Result ChartTrials::flattened(
-  const TriangleMesh& chart, const Execution& execution) const
+  const TriangleMesh& chart, double most, const Execution& execution) const
 {
-  TrialBudget budget(
-    this->MostSteps * factorizationWork(static_cast<double>(chart.triangleCount())));
+  TrialBudget budget(std::min(
+    most, this->MostSteps * factorizationWork(static_cast<double>(chart.triangleCount()))));
   const TrialOutcome outcome =
     CutTrials(chart, {}, {}, this->Flattening).run({}, budget, execution);
   Result result;
@@ -61,6 +61,7 @@ std::vector<ChartTrials::Result> ChartTrials::run(
   const Execution inner = execution.nestedExecution();
   for (std::size_t first = 0; first < sets.size() && !budget.spent(); first += triedTogether)
   {
+    const double left = budget.left();
     const std::size_t last = std::min(sets.size(), first + triedTogether);
     std::vector<std::vector<std::pair<Key, Result>>> fresh(last - first);
     execution.forEachTask(static_cast<Index>(last - first), [&](Index k) {
@@ -70,7 +71,7 @@ std::vector<ChartTrials::Result> ChartTrials::run(
         const Key key = keyOf(chart);
         const auto known = this->Known.find(key);
         const bool isKnown = known != this->Known.end();
-        const Result one = isKnown ? known->second : this->flattened(chart, inner);
+        const Result one = isKnown ? known->second : this->flattened(chart, left, inner);
         if (!isKnown)
         {
           fresh[k].emplace_back(key, one);
@@ -92,7 +93,13 @@ std::vector<ChartTrials::Result> ChartTrials::run(
       {
         budget.pay(results[k].work);
       }
-      this->Known.insert(fresh[k - first].begin(), fresh[k - first].end());
+      for (const auto& [key, one] : fresh[k - first])
+      {
+        if (one.work < left) // with more it may come out otherwise
+        {
+          this->Known.emplace(key, one);
+        }
+      }
     }
   }
   return results;

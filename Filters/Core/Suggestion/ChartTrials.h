@@ -42,7 +42,8 @@ private:
   using Key = std::array<std::uint64_t, 2>;
 
   static Key keyOf(const TriangleMesh& chart);
-  Result flattened(const TriangleMesh& chart, const Execution& execution) const;
+  /// \param most work, after which it is given up
+  Result flattened(const TriangleMesh& chart, double most, const Execution& execution) const;
 
   FlatteningOptions Flattening;
   double MostSteps;
