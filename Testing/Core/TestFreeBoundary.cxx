@@ -427,15 +427,14 @@ TEST(OverlapFreeBoundary, IsThereForSaddlesWithAndWithoutAHole)
 
 TEST(OverlapFreeBoundary, ComesFromAfarToWhatOneThatMayCrossItselfReaches)
 {
-  // Of the fine one a convex map has triangles that are crushed.
-  for (const auto& [level, limbs] : { std::pair(3, 0.8), { 3, 1.6 }, { 3, 2.4 }, { 5, 3.0 } })
+  for (double limbs : { 0.8, 1.6, 2.4 })
   {
-    const TriangleMesh body = limbedBall(level, limbs);
+    const TriangleMesh body = limbedBall(3, limbs);
     SeamTree tree(body);
     TrialBudget unlimited(std::numeric_limits<double>::infinity());
     Indices all(body.triangleCount());
     std::iota(all.begin(), all.end(), 0);
-    for (double bound : level > 3 ? std::vector{ 0.4 } : std::vector{ 1.2, 0.9, 0.7, 0.5 })
+    for (double bound : { 1.2, 0.9, 0.7, 0.5 })
     {
       SCOPED_TRACE(std::to_string(limbs) + " long, cut to " + std::to_string(bound));
       ASSERT_TRUE(tree.grow(bound, unlimited, {}));

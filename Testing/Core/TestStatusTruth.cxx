@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What statuses say is the case: which of several, which wires and keys, and a way out that is one.
+// What statuses say is the case: which of several, which wires and keys, and a remedy that is one.
 #include "Flattened.h"
 #include "StatusTesting.h"
 #include "WiredSurface.h"

@@ -31,7 +31,8 @@ struct IsometricOptions
   /// The solution is only where another run starts, or compared with others: it ends once little is
   /// left to gain, before the forces in the wires say how stiff each is.
   bool rough = false;
-  /// One of many runs of a few steps, which are far from a minimum.
+  /// One of many runs of a few steps, far from a minimum: with the convex part of the Hessian, and
+  /// without leaving saddles.
   bool inRounds = false;
   /// Weight of the wires' bending against the sheet's energy, 0 to 100. Lengths alone would let
   /// wires buckle between their nodes; the larger it is, the nearer are the wires' angles to those

@@ -26,7 +26,7 @@ constexpr double minGain = 1e-3; ///< of the energy, in a round
 constexpr int idleRounds = 2;    ///< with less
 /// The symmetric Dirichlet energy, over its area, of what a triangle is deformed by at once. Parts
 /// of a convex map can be 1e9 times smaller than on the surface: a matrix that holds both is
-/// singular to rounding. Of 7 to 40, 10 takes the fewest factorizations.
+/// singular to rounding. Of 7, 10, 18 and 40, 10 took the least work on trees of one statue.
 constexpr double mostDeformed = 10.0;
 /// No more than which Newton's method gets along with.
 constexpr double littleDeformed = 100.0;
@@ -162,7 +162,7 @@ BoundaryFilling fillingOf(const TriangleMesh& mesh, const Points2& positions, do
 std::vector<std::array<Point2, 2>> shapesBetween(
   const TriangleMesh& mesh, const Points2& positions, double& left)
 {
-  constexpr double least = std::numeric_limits<double>::min();
+  constexpr double least = 1e-150; // so that no energy density overflows
   std::vector<std::array<Point2, 2>> shapes;
   left = 0.0;
   double worst = 0.0;

@@ -57,7 +57,7 @@ constexpr double firstForecast = 3.0;
 constexpr double nextForecast = 0.9;
 constexpr double lastForecast = 0.3;
 constexpr double growingShare = 0.6;
-/// Without overlap statues of 4,000 to 11,000 triangles take up to 700 steps.
+/// Without overlap three statues took up to 360 steps on 4,000 to 5,100 triangles.
 constexpr double maxTreeSteps = 1500.0;
 /// Charts are parted again this often at most.
 constexpr int maxPartings = 3;

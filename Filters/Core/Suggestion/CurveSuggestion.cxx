@@ -315,10 +315,11 @@ private:
     const bool flat = this->isFlat(gores.set);
     const bool usable = gores.set.outcome.valid && this->allowed(gores.set) &&
       (flat || wanted.pieces > 0 || wanted.maximumCuts > 0);
-    // Charts of a smooth round surface are strips that wind round it, with less seam and worse to
-    // sew. One piece with a free boundary may open along a tree, within the bound.
+    // One piece with a free boundary may open along a tree, within the bound.
     const bool opens =
       wanted.pieces == 1 && this->Options.flattening.boundary == BoundaryMode::Free;
+    // Charts of a smooth round surface are strips that wind round it, with less seam and worse to
+    // sew.
     const bool alone = !creased && this->excess(gores.set) == 0 &&
       (flat || (gores.equal && usable && wanted.pieces > 0 && !opens));
     this->Result.end = SearchEnd::NothingHelps;
