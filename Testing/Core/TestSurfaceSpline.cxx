@@ -92,6 +92,55 @@ TEST(SurfaceSpline, HasNoCorners)
   EXPECT_LT(sharpestTurn(surface.mesh, spline, 256), 0.6 * sharpestTurn(surface.mesh, spline, 64));
 }
 
+TEST(SurfaceSpline, GoesThroughAllPointsOnSliversWherePathsAreNotStraight)
+{
+  int bent = 0;
+  for (unsigned seed = 0; seed < 60; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const auto share = [&random] { return (random() & 0xffffU) / 65536.0; };
+    std::array<std::vector<double>, 2> lines{ { { 0.0 }, { 0.0 } } };
+    for (int k = 0; k < 14; ++k)
+    {
+      for (std::vector<double>& line : lines)
+      {
+        const double small = share();
+        line.push_back(line.back() + std::pow(10.0, -25.0 * small * share()));
+      }
+    }
+    const Surface surface = patch(14, 14, [&](double i, double j) {
+      const double x = lines[0][static_cast<std::size_t>(i)];
+      const double y = lines[1][static_cast<std::size_t>(j)];
+      const double rough = 0.1 * std::pow(10.0, -25.0 * share());
+      return Point3(x, y, 0.3 * std::sin(3.0 * x) * std::cos(2.0 * y) + rough);
+    });
+    std::vector<SurfacePoint> points;
+    for (int k = 0; k < 5; ++k)
+    {
+      const auto triangle = static_cast<Index>(random() % surface.mesh.triangleCount());
+      const double a = share();
+      const double b = share() * (1.0 - a);
+      points.push_back(pointOf(surface.mesh, triangle, { 1.0 - a - b, a, b }));
+    }
+    const PathGraph graph(surface.mesh);
+    const SurfaceSpline spline =
+      surfaceSpline(graph, SurfaceLocator(surface.mesh), points, seed % 2 == 0);
+    if (spline.status.refused())
+    {
+      continue;
+    }
+    bent += spline.status.ok() ? 0 : 1;
+    ASSERT_GE(spline.stations.size(), points.size());
+    for (std::size_t k = 0; k < points.size(); ++k)
+    {
+      ASSERT_LT(spline.stations[k], spline.path.points.size());
+      EXPECT_TRUE(samePlace(spline.path.points[spline.stations[k]], points[k])) << k;
+    }
+  }
+  EXPECT_GT(bent, 0); // else nothing is shown
+}
+
 TEST(SurfaceSpline, ThroughCornersIsTheSameInEveryUnitWhereTwoFacesAreEquallyNear)
 {
   // A spline leaves a prism in the plane that halves the angle of an edge.

@@ -58,7 +58,7 @@ public:
 
   SurfaceSpline run(int rounds)
   {
-    for (int round = 0; round < rounds && this->State.ok() && this->Points.size() > 2; ++round)
+    for (int k = 0; k < rounds && !this->State.refused() && this->Points.size() > 2; ++k)
     {
       this->refine();
     }
@@ -91,9 +91,10 @@ public:
   }
 
 private:
+  /// The first path that is not straight is named; one that is missing ends the curve.
   StraightPath joined(StraightPath path)
   {
-    if (!path.status.ok() && this->State.ok())
+    if (!this->State.refused() && !path.status.ok() && (this->State.ok() || path.status.refused()))
     {
       this->State = path.status;
     }
@@ -161,7 +162,7 @@ private:
   {
     std::vector<SurfacePoint> points;
     std::vector<StraightPath> segments;
-    for (std::size_t k = 0; k < this->Segments.size() && this->State.ok(); ++k)
+    for (std::size_t k = 0; k < this->Segments.size() && !this->State.refused(); ++k)
     {
       const SurfacePoint& from = this->Points[k];
       const SurfacePoint& to = this->Points[k + 1];
