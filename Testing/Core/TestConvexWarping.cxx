@@ -21,6 +21,37 @@ TEST(ConvexEmbedding, FoldsNothingAroundHoles)
   EXPECT_EQ(countFlipped(mesh, flat), 0);
 }
 
+TEST(ConvexEmbedding, FoldsNothingInPocketsOfTheBoundary)
+{
+  for (double degrees : { 60.0, 120.0, 150.0 })
+  {
+    for (double share : { 0.001, 0.01, 0.1, 0.9 })
+    {
+      SCOPED_TRACE(std::to_string(degrees) + " degrees, " + std::to_string(share));
+      const TriangleMesh cap = sphereCap(degrees * pi / 180.0, 24, 0).mesh;
+      Points3 points = cap.points();
+      Triangles triangles = cap.triangles();
+      const std::vector<Indices> loops = cap.boundaryLoops();
+      for (Index h : loops.front())
+      {
+        // A quadrilateral with a point inside, at a share of its height.
+        const Index a = cap.from(h);
+        const Index b = cap.to(h);
+        const Point3 middle = 0.5 * (points[a] + points[b]);
+        const Point3 out = 3.0 * (middle - points[cap.triangle(h / 3)[(h + 2) % 3]]);
+        const auto c = static_cast<Index>(points.size());
+        points.insert(points.end(), { points[a] + out, points[b] + out, middle + share * out });
+        triangles.insert(triangles.end(),
+          { { b, a, c + 2 }, { a, c, c + 2 }, { c, c + 1, c + 2 }, { c + 1, b, c + 2 } });
+      }
+      const TriangleMesh mesh(std::move(points), std::move(triangles));
+      const Points2 flat = embedConvexly(mesh, {});
+      ASSERT_EQ(flat.size(), mesh.points().size());
+      EXPECT_EQ(countFlipped(mesh, flat), 0);
+    }
+  }
+}
+
 namespace
 {
 void expectExactWithoutAFold(double degrees, Index rings, int wires)

@@ -20,6 +20,9 @@ constexpr double largestWeight = 20.0;
 /// Of flat over true area, least over largest: along a tube it falls as an exponential, and lengths
 /// are found late, or not at all, from where little is left of triangles.
 constexpr double smallestRatio = 1e-3;
+/// In pockets of the boundary weights go too far: below this triangles fold by rounding (from 1e-12
+/// on, on two of nine trees of cuts). Of maps above it a later one is the better start.
+constexpr double safeRatio = 1e-10;
 /// Flat triangles smaller than this share of their own area count as so large: positions are known
 /// to fewer digits, and weights stay numbers after all reweightings.
 constexpr double minShare = 1e-20;
@@ -77,8 +80,8 @@ void placeOnCircle(const TriangleMesh& mesh, const Indices& loop, Points2& posit
 /// Weights by which triangles far from the boundary are larger: each edge's over the roots of how
 /// much too small the triangles at both of its ends are (after S. Yoshizawa, A. Belyaev, H.-P.
 /// Seidel, "A fast and simple stretch-minimizing mesh parameterization", Shape Modeling
-/// International 2004). \return false where the smallest triangles are large enough already
-bool reweigh(const TriangleMesh& mesh, const std::vector<Indices>& loops, const Points2& positions,
+/// International 2004). \return flat over true area, least over largest
+double reweigh(const TriangleMesh& mesh, const std::vector<Indices>& loops, const Points2& positions,
   std::vector<WeightedEdge>& edges)
 {
   std::vector<double> area(positions.size(), 0.0);
@@ -107,16 +110,12 @@ bool reweigh(const TriangleMesh& mesh, const std::vector<Indices>& loops, const 
       flat[middle] += flat[mesh.from(h)];
     }
   }
-  if (least > smallestRatio * most)
-  {
-    return false;
-  }
   for (WeightedEdge& edge : edges)
   {
     edge.weight /=
       std::sqrt(area[edge.from] / flat[edge.from]) * std::sqrt(area[edge.to] / flat[edge.to]);
   }
-  return true;
+  return least / most;
 }
 
 bool placeInside(const std::vector<WeightedEdge>& edges, const std::vector<char>& fixed,
@@ -200,15 +199,22 @@ Points2 embedConvexly(const TriangleMesh& mesh, const Execution& execution)
       edges.push_back({ mesh.from(h), static_cast<Index>(vertices + k - 1), 1.0 });
     }
   }
-  int left = maxReweightings;
-  do
+  Points2 best;
+  double ratio = 0.0;
+  for (int k = 0; k <= maxReweightings && ratio <= smallestRatio; ++k)
   {
     if (!placeInside(edges, fixed, positions, execution))
     {
       return {};
     }
-  } while (left-- > 0 && reweigh(mesh, loops, positions, edges));
-  positions.resize(vertices);
-  return positions;
+    const double reached = reweigh(mesh, loops, positions, edges);
+    if (reached > std::min(ratio, safeRatio))
+    {
+      ratio = reached;
+      best = positions;
+    }
+  }
+  best.resize(vertices);
+  return best;
 }
 }
