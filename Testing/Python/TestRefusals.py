@@ -9,6 +9,7 @@ import unittest
 import warnings
 
 import numpy as np
+from vtkmodules.vtkCommonCore import vtkIntArray
 
 import surfaceflattening as sf
 from surfaces import grid, read
@@ -99,6 +100,23 @@ class Refused(unittest.TestCase):
                     self.assertEqual(len(found), 1 if warned else 0, [str(one.message) for one in caught])
                     if warned:
                         self.assertRegex(found[0], r"'bent' runs along .* in cells 2, ")
+
+    def test_arrays_of_curves_whose_names_differ_in_case_alone_are_warned_of(self):
+        points, triangles = grid()
+        for name in ("CurveType", "CurveName", "KeyShape", "LengthTolerance", "LengthEase", "EasedPiece", "PlanarShape"):
+            with self.subTest(name), warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                curves = sf.make_curves([sf.Curve([0, 1], "key", planar_shape=[[0, 0], [1, 0]])], points)
+                data = curves.GetPointData() if name == "PlanarShape" else curves.GetCellData()
+                data.RemoveArray(name)
+                array = vtkIntArray()
+                array.SetName(name.upper())
+                array.InsertNextValue(0)
+                data.AddArray(array)
+                sf.flatten_polydata(sf.make_surface(points, triangles), curves)
+                found = [str(one.message) for one in caught if name.upper() in str(one.message)]
+                self.assertEqual(len(found), 1, [str(one.message) for one in caught])
+                self.assertIn("call it " + name, found[0])
 
     def test_the_error_can_be_sent_to_another_process(self):
         error = self.refuse(Codes.EMPTY_SURFACE, np.empty((0, 3)), np.empty((0, 3), int))

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -79,6 +80,12 @@ struct ByAttributes
   bool operator()(const Polyline& a, const Polyline& b) const { return values(a) < values(b); }
 };
 
+bool sameButForCase(const std::string& a, const std::string& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
 struct Chain
 {
   std::int64_t cell = -1; ///< the first one
@@ -119,16 +126,31 @@ private:
     return { ElementKind::Curves, std::vector<std::int64_t>{ cell } };
   }
 
+  /// Null where there is none; warns of an array whose name differs in case alone.
+  const Column* find(const Columns& arrays, const char* name)
+  {
+    const Column* const found = findColumn(arrays, name);
+    for (const Column& other : arrays)
+    {
+      if (!found && sameButForCase(other.name, name))
+      {
+        this->Curves.warnings.push_back(
+          "the array " + other.name + " of the curves is ignored; call it " + name);
+      }
+    }
+    return found;
+  }
+
   bool checkArrays()
   {
     const Columns& cells = this->Data.cellArrays;
-    this->Type = findColumn(cells, "CurveType");
-    this->Name = findColumn(cells, "CurveName");
-    this->Shape = findColumn(cells, "KeyShape");
-    this->Tolerance = findColumn(cells, "LengthTolerance");
-    this->Ease = findColumn(cells, "LengthEase");
-    this->EasedPiece = findColumn(cells, "EasedPiece");
-    this->Planar = findColumn(this->Data.pointArrays, "PlanarShape");
+    this->Type = this->find(cells, "CurveType");
+    this->Name = this->find(cells, "CurveName");
+    this->Shape = this->find(cells, "KeyShape");
+    this->Tolerance = this->find(cells, "LengthTolerance");
+    this->Ease = this->find(cells, "LengthEase");
+    this->EasedPiece = this->find(cells, "EasedPiece");
+    this->Planar = this->find(this->Data.pointArrays, "PlanarShape");
     for (const Column* const array :
       { this->Type, this->Name, this->Shape, this->Tolerance, this->Ease, this->EasedPiece })
     {

@@ -218,6 +218,7 @@ void imprintInput(
     source.blamed = read.blamed;
     return;
   }
+  source.warnings.insert(source.warnings.end(), read.warnings.begin(), read.warnings.end());
   const bool imprinted = source.imprintedBy && sameOptions(*source.imprintedBy, options) &&
     samePlaces(source.curves.polylines, read.polylines);
   // Should something be thrown, the next run starts anew.

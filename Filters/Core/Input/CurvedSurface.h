@@ -21,6 +21,7 @@ struct CurveInput
   std::vector<Polyline> polylines;          ///< pointIds: of the source that holds the curve
   std::vector<std::int64_t> cellOfPolyline; ///< its first cell there
   std::vector<int> sourceOfPolyline;
+  std::vector<std::string> warnings; ///< of arrays that are not read
   Status outcome;
   int blamed = -1; ///< the source that is to blame where the outcome is not Ok
 };
