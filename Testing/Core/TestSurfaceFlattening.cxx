@@ -222,6 +222,20 @@ TEST(FlatteningEnds, APlanarShapeOfAnotherNumberOfPointsOrWithoutAnAngleIsRefuse
   }
 }
 
+TEST(FlatteningEnds, ACurveOfAnUnknownTypeIsRefusedByItsId)
+{
+  for (const int type : { -1, 4, 9 })
+  {
+    Surface surface = cushion(4, 4, 0.2);
+    surface.curves = { rowCurve(4, 1), curveOf(static_cast<CurveType>(type), "k", { 10, 11, 12 }) };
+    const FlatteningResult result = flatten(surface, {});
+    EXPECT_STREQ(statusName(result.status.code), "InvalidCurve");
+    EXPECT_EQ(result.status.ids.kind, ElementKind::Curves);
+    EXPECT_EQ(result.status.ids.values, std::vector<std::int64_t>{ 1 });
+    expectEmpty(result);
+  }
+}
+
 TEST(FlatteningEnds, ToldToStopItLeavesNothingWheneverThatIs)
 {
   Surface surface = cushion(6, 6, 0.3);

@@ -23,6 +23,13 @@ ElementIds ofCurve(std::size_t id)
 /// What the stages after the cut take for granted of a curve's properties.
 Status checkProperties(const FeatureCurve& curve, std::size_t id)
 {
+  if (curve.type < CurveType::Accessory || curve.type > CurveType::Seam)
+  {
+    return { StatusCode::InvalidCurve,
+      curveName(curve, id) + " has the unknown type " +
+        std::to_string(static_cast<int>(curve.type)),
+      ofCurve(id), { { Remedy::Give, "0 (accessory), 1 (key), 2 (dart) or 3 (seam)" } } };
+  }
   if (!std::isfinite(curve.tolerance) || curve.tolerance < 0.0 || curve.tolerance >= 1.0)
   {
     return { StatusCode::InvalidCurve,

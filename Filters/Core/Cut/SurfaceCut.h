@@ -58,8 +58,8 @@ struct CurveLabels
 /// dart before key, key before accessory, and the earlier curve before the later.
 ///
 /// Errors: EmptySurface, CurveTooShort, CurveNotOnEdges (ids: the vertices of the segment that is no
-/// mesh edge), InvalidPointId, InvalidCurve (a tolerance outside [0, 1), or a planar shape that has
-/// not one finite point a vertex; ids: curves).
+/// mesh edge), InvalidPointId, InvalidCurve (an unknown type, a tolerance outside [0, 1), or a
+/// planar shape that has not one finite point a vertex; ids: curves).
 CurveLabels labelHalfedges(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves);
 
 /// Opens darts and seams (Definition 3) and finds the pieces.
