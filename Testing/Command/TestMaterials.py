@@ -66,6 +66,9 @@ class Materials(command.CommandTest):
         self.assertIn('"hem" is not a curve of the piece', report["message"])
         self.assertIn('with --grain: "arc"', report["message"])
         self.assertIn('"hem"', report["pieces"][0]["message"])
+        self.assertNotIn("not an angle", report["message"])
+        self.cloth("--material", "soft.json", "--grain", "arc:1o", code=4)
+        self.assertIn('"1o" is not an angle', self.report("out")["message"])
         # The piece is what its upright makes of it.
         places = self.array("out/flat.vtp", "Points", "Points")
         self.cloth("--material", "soft.json")

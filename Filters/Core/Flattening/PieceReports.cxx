@@ -110,13 +110,33 @@ std::string quoted(const std::vector<std::string>& names)
   return text;
 }
 
+/// What is wrong with the first name that is a curve's with a colon and no angle after it.
+std::string describeWrongAngle(
+  const std::vector<FeatureCurve>& curves, const std::vector<std::string>& names)
+{
+  const auto known = [&curves](const std::string& name) {
+    return std::any_of(curves.begin(), curves.end(),
+      [&name](const FeatureCurve& curve) { return curve.name == name; });
+  };
+  for (const std::string& name : names)
+  {
+    const std::size_t colon = name.rfind(':');
+    if (colon != std::string::npos && known(name.substr(0, colon)) && !known(name))
+    {
+      return ", and \"" + name.substr(colon + 1) + "\" is not an angle in degrees";
+    }
+  }
+  return {};
+}
+
 Status missingGrain(
   const std::vector<FeatureCurve>& curves, const ClothOptions& cloth, const GrainReport& grain)
 {
   const char* const none =
     cloth.grainCurves.size() == 1 ? " is not a curve of the piece" : " are not curves of the piece";
   Status status{ StatusCode::MissingGrain,
-    quoted(cloth.grainCurves) + none + " that its grain can follow; its warp lies by its upright",
+    quoted(cloth.grainCurves) + none + " that its grain can follow" +
+      describeWrongAngle(curves, cloth.grainCurves) + "; its warp lies by its upright",
     {}, {} };
   if (!grain.candidates.empty())
   {
