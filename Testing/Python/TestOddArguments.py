@@ -46,6 +46,9 @@ class Names(OddCase):
                 self.points, self.triangles, [CURVE, sf.Curve(CURVE, name=name)]))
             self.wrong(["curve 0", repr(name)], lambda name=name: sf.make_curves(
                 [sf.Curve(CURVE, name=name)], self.points))
+            for grain in (name, ["hem", name]):
+                self.wrong(["grain", repr(name), "UTF-8"], lambda grain=grain: sf.flatten(
+                    self.points, self.triangles, material="twill", grain=grain))
 
     def test_nul_is_refused(self):
         for name in ("\0", "a\0b", "hem\0"):
@@ -108,6 +111,8 @@ class Ids(OddCase):
         flatten = lambda **options: sf.flatten(self.points, self.triangles, **options)
         self.wrong(["pins", "out of range"], lambda: flatten(scheme="lscm", pins=(2**70, 1)))
         self.wrong(["max_iterations", "out of range"], lambda: flatten(max_iterations=2**70))
+        for piece in (2**31, 2**70):
+            self.wrong(["ease", str(piece)], lambda piece=piece: flatten(ease={("hem", piece): 0.1}))
         for pins in (None, 7, (1,), (1.5, 2), "ab"):
             self.wrong(["pins"], lambda pins=pins: flatten(scheme="lscm", pins=pins), TypeError)
         self.wrong(["pins"], lambda: flatten(scheme="lscm", pins=(-5, 3)), sf.FlatteningError)

@@ -177,7 +177,7 @@ def _eases(given: Optional[Mapping[Any, float]]) -> List[Tuple[Any, ...]]:
     rows: List[Tuple[Any, ...]] = []
     for key, value in entries_of("ease", given, "fractions by a curve's name or by (name, piece)"):
         name, piece = key if isinstance(key, tuple) and len(key) == 2 else (key, -1)
-        if isinstance(piece, bool) or not isinstance(piece, (int, np.integer)) or piece < -1:
+        if isinstance(piece, bool) or not isinstance(piece, (int, np.integer)) or not -1 <= piece < 2**31:
             raise ArgumentError(f"ease of {key!r}: {piece!r} is not the number of a piece, from 0")
         rows.append((text_of("a curve of ease", name), int(piece), number_of(f"ease of {key!r}", value)))
     return rows
@@ -198,14 +198,14 @@ def _grain(grain: Union[None, float, str, Sequence[str]]) -> List[Tuple[Any, ...
             raise ArgumentError(f"grain = {grain!r} must be a finite angle in degrees")
         return [(repr(float(grain)),)]
     if grain is None or isinstance(grain, str):
-        return [(grain,)] if grain else []
+        return [(text_of("grain", grain),)] if grain else []
     if isinstance(grain, bytes) or not isinstance(grain, Iterable):
         raise ArgumentTypeError(f"grain = {grain!r} must be an angle in degrees, the name of a curve or "
                                 "a list of them, or 'free'")
     names = list(grain)
     if not all(isinstance(name, str) for name in names):
         raise ArgumentTypeError(f"grain = {grain!r} must be a list of curves, each \"NAME\" or \"NAME:DEGREES\"")
-    return [(name,) for name in names]
+    return [(text_of("a curve of grain", name),) for name in names]
 
 
 # Rows of arguments for the filters' Add methods.
