@@ -123,12 +123,17 @@ Status findLoops(const PatternSource& source, const BorderEdges& borders, PieceL
     }
     const std::size_t piece = static_cast<std::size_t>(borders.at(edgeKey(start, at->second)));
     Indices loop;
+    Index end = start;
     while (at != next.end())
     {
       loop.push_back(at->first);
-      const Index to = at->second;
+      end = at->second;
       next.erase(at);
-      at = next.find(to);
+      at = next.find(end);
+    }
+    if (end != start) // an edge has more than two triangles
+    {
+      return invalidPieces("the boundary of the flat surface ends at point " + std::to_string(end));
     }
     loops[piece].push_back(std::move(loop));
   }

@@ -113,6 +113,12 @@ int TestPatternWriterRefusals(int argc, char* argv[])
     makePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 0 }, { 0, -1, 0 } },
       { { 0, 1, 2 }, { 0, 3, 4 } }),
     plainly, { "branches at point 0" });
+  // A closed octahedron with a triangle across it has one border edge.
+  refusals.refuse("InvalidPattern",
+    makePolyData({ { 0, 0, 0 }, { 1, 1, 0 }, { 2, 0, 0 }, { 1, -1, 0 }, { 1, 2, 0 }, { 1, -2, 0 } },
+      { { 4, 0, 1 }, { 4, 1, 2 }, { 4, 2, 3 }, { 4, 3, 0 }, { 5, 1, 0 }, { 5, 2, 1 }, { 5, 3, 2 },
+        { 5, 0, 3 }, { 0, 2, 4 } }),
+    plainly, { "ends at point 2" });
 
   const auto metres = [](vtkPatternWriter& writer) {
     writer.SetUnitToMetre();
