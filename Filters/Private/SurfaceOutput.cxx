@@ -155,6 +155,7 @@ void writeImprint(const CurvedPolyData& source, vtkPolyData* surface, vtkPolyDat
 {
   const ImprintData made = imprintData({}, source);
   const TriangleMesh& mesh = source.imprinted.mesh;
+  // The first array is vtkOriginalCellIds, also below.
   const auto& cells = std::get<std::vector<std::int64_t>>(made.surface.cellArrays.front().values);
   Indices vertices(static_cast<std::size_t>(mesh.vertexCount()));
   std::iota(vertices.begin(), vertices.end(), 0);
