@@ -7,6 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <numeric>
+
 using namespace flattening;
 using namespace testmeshes;
 
@@ -100,14 +104,16 @@ TEST(SurfaceSpline, GoesThroughAllPointsOnSliversWherePathsAreNotStraight)
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const auto share = [&random] { return (random() & 0xffffU) / 65536.0; };
-    std::array<std::vector<double>, 2> lines{ { { 0.0 }, { 0.0 } } };
-    for (int k = 0; k < 14; ++k)
+    std::array<std::vector<double>, 2> lines;
+    for (std::vector<double>& line : lines)
     {
-      for (std::vector<double>& line : lines)
+      for (int k = 0; k < 15; ++k)
       {
         const double small = share();
-        line.push_back(line.back() + std::pow(10.0, -25.0 * small * share()));
+        line.push_back(std::pow(10.0, -25.0 * small * share()));
       }
+      std::sort(line.begin(), line.end()); // so that no step is lost in the sum of those before
+      std::partial_sum(line.begin(), line.end(), line.begin());
     }
     const Surface surface = patch(14, 14, [&](double i, double j) {
       const double x = lines[0][static_cast<std::size_t>(i)];
