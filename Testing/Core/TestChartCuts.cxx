@@ -3,6 +3,7 @@
 
 #include "Cut/PieceTopology.h"
 #include "Flattening/PieceArrangement.h"
+#include "Suggestion/SeamDrawing.h"
 #include "SuggestionTesting.h"
 
 #include <algorithm>
@@ -331,4 +332,17 @@ TEST(ChartCuts, KeepToTheirSideOfASlit)
 TEST(ChartCuts, LeaveWhatLiesFlatAsItIs)
 {
   EXPECT_TRUE(chartsOf(unitSquares(8, 8).mesh, 0.05, std::nullopt).empty());
+}
+
+TEST(SeamDrawing, DrawsNothingWhereThereIsNoWay)
+{
+  const TriangleMesh parts = together({ flatPatch(4, 4), cushion(4, 4, 0.3) }).mesh;
+  const SeamDrawing drawing(parts);
+  const auto from = [&](Index v) { return vertexPoint(parts, v); };
+  for (int level = 0; level < SeamDrawing::levels; ++level)
+  {
+    EXPECT_GT(drawing.draw({ from(0), from(12), from(24) }, level).size(), 2u);
+    EXPECT_TRUE(drawing.draw({ from(0), from(12), from(30) }, level).empty());
+    EXPECT_TRUE(drawing.draw({ from(0), from(30), from(12) }, level).empty());
+  }
 }

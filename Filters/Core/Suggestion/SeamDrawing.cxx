@@ -137,6 +137,10 @@ Points3 SeamDrawing::draw(const std::vector<SurfacePoint>& chain, int level) con
       const StraightPath way = commonEdge(this->Mesh, from, to) != none
         ? pathByEdges(this->Graph, from, to)
         : localStraightPath(this->Graph, from, to);
+      if (way.path.points.empty())
+      {
+        return {};
+      }
       if (path.points.empty())
       {
         path = way.path;

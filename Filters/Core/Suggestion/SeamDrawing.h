@@ -34,7 +34,8 @@ public:
 
   /// The places of the surface next to the points of a line; vertices where some are near.
   std::vector<SurfacePoint> place(const Points3& line) const;
-  /// From place to place: along creases and boundaries as they are, elsewhere smooth.
+  /// From place to place: along creases and boundaries as they are, elsewhere smooth. No points
+  /// where there is no way to a place.
   Points3 draw(const std::vector<SurfacePoint>& chain, int level) const;
 
 private:
