@@ -240,6 +240,25 @@ TEST(CurveSuggestion, NeverHasMoreCutsOfAnyKindThanTheMaximum)
   }
 }
 
+TEST(CurveSuggestion, CutsLargeSurfacesWithTheWorkOfSmallOnes)
+{
+  const Index count = 160;
+  const TriangleMesh mesh = patch(count, count, [](double i, double j) {
+    const double x = 2.0 * i / count - 1.0;
+    const double y = 2.0 * j / count - 1.0;
+    const double side = (x - 0.5) * (x - 0.5) + (y + 0.4) * (y + 0.4);
+    return Point3(x, y, 0.8 * std::exp(-3.0 * (x * x + y * y)) + 0.24 * std::exp(-20.0 * side));
+  }).mesh;
+  SuggestionOptions options;
+  options.search.maximumWork = 4.5;
+  const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
+  EXPECT_TRUE(suggestions.boundMet);
+  EXPECT_LE(suggestions.strainAfter, options.search.bound);
+  const FlatteningResult result = flattened(mesh, {}, suggestions);
+  EXPECT_TRUE(result.status.ok()) << result.status.message;
+  EXPECT_LE(worstStrain(result), options.search.bound);
+}
+
 TEST(CurveSuggestion, EndsWhenItsWorkIsUsedUpWhateverTheThreads)
 {
   const TriangleMesh mesh = dome(0.6);

@@ -121,8 +121,10 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound,
   if (std::isnan(suggestions.strainAfter) && worked)
   {
     return byWork +
-      ", before the surface could be flattened with any cuts; allow a longer search, or draw "
-      "seams that open the surface";
+      (suggestions.curves.empty()
+          ? ", before the surface could be flattened with any cuts; allow a longer search, or draw "
+            "seams that open the surface"
+          : ", before the surface was flattened with the proposed cuts; allow a longer search");
   }
   if (std::isnan(suggestions.strainAfter))
   {

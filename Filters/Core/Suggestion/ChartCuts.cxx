@@ -4,13 +4,13 @@
 #include "Cut/SurfaceCut.h"
 #include "Imprint/CurveImprint.h"
 #include "Paths/PlaneSection.h"
+#include "Suggestion/CoarseCuts.h"
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/OpeningCuts.h"
 #include "Suggestion/PieceSurface.h"
 #include "Suggestion/SeamDrawing.h"
 #include "Suggestion/SeamSettling.h"
 #include "Suggestion/SeamTree.h"
-#include "Suggestion/SurfaceCoarsening.h"
 #include "Suggestion/SurfaceMirror.h"
 
 #include <algorithm>
@@ -44,8 +44,6 @@ constexpr double workingSnap = 0.15;
 constexpr double mergingShare = 0.5;
 /// Of what is left then, for sewing seams from their ends on.
 constexpr double sewingShare = 0.2;
-/// Larger surfaces are parted on a version of two thirds as many, whose cuts are moved to them.
-constexpr Index settledTriangles = 15000;
 /// Pieces with more strain than this many times the bound are parted again; darts do for others.
 constexpr double partedShare = 1.5;
 /// The flattening of a chart is given up after these steps; those of charts that keep the bound
@@ -75,18 +73,6 @@ constexpr double inPlaneShare = 2.0;
 bool growsTree(const ChartOptions& options)
 {
   return options.pieces == 1 && options.darts && options.flattening.boundary == BoundaryMode::Free;
-}
-
-/// With few triangles; creases stay.
-TriangleMesh fewTriangles(const TriangleMesh& mesh, Index most)
-{
-  std::vector<char> kept(mesh.vertexCount(), 0);
-  const std::vector<char> creases = creasesOf(mesh, creaseCosine);
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
-  {
-    kept[mesh.from(h)] = kept[mesh.from(h)] || creases[h] ? 1 : 0;
-  }
-  return coarsened(mesh, std::move(kept), most).mesh;
 }
 
 Indices numbersTo(Index count)
@@ -596,67 +582,6 @@ private:
   SettledSeams Settled;
 };
 
-/// Those left where cuts that cannot be laid into the surface are taken out, with their images:
-/// what crosses itself, and otherwise the shortest of those that meet.
-std::vector<SuggestedCurve> possible(
-  const TriangleMesh& mesh, std::vector<SuggestedCurve> cuts, const FlatteningOptions& flattening)
-{
-  const CutTrials trials(mesh, {}, {}, flattening);
-  while (!cuts.empty() && trials.paths(linesOf(cuts)).empty())
-  {
-    std::vector<Indices> bad = failingLines(imprintCurves(mesh, linesOf(cuts), {}), cuts.size());
-    const auto alone = [](const Indices& set) { return set.front() == set.back(); };
-    const bool all = bad.size() == cuts.size() || std::none_of(bad.begin(), bad.end(), alone);
-    std::vector<char> out(cuts.size(), 0);
-    for (const Indices& set : bad)
-    {
-      out[*std::min_element(set.begin(), set.end(),
-        [&](Index a, Index b) { return cuts[a].length < cuts[b].length; })] |= all || alone(set);
-    }
-    if (bad.empty() || bad.size() == cuts.size())
-    {
-      return {};
-    }
-    std::vector<SuggestedCurve> left;
-    Indices place(cuts.size(), none);
-    for (std::size_t k = 0; k < cuts.size(); ++k)
-    {
-      const Index first = cuts[k].mirrorOf;
-      const bool image = k + 1 < cuts.size() && cuts[k + 1].mirrorOf == static_cast<Index>(k);
-      if (out[k] || (image && out[k + 1]) || (first != none && place[first] == none))
-      {
-        continue;
-      }
-      place[k] = static_cast<Index>(left.size());
-      left.push_back(std::move(cuts[k]));
-      left.back().mirrorOf = first == none ? none : place[first];
-    }
-    cuts = std::move(left);
-  }
-  return cuts;
-}
-
-/// The cuts of a version with fewer triangles on the surface itself.
-std::vector<SuggestedCurve> drawnOn(const TriangleMesh& mesh,
-  const std::optional<SymmetryPlane>& plane, std::vector<SuggestedCurve> cuts,
-  const FlatteningOptions& flattening)
-{
-  const SeamDrawing drawing(mesh);
-  const bool exact = plane && plane->error <= SurfaceMirror::exact;
-  for (SuggestedCurve& cut : cuts)
-  {
-    Points3& points = cut.curve.points;
-    if (exact && cut.mirrorOf != none)
-    {
-      points = plane->mirrored(cuts[cut.mirrorOf].curve.points);
-      continue;
-    }
-    points = drawing.draw(drawing.place(points), SeamDrawing::levels - 1);
-    cut.length = lengthOf(points);
-  }
-  return possible(mesh, std::move(cuts), flattening);
-}
-
 /// Adds cuts in the pieces that do not keep a bound yet. False where there are none.
 bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirror, bool straight,
   const ChartOptions& options, double bound, std::vector<SuggestedCurve>& cuts, ChartTrials& trials,
@@ -731,12 +656,13 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   const std::optional<SurfaceMirror> mirror =
     plane ? std::optional<SurfaceMirror>(*plane) : std::nullopt;
   const double bound = partedShare * options.bound;
-  if (mesh.triangleCount() > settledTriangles)
+  if (mesh.triangleCount() > largeSurface)
   {
-    const TriangleMesh few = fewTriangles(mesh, 2 * settledTriangles / 3);
-    return partedCharts(mesh, mirror, options, bound,
-      drawnOn(mesh, plane, chartCuts(few, plane, options, budget, execution), options.flattening),
-      budget, execution);
+    const TriangleMesh few = fewTriangles(mesh, 2 * largeSurface / 3);
+    std::optional<SurfaceMirror> moved = mirror;
+    std::vector<SuggestedCurve> cuts =
+      movedCuts(mesh, moved, chartCuts(few, plane, options, budget, execution), options.flattening);
+    return partedCharts(mesh, mirror, options, bound, std::move(cuts), budget, execution);
   }
   // What is left has to do for cuts without the mirror, where its two sides differ too much.
   const bool near = plane && plane->error > SurfaceMirror::exact && !options.mirrorKept;

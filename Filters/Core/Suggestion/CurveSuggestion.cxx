@@ -4,7 +4,9 @@
 #include "Base/Memory.h"
 #include "Cut/PieceTopology.h"
 #include "Imprint/CurveImprint.h"
+#include "Sparse/LinearSolver.h"
 #include "Suggestion/ChartCuts.h"
+#include "Suggestion/CoarseCuts.h"
 #include "Suggestion/CutSetSearch.h"
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/GoreSeams.h"
@@ -19,9 +21,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
-#include <tuple>
 
 namespace flattening
 {
@@ -30,12 +30,24 @@ namespace
 /// Share of the remaining work for a search, and for parting the surface into charts.
 constexpr double shareOfSearch = 0.5;
 constexpr double shareOfCharts = 0.8;
+/// Share of the work for the search on fewer triangles; a flattening of the surface itself takes
+/// more of what is left the larger it is.
+constexpr double shareOfCoarse = 0.7;
 /// Share of all work for the surface without cuts: what takes more lies very badly.
 constexpr double shareOfUncut = 0.2;
 /// Share of the remaining work for gores where other cuts may follow.
 constexpr double shareOfGores = 0.2;
 /// The same for cuts between a front and a back, by each of two goals.
 constexpr double shareOfSides = 0.25;
+/// Steps after which a flattening of what is only opened is given up, and one with side seams: of
+/// 25 garments and shoes those that keep the bound took up to 40, those with side seams that cuts
+/// were added to up to 142, hopeless ones 750. What the cuts of fewer triangles may take at least.
+constexpr double openedSteps = 75.0;
+constexpr double sideSteps = 400.0;
+constexpr double movedSteps = 100.0;
+/// Side seams with more strain than this many times the bound have no single cuts added: of 11
+/// garments with up to 5.5 times seven keep the bound with some, of 13 with 14 times or more none.
+constexpr double sideStrain = 8.0;
 /// Where the surface had to be opened, which takes many cuts.
 constexpr double shareOpened = 0.9;
 /// Largest share of all work kept for measuring what each cut gains, by this many steps each.
@@ -65,7 +77,7 @@ class Suggesting
 {
 public:
   Suggesting(const TriangleMesh& mesh, const std::vector<Polyline>& curves,
-    const SuggestionOptions& options, const Execution& execution)
+    const SuggestionOptions& options, TrialBudget budget, const Execution& execution)
     : Mesh(mesh)
     , Curves(curves)
     , Options(options)
@@ -73,12 +85,9 @@ public:
     , Weights(relativeWeights(mesh, options.weights))
     , Whole(mesh, curves, options.imprint, options.flattening, SearchGoal::Energy, this->Weights)
     , Area(mesh.area())
-    , Budget(options.search.maximumWork > 0.0 ? 1e6 * options.search.maximumWork
-                                              : std::numeric_limits<double>::infinity())
+    , Budget(std::move(budget))
   {
-    // Flattenings tell nothing of how far the search is.
-    this->Run.progress = nullptr;
-    this->Budget.watch([execution](double part) { execution.report(part, "Choosing cuts"); });
+    this->Run.progress = nullptr; // flattenings tell nothing of how far the search is
   }
 
   CurveSuggestions run()
@@ -94,8 +103,11 @@ public:
         "a number of pieces is asked for, and key curves, across which no seam may run, are there",
         "no number of pieces, or no key curve");
     }
-    const Status mirror = findMirror(this->Mesh, this->Curves, this->Options.search, this->Weights,
-      this->Run, this->Result.mirror);
+    CutSet best = this->coarseSet();
+    const Status mirror = best.cuts.empty()
+      ? findMirror(this->Mesh, this->Curves, this->Options.search, this->Weights, this->Run,
+          this->Result.mirror)
+      : Status();
     if (!mirror.ok())
     {
       return refusal(mirror);
@@ -108,15 +120,18 @@ public:
     this->Pieces = extractPieces(this->Cut);
     this->Marks = markVertices(this->Surface, this->Options.search);
     CutSet uncut;
-    TrialBudget uncutBudget(shareOfUncut * this->Budget.left(), this->Budget);
-    uncut.outcome = this->Whole.run({}, uncutBudget, this->Run);
-    if (this->Run.cancelled())
+    if (best.cuts.empty() || std::isfinite(this->Result.strainBefore))
+    {
+      TrialBudget uncutBudget(shareOfUncut * this->Budget.left(), this->Budget);
+      uncut.outcome = this->Whole.run({}, uncutBudget, this->Run);
+    }
+    if (this->Run.cancelled() && best.cuts.empty())
     {
       return refusal({ StatusCode::Cancelled, "cancelled before any cut was chosen" });
     }
     this->MostMeasuring = std::min(shareOfMeasuring * this->Budget.left(),
       stepsOfMeasuring * this->Mesh.triangleCount() * maxMeasuredCuts);
-    const CutSet best = this->narrowSet(uncut);
+    best = best.cuts.empty() ? this->narrowSet(uncut) : std::move(best);
     const Index most = this->Options.search.maximumCuts;
     if (!best.outcome.valid && most > 0 && !this->Run.cancelled())
     {
@@ -142,7 +157,7 @@ public:
     {
       this->Result.mirror.reset();
     }
-    this->nameCuts();
+    nameCuts(this->Curves, this->Result.curves);
     measureCuts(this->Whole, uncut.outcome, best.outcome, this->Area, this->Result.curves,
       this->Budget, this->Run);
     const TrialOutcome& before = uncut.outcome;
@@ -170,47 +185,26 @@ private:
     return refusal(invalidOption(defect, wanted));
   }
 
-  /// Whether one set is before another. First are those that meet the bound, then those that do
-  /// not, those with pieces that fold or overlap, and those without a flattening. Of one kind the
-  /// set with fewer pieces beyond the number that is wanted is first. Then sets that meet the bound
-  /// go by their price; others by how many pieces fold or overlap, and by strain; all, without a
-  /// bound, by the product of the mean of the rigid energy and, counted twice, the square of the
-  /// mean change of area.
   bool better(const CutSet& a, const CutSet& b) const
   {
-    const auto merit = [this](const CutSet& set) {
-      const SearchOptions& search = this->Options.search;
-      const TrialOutcome& outcome = set.outcome;
-      if (!outcome.valid)
-      {
-        return std::tuple(3, Index(0), set.cuts.empty() ? 1.0 : 0.0);
-      }
-      const Index excess = this->excess(set);
-      if (search.bound == 0.0)
-      {
-        return std::tuple(0, excess, std::cbrt(outcome.energy * std::pow(outcome.areaError, 4.0)));
-      }
-      const double waste = search.pieces > 0 ? 0.0 : wastePrice * outcome.waste / this->Area;
-      const double price = waste + priceOf(set.cuts, std::sqrt(this->Area / pi));
-      return this->isFlat(set) ? std::tuple(0, excess, price)
-                               : std::tuple(outcome.faults() > 0 ? 2 : 1, excess,
-                                   static_cast<double>(outcome.faults()) + outcome.strainP95);
-    };
-    return merit(a) < merit(b);
+    return isBetter(a, b, this->Options.search, this->Area);
+  }
+
+  double workOf(double steps) const
+  {
+    return steps * factorizationWork(static_cast<double>(this->Mesh.triangleCount()));
+  }
+
+  TrialOutcome within(double steps, const std::vector<SuggestedCurve>& cuts)
+  {
+    TrialBudget some(std::min(this->workOf(steps), this->Budget.left()), this->Budget);
+    return this->Whole.run(linesOf(cuts), some, this->Run);
   }
 
   const CutSet& bestOf(const std::vector<CutSet>& sets) const
   {
     return *std::min_element(sets.begin(), sets.end(),
       [this](const CutSet& a, const CutSet& b) { return this->better(a, b); });
-  }
-
-  /// How many pieces a set has beyond the number that is wanted.
-  Index excess(const CutSet& set) const
-  {
-    const Index pieces = this->Options.search.pieces;
-    const auto found = static_cast<Index>(set.outcome.pieceStrains.size());
-    return pieces > 0 ? std::max<Index>(0, found - pieces) : 0;
   }
 
   bool tooWide() const
@@ -226,6 +220,49 @@ private:
   }
 
   bool isFlat(const CutSet& set) const { return set.outcome.keeps(this->Options.search.bound); }
+
+  /// On a large surface without curves and weights, the cuts of a version with fewer triangles,
+  /// with what it takes to keep the bound. No cuts where none are found so.
+  CutSet coarseSet()
+  {
+    CutSet set;
+    if (this->Mesh.triangleCount() <= largeSurface || !this->Curves.empty() ||
+      !this->Weights.empty())
+    {
+      return set;
+    }
+    const SearchOptions& wanted = this->Options.search;
+    const TriangleMesh few = fewTriangles(this->Mesh, 2 * largeSurface / 3);
+    TrialBudget searching(shareOfCoarse * this->Budget.left(), this->Budget);
+    CurveSuggestions found =
+      Suggesting(few, this->Curves, this->Options, std::move(searching), this->Run).run();
+    this->Result.strainBefore = found.strainBefore;
+    this->Result.mirror = std::move(found.mirror);
+    set.cuts =
+      movedCuts(this->Mesh, this->Result.mirror, std::move(found.curves), this->Options.flattening);
+    if (wanted.bound > 0.0)
+    {
+      TrialBudget budget(shareOfSearch * this->Budget.left(), this->Budget);
+      set.cuts = partedCharts(this->Mesh, this->Result.mirror, this->chartOptions(wanted.bound),
+        wanted.bound, std::move(set.cuts), budget, this->Run);
+    }
+    if (!set.cuts.empty())
+    {
+      TrialBudget budget(std::max(this->Budget.left(), this->workOf(movedSteps)), this->Budget);
+      set = withFolds(std::move(set), this->Whole, 0, wanted.bound, budget, this->Run);
+    }
+    if (set.cuts.empty() || !keepsLimits(set, this->Options.search))
+    {
+      this->Result.mirror.reset();
+      return {};
+    }
+    this->Result.end = this->Run.cancelled() ? SearchEnd::Interrupted
+      : this->isFlat(set)                    ? SearchEnd::BoundMet
+      : this->Budget.spent()                 ? SearchEnd::WorkUsedUp
+                                             : found.end;
+    this->Result.cutsNeeded = found.cutsNeeded;
+    return wanted.maximumWidth > 0.0 ? this->withStrips(std::move(set)) : set;
+  }
 
   /// The best set whose pieces are no wider than allowed: strips of the uncut surface, as of a
   /// sail, where cuts in these meet the bound; otherwise the best set in strips.
@@ -266,7 +303,8 @@ private:
         addStripSeams(before, stripShares[s] * most, this->Result.mirror,
           std::sqrt(this->Area / pi), next.cuts);
         openDividingDarts(this->Mesh, this->Curves, this->Options.imprint, next.cuts);
-        if (static_cast<double>(next.cuts.size()) > maxChartCuts || !this->allowed(next))
+        if (static_cast<double>(next.cuts.size()) > maxChartCuts ||
+          !keepsLimits(next, this->Options.search))
         {
           return set;
         }
@@ -313,14 +351,14 @@ private:
       ? findGores(this->Mesh, *mirror->plane(), this->Whole, wanted, trying, this->Run)
       : Gores();
     const bool flat = this->isFlat(gores.set);
-    const bool usable = gores.set.outcome.valid && this->allowed(gores.set) &&
+    const bool usable = gores.set.outcome.valid && keepsLimits(gores.set, this->Options.search) &&
       (flat || wanted.pieces > 0 || wanted.maximumCuts > 0);
     // One piece with a free boundary may open along a tree, within the bound.
     const bool opens =
       wanted.pieces == 1 && this->Options.flattening.boundary == BoundaryMode::Free;
     // Charts of a smooth round surface are strips that wind round it, with less seam and worse to
     // sew.
-    const bool alone = !creased && this->excess(gores.set) == 0 &&
+    const bool alone = !creased && excessPieces(gores.set, wanted) == 0 &&
       (flat || (gores.equal && usable && wanted.pieces > 0 && !opens));
     this->Result.end = SearchEnd::NothingHelps;
     CutSet set = alone ? gores.set : this->searchedSet(uncut, strained, creased);
@@ -344,7 +382,7 @@ private:
       : Gores();
     this->Result.end = this->isFlat(gores.set) ? SearchEnd::BoundMet : SearchEnd::NothingHelps;
     this->Result.mirror = SurfaceMirror(gores.plane);
-    return this->allowed(gores.set) ? std::move(gores.set) : CutSet();
+    return keepsLimits(gores.set, this->Options.search) ? std::move(gores.set) : CutSet();
   }
 
   /// The best of charts and of cuts one by one.
@@ -429,20 +467,21 @@ private:
     }
     CutSet opened;
     opened.cuts = this->neededCuts();
-    opened.outcome = this->Whole.run(linesOf(opened.cuts), this->Budget, this->Run);
-    if (this->isFlat(opened) && this->allowed(opened))
+    opened.outcome = this->within(openedSteps, opened.cuts);
+    if (this->isFlat(opened) && keepsLimits(opened, this->Options.search))
     {
       return opened;
     }
-    set.outcome = this->Whole.run(linesOf(set.cuts), this->Budget, this->Run);
-    if (!set.outcome.valid || set.outcome.flipped > 0 || !this->allowed(set))
+    set.outcome = this->within(sideSteps, set.cuts);
+    if (!set.outcome.valid || set.outcome.flipped > 0 || !keepsLimits(set, this->Options.search))
     {
       return {};
     }
     const CutSet seams = set;
+    const bool far = set.outcome.strainP95 > sideStrain * this->Options.search.bound;
     for (SearchGoal goal : { SearchGoal::Energy, SearchGoal::Strain })
     {
-      if (!this->isFlat(set))
+      if (!this->isFlat(set) && !far)
       {
         CutSet found = this->improved(seams, goal, shareOfSides);
         set = this->better(found, set) ? std::move(found) : set;
@@ -484,7 +523,7 @@ private:
       {
         set = withFolds(
           std::move(set), this->Whole, this->Curves.size(), bound, this->Budget, this->Run);
-        if (!set.outcome.valid || this->allowed(set))
+        if (!set.outcome.valid || keepsLimits(set, this->Options.search))
         {
           break;
         }
@@ -498,7 +537,7 @@ private:
     {
       return rejected(SearchEnd::GivenUp, needed); // noise is hardly nearer to flat with few cuts
     }
-    if (!set.outcome.valid || !this->allowed(set))
+    if (!set.outcome.valid || !keepsLimits(set, this->Options.search))
     {
       return rejected(spent ? SearchEnd::WorkUsedUp : SearchEnd::CutsUsedUp, set.cutsNeeded);
     }
@@ -536,7 +575,7 @@ private:
     more = withFolds(std::move(more), this->Whole, 0, bound, this->Budget, this->Run);
     more.end = this->isFlat(more) ? SearchEnd::BoundMet : set.end;
     more.cutsNeeded = static_cast<double>(more.cuts.size());
-    return this->allowed(more) && this->better(more, set) ? more : set;
+    return keepsLimits(more, this->Options.search) && this->better(more, set) ? more : set;
   }
 
   /// With more cuts, one after the other, until the bound is met.
@@ -568,15 +607,6 @@ private:
     set.end = end;
     set.cutsNeeded = needed;
     return set;
-  }
-
-  bool allowed(const CutSet& set) const
-  {
-    const SearchOptions& wanted = this->Options.search;
-    const double length = std::accumulate(set.cuts.begin(), set.cuts.end(), 0.0,
-      [](double sum, const SuggestedCurve& cut) { return sum + cut.length; });
-    return (wanted.maximumCuts == 0 || static_cast<Index>(set.cuts.size()) <= wanted.maximumCuts) &&
-      length <= wanted.cutLengthLimit();
   }
 
   ChartOptions chartOptions(double bound) const
@@ -656,10 +686,8 @@ private:
     std::vector<SuggestedCurve> cuts;
     for (const Piece& piece : this->Pieces)
     {
-      for (SuggestedCurve& cut : this->opened(piece))
-      {
-        cuts.push_back(std::move(cut));
-      }
+      const std::vector<SuggestedCurve> here = this->opened(piece);
+      cuts.insert(cuts.end(), here.begin(), here.end());
     }
     return cuts;
   }
@@ -677,10 +705,7 @@ private:
     for (Polyline& line :
       openingCuts(piece.mesh, plane ? this->Result.mirror->plane() : std::nullopt, barred))
     {
-      SuggestedCurve cut;
-      cut.length = lengthOf(line.points);
-      cut.curve = std::move(line);
-      cuts.push_back(std::move(cut));
+      cuts.push_back(proposedCut(std::move(line.points)));
     }
     return cuts;
   }
@@ -739,21 +764,6 @@ private:
     return set;
   }
 
-  /// Numbers darts and seams in their order, beside the names that there are.
-  void nameCuts()
-  {
-    Index number = 0;
-    for (SuggestedCurve& cut : this->Result.curves)
-    {
-      const char* kind = cut.curve.type == CurveType::Dart ? "dart " : "seam ";
-      do
-      {
-        cut.curve.name = kind + std::to_string(++number);
-      } while (std::any_of(this->Curves.begin(), this->Curves.end(),
-        [&](const Polyline& curve) { return curve.name == cut.curve.name; }));
-    }
-  }
-
   const TriangleMesh& Mesh;
   const std::vector<Polyline>& Curves;
   const SuggestionOptions& Options;
@@ -781,6 +791,10 @@ CurveSuggestions suggestCurves(const TriangleMesh& mesh, const std::vector<Polyl
   {
     return refused;
   }
-  return withinMemory([&] { return Suggesting(mesh, curves, options, execution).run(); });
+  const double most = options.search.maximumWork;
+  TrialBudget budget(most > 0.0 ? 1e6 * most : std::numeric_limits<double>::infinity());
+  budget.watch([&execution](double part) { execution.report(part, "Choosing cuts"); });
+  return withinMemory(
+    [&] { return Suggesting(mesh, curves, options, std::move(budget), execution).run(); });
 }
 }

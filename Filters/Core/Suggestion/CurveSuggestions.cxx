@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/CurveSuggestions.h"
 
+#include "Suggestion/CutTrials.h"
 #include "Surface/SurfaceLocator.h"
 
 #include <algorithm>
@@ -151,6 +152,30 @@ void pairTypes(std::vector<SuggestedCurve>& cuts)
     {
       cut.curve.type = cuts[cut.mirrorOf].curve.type = CurveType::Seam;
     }
+  }
+}
+
+SuggestedCurve proposedCut(Points3 points, CurveType type, Index mirrorOf)
+{
+  SuggestedCurve cut;
+  cut.length = lengthOf(points);
+  cut.curve.type = type;
+  cut.curve.points = std::move(points);
+  cut.mirrorOf = mirrorOf;
+  return cut;
+}
+
+void nameCuts(const std::vector<Polyline>& curves, std::vector<SuggestedCurve>& cuts)
+{
+  Index number = 0;
+  for (SuggestedCurve& cut : cuts)
+  {
+    const char* kind = cut.curve.type == CurveType::Dart ? "dart " : "seam ";
+    do
+    {
+      cut.curve.name = kind + std::to_string(++number);
+    } while (std::any_of(curves.begin(), curves.end(),
+      [&](const Polyline& curve) { return curve.name == cut.curve.name; }));
   }
 }
 

@@ -102,6 +102,9 @@ struct SuggestedCurve
   Index mirrorOf = none; ///< the proposal that it is the mirror image of
 };
 
+/// A cut along points.
+SuggestedCurve proposedCut(Points3 points, CurveType type = CurveType::Seam, Index mirrorOf = none);
+
 /// Why a search ended.
 enum class SearchEnd
 {
@@ -146,6 +149,9 @@ void addImages(std::vector<SuggestedCurve>& cuts, Index first, const SurfaceMirr
 
 /// A dart whose image is a seam becomes one.
 void pairTypes(std::vector<SuggestedCurve>& cuts);
+
+/// Numbers darts and seams in their order, beside the names of curves that there are.
+void nameCuts(const std::vector<Polyline>& curves, std::vector<SuggestedCurve>& cuts);
 
 /// Whether a proposed cut or line may have this name, such as "dart 3".
 bool isProposedName(const std::string& name);

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <tuple>
 
 namespace flattening
 {
@@ -384,6 +386,44 @@ std::vector<SearchStrategy> searchStrategies(const SearchOptions& options)
   const bool few = options.maximumCuts > 0 && options.maximumCuts <= singleSearch;
   all.resize(few ? 1 : all.size());
   return all;
+}
+
+bool keepsLimits(const CutSet& set, const SearchOptions& wanted)
+{
+  const double length = std::accumulate(set.cuts.begin(), set.cuts.end(), 0.0,
+    [](double sum, const SuggestedCurve& cut) { return sum + cut.length; });
+  const auto count = static_cast<Index>(set.cuts.size());
+  return (wanted.maximumCuts == 0 || count <= wanted.maximumCuts) &&
+    length <= wanted.cutLengthLimit();
+}
+
+Index excessPieces(const CutSet& set, const SearchOptions& wanted)
+{
+  const auto found = static_cast<Index>(set.outcome.pieceStrains.size());
+  return wanted.pieces > 0 ? std::max<Index>(0, found - wanted.pieces) : 0;
+}
+
+bool isBetter(const CutSet& a, const CutSet& b, const SearchOptions& wanted, double area)
+{
+  const auto merit = [&wanted, area](const CutSet& set) {
+    const TrialOutcome& outcome = set.outcome;
+    if (!outcome.valid)
+    {
+      return std::tuple(3, Index(0), set.cuts.empty() ? 1.0 : 0.0);
+    }
+    const Index excess = excessPieces(set, wanted);
+    if (wanted.bound == 0.0)
+    {
+      return std::tuple(0, excess, std::cbrt(outcome.energy * std::pow(outcome.areaError, 4.0)));
+    }
+    const double waste = wanted.pieces > 0 ? 0.0 : wastePrice * outcome.waste / area;
+    const double price = waste + priceOf(set.cuts, std::sqrt(area / pi));
+    return outcome.keeps(wanted.bound)
+      ? std::tuple(0, excess, price)
+      : std::tuple(outcome.faults() > 0 ? 2 : 1, excess,
+          static_cast<double>(outcome.faults()) + outcome.strainP95);
+  };
+  return merit(a) < merit(b);
 }
 
 CutSet searchCuts(

@@ -30,6 +30,9 @@ constexpr double maxGores = 12.0;
 constexpr double maxGoreSteps = 75.0;
 /// No more are tried where the forecast is this many times the most.
 constexpr double hopelessGores = 1.5;
+/// Where as many gores as were to be enough would have to be this many times as many, the surface
+/// is not round.
+constexpr double offLaw = 1.5;
 /// Half planes at this many angles tell whether there are gores.
 constexpr int halvesTried = 12;
 /// Ends of sections this near to each other, in sqrt(area / pi), are one point on the axis.
@@ -377,12 +380,7 @@ std::vector<SuggestedCurve> GoreSeams::seams(Index gores) const
         *end = *pole;
       }
     }
-    SuggestedCurve cut;
-    cut.curve.type = CurveType::Seam;
-    cut.length = lengthOf(points);
-    cut.curve.points = std::move(points);
-    cut.mirrorOf = mirrorOf;
-    cuts.push_back(std::move(cut));
+    cuts.push_back(proposedCut(std::move(points), CurveType::Seam, mirrorOf));
   };
   for (Index k = 0; 2 * k <= gores; ++k)
   {
@@ -457,13 +455,19 @@ CutSet fewestGores(const GoreSeams& gores, double triangles, const CutTrials& tr
     return !set.cuts.empty() && !set.outcome.keeps(wanted.bound);
   };
   Index count = std::max(gores.fewest(), wanted.pieces);
-  Index missed = count - 1; // this number misses the bound
+  Index missed = count - 1;                                  // this number misses the bound
+  double forecast = std::numeric_limits<double>::infinity(); // number that keeps it
   CutSet set = tried(count);
   while (misses(set) && wanted.pieces == 0 && !budget.spent() && !execution.cancelled())
   {
-    // The strain of a narrow gore goes with the square of its width.
+    // The strain of a narrow gore goes with the square of its width, where the surface is round.
     const double needed =
       set.outcome.valid ? count * std::sqrt(set.outcome.strainP95 / wanted.bound) : 2.0 * count;
+    if (needed > offLaw * count && count >= forecast)
+    {
+      return wanted.maximumCuts > 0 ? set : CutSet();
+    }
+    forecast = needed;
     missed = count;
     count = std::max(count + 1, static_cast<Index>(std::min(needed, most)));
     if (count > most || (wanted.maximumCuts == 0 && needed > hopelessGores * most))

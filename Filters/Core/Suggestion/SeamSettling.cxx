@@ -221,12 +221,8 @@ private:
   {
     std::vector<SuggestedCurve> cuts;
     const auto add = [&](Points3 points, std::size_t s, Index mirrorOf) {
-      SuggestedCurve cut;
-      cut.curve.type = seams[s].dart ? CurveType::Dart : CurveType::Seam;
-      cut.length = lengthOf(points);
-      cut.curve.points = std::move(points);
-      cut.mirrorOf = mirrorOf;
-      cuts.push_back(std::move(cut));
+      const CurveType type = seams[s].dart ? CurveType::Dart : CurveType::Seam;
+      cuts.push_back(proposedCut(std::move(points), type, mirrorOf));
       seamOf.push_back(static_cast<Index>(s));
     };
     for (std::size_t s = 0; s < seams.size(); ++s)

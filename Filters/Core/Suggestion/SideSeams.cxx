@@ -292,11 +292,7 @@ private:
       this->Barred[v] = 1;
       chain.push_back(vertexPoint(this->Mesh, v));
     }
-    SuggestedCurve seam;
-    seam.curve.type = CurveType::Seam;
-    seam.curve.points = this->Drawing.draw(chain, 0);
-    seam.length = lengthOf(seam.curve.points);
-    this->Seams.push_back(std::move(seam));
+    this->Seams.push_back(proposedCut(this->Drawing.draw(chain, 0)));
     return true;
   }
 
