@@ -225,13 +225,13 @@ private:
   /// with what it takes to keep the bound. No cuts where none are found so.
   CutSet coarseSet()
   {
+    const SearchOptions& wanted = this->Options.search;
     CutSet set;
     if (this->Mesh.triangleCount() <= largeSurface || !this->Curves.empty() ||
-      !this->Weights.empty())
+      !this->Weights.empty() || wanted.cuts == SuggestedCuts::Gores) // gores take few trials
     {
       return set;
     }
-    const SearchOptions& wanted = this->Options.search;
     const TriangleMesh few = fewTriangles(this->Mesh, 2 * largeSurface / 3);
     TrialBudget searching(shareOfCoarse * this->Budget.left(), this->Budget);
     CurveSuggestions found =
@@ -251,7 +251,7 @@ private:
       TrialBudget budget(std::max(this->Budget.left(), this->workOf(movedSteps)), this->Budget);
       set = withFolds(std::move(set), this->Whole, 0, wanted.bound, budget, this->Run);
     }
-    if (set.cuts.empty() || !keepsLimits(set, this->Options.search))
+    if (set.cuts.empty() || !keepsLimits(set, wanted))
     {
       this->Result.mirror.reset();
       return {};
