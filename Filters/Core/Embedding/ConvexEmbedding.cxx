@@ -81,8 +81,8 @@ void placeOnCircle(const TriangleMesh& mesh, const Indices& loop, Points2& posit
 /// much too small the triangles at both of its ends are (after S. Yoshizawa, A. Belyaev, H.-P.
 /// Seidel, "A fast and simple stretch-minimizing mesh parameterization", Shape Modeling
 /// International 2004). \return flat over true area, least over largest
-double reweigh(const TriangleMesh& mesh, const std::vector<Indices>& loops, const Points2& positions,
-  std::vector<WeightedEdge>& edges)
+double reweigh(const TriangleMesh& mesh, const std::vector<Indices>& loops,
+  const Points2& positions, std::vector<WeightedEdge>& edges)
 {
   std::vector<double> area(positions.size(), 0.0);
   std::vector<double> flat(positions.size(), 0.0);

@@ -2,10 +2,10 @@
 #include "Suggestion/CoarseCuts.h"
 
 #include "Imprint/CurveImprint.h"
+#include "Suggestion/CutThinning.h"
 #include "Suggestion/CutTrials.h"
 #include "Suggestion/SeamDrawing.h"
 #include "Suggestion/SurfaceCoarsening.h"
-#include "Suggestion/SurfaceMirror.h"
 
 #include <algorithm>
 

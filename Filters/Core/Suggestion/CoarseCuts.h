@@ -3,7 +3,8 @@
 
 #include "Flattening/FlatteningOptions.h"
 #include "Suggestion/CurveSuggestions.h"
-#include "Suggestion/SymmetryPlane.h"
+#include "Suggestion/SurfaceMirror.h"
+#include "Surface/TriangleMesh.h"
 
 namespace flattening
 {
