@@ -199,7 +199,7 @@ Points2 embedConvexly(const TriangleMesh& mesh, const Execution& execution)
       edges.push_back({ mesh.from(h), static_cast<Index>(vertices + k - 1), 1.0 });
     }
   }
-  Points2 best;
+  Points2 kept;
   double ratio = 0.0;
   for (int k = 0; k <= maxReweightings && ratio <= smallestRatio; ++k)
   {
@@ -211,10 +211,10 @@ Points2 embedConvexly(const TriangleMesh& mesh, const Execution& execution)
     if (reached > std::min(ratio, safeRatio))
     {
       ratio = reached;
-      best = positions;
+      kept = positions;
     }
   }
-  best.resize(vertices);
-  return best;
+  kept.resize(kept.empty() ? 0 : vertices);
+  return kept;
 }
 }

@@ -103,15 +103,13 @@ public:
         "a number of pieces is asked for, and key curves, across which no seam may run, are there",
         "no number of pieces, or no key curve");
     }
-    CutSet best = this->coarseSet();
-    const Status mirror = best.cuts.empty()
-      ? findMirror(this->Mesh, this->Curves, this->Options.search, this->Weights, this->Run,
-          this->Result.mirror)
-      : Status();
+    const Status mirror = findMirror(this->Mesh, this->Curves, this->Options.search, this->Weights,
+      this->Run, this->Result.mirror);
     if (!mirror.ok())
     {
       return refusal(mirror);
     }
+    CutSet best = this->coarseSet();
     this->Cut = cutSurface(this->Surface.mesh, this->Surface.curves);
     if (!this->Cut.status.ok())
     {
@@ -221,14 +219,17 @@ private:
 
   bool isFlat(const CutSet& set) const { return set.outcome.keeps(this->Options.search.bound); }
 
-  /// On a large surface without curves and weights, the cuts of a version with fewer triangles,
-  /// with what it takes to keep the bound. No cuts where none are found so.
+  /// On a large surface without curves, weights and exact mirror, the cuts of a version with
+  /// fewer triangles, with what it takes to keep the bound. No cuts where none are found so.
   CutSet coarseSet()
   {
     const SearchOptions& wanted = this->Options.search;
+    const std::optional<SurfaceMirror> given = this->Result.mirror;
+    // Gores take few trials; few triangles do not mirror each other exactly.
+    const bool exact = given && given->plane() && given->error <= SurfaceMirror::exact;
     CutSet set;
-    if (this->Mesh.triangleCount() <= largeSurface || !this->Curves.empty() ||
-      !this->Weights.empty() || wanted.cuts == SuggestedCuts::Gores) // gores take few trials
+    if (this->Mesh.triangleCount() <= largeSurface || !this->Curves.empty() || exact ||
+      !this->Weights.empty() || wanted.cuts == SuggestedCuts::Gores)
     {
       return set;
     }
@@ -253,7 +254,7 @@ private:
     }
     if (set.cuts.empty() || !keepsLimits(set, wanted))
     {
-      this->Result.mirror.reset();
+      this->Result.mirror = given;
       return {};
     }
     this->Result.end = this->Run.cancelled() ? SearchEnd::Interrupted
