@@ -244,14 +244,47 @@ bool holdsAny(const AngleProblem& problem)
   return std::find(problem.held.begin(), problem.held.end(), 1) != problem.held.end();
 }
 
-/// Without overlap, from a convex map on, and without wires at first. No value: that map folds.
+/// A vertex lies where the mean of its triangles has it.
+Points2 givenStart(const PieceContext& context)
+{
+  const TriangleMesh& mesh = context.piece.mesh;
+  Points2 positions(mesh.vertexCount(), Point2::Zero());
+  std::vector<double> count(mesh.vertexCount(), 0.0);
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const FlatCorners& corners =
+      context.options.start[context.cut.originalTriangle(context.piece.triangles[t])];
+    for (std::size_t k = 0; k < corners.size(); ++k)
+    {
+      const Index v = mesh.triangle(t)[k];
+      positions[v] += corners[k];
+      count[v] += 1.0;
+    }
+  }
+  for (std::size_t v = 0; v < positions.size(); ++v)
+  {
+    positions[v] /= count[v];
+  }
+  return positions;
+}
+
+/// Without overlap, from a start without any or from a convex map on, and without wires at first.
+/// No value: that map folds.
 std::optional<IsometricSolution> warpApart(const PieceContext& context, const PieceSolution& wires,
   const IsometricOptions& options, const Execution& execution)
 {
   const TriangleMesh& mesh = context.piece.mesh;
-  Points2 start = embedConvexly(mesh, context.execution);
-  if (start.empty() || countFlipped(mesh, start) > 0 ||
-    !findBoundaryOverlaps(mesh, start, fewListed).empty())
+  const auto isApart = [&mesh](const Points2& map) {
+    return !map.empty() && countFlipped(mesh, map) == 0 &&
+      findBoundaryOverlaps(mesh, map, fewListed).empty();
+  };
+  Points2 start = context.options.start.empty() ? Points2() : givenStart(context);
+  if (!start.empty() && countFlipped(mesh, start) > 0)
+  {
+    untangleInterior(context.piece, context.network, context.execution, start);
+  }
+  start = isApart(start) ? std::move(start) : embedConvexly(mesh, context.execution);
+  if (!isApart(start))
   {
     return std::nullopt;
   }
@@ -260,17 +293,18 @@ std::optional<IsometricSolution> warpApart(const PieceContext& context, const Pi
   {
     area += 0.5 * cross(start[b] - start[a], start[c] - start[a]);
   }
+  const double scale = std::sqrt(mesh.area() / area);
   for (Point2& point : start)
   {
-    point *= std::sqrt(mesh.area() / area);
+    point *= scale;
   }
-  IsometricSolution solution =
-    warpWithoutOverlap(context.piece, withoutWires(context, wires), start, options, execution);
+  IsometricSolution solution = warpWithoutOverlap(context.piece, withoutWires(context, wires),
+    start, context.options.enoughStrain, options, execution);
   if (!solution.status.refused() && holdsAny(wires.problem))
   {
     const int before = solution.factorizations;
     solution =
-      warpWithoutOverlap(context.piece, wires.problem, solution.positions, options, execution);
+      warpWithoutOverlap(context.piece, wires.problem, solution.positions, 0.0, options, execution);
     solution.factorizations += before;
   }
   return solution;
@@ -371,30 +405,6 @@ bool isBetter(const PieceContext& context, const PieceSolution& second, const Pi
   }
   return other.rigidEnergy < one.rigidEnergy;
 }
-
-/// A vertex lies where the mean of its triangles has it.
-Points2 givenStart(const PieceContext& context)
-{
-  const TriangleMesh& mesh = context.piece.mesh;
-  Points2 positions(mesh.vertexCount(), Point2::Zero());
-  std::vector<double> count(mesh.vertexCount(), 0.0);
-  for (Index t = 0; t < mesh.triangleCount(); ++t)
-  {
-    const FlatCorners& corners =
-      context.options.start[context.cut.originalTriangle(context.piece.triangles[t])];
-    for (std::size_t k = 0; k < corners.size(); ++k)
-    {
-      const Index v = mesh.triangle(t)[k];
-      positions[v] += corners[k];
-      count[v] += 1.0;
-    }
-  }
-  for (std::size_t v = 0; v < positions.size(); ++v)
-  {
-    positions[v] /= count[v];
-  }
-  return positions;
-}
 }
 
 void warpPiece(const PieceContext& context, PieceSolution& piece)
@@ -426,14 +436,24 @@ std::optional<PieceSolution> warpFromConvexStart(
   const PieceContext& context, const PieceSolution& wires, const IsometricOptions& asked)
 {
   const bool free = wires.rules.freeBoundary;
+  const bool prevented = free && context.options.preventOverlap;
+  const Execution execution = context.execution.part(1.0, 1.0);
+  const IsometricOptions options = optionsWithBarrier(asked);
+  if (prevented && context.options.enoughStrain > 0.0)
+  {
+    std::optional<IsometricSolution> apart = warpApart(context, wires, options, execution);
+    if (apart)
+    {
+      return apart->status.refused() ? std::nullopt
+                                     : std::optional(placedBy(std::move(*apart), barrier, wires));
+    }
+  }
   const Points2 start =
     free ? unfoldedMap(context) : embedConvexly(context.piece.mesh, context.execution);
   if (start.empty() || countFlipped(context.piece.mesh, start) > 0)
   {
     return std::nullopt;
   }
-  const Execution execution = context.execution.part(1.0, 1.0);
-  const IsometricOptions options = optionsWithBarrier(asked);
   IsometricSolution solution = free ? warpFreely(context, wires, start, options, execution)
                                     : warpFromConvexMap(context, wires, start, options, execution);
   if (solution.status.refused())
@@ -461,7 +481,7 @@ std::optional<PieceSolution> warpFromConvexStart(
       placed = std::move(other);
     }
   }
-  if (context.options.preventOverlap && free && overlaps(context, placed) > 0)
+  if (prevented && overlaps(context, placed) > 0)
   {
     std::optional<IsometricSolution> apart = warpApart(context, wires, options, execution);
     if (apart && apart->status.code == StatusCode::Cancelled)
@@ -481,7 +501,8 @@ std::optional<PieceSolution> warpFromGivenStart(
   const PieceContext& context, const CurveRules& rules)
 {
   const FlatteningOptions& options = context.options;
-  if (options.start.empty() || options.scheme != Scheme::Isometric || options.cloth)
+  if (options.start.empty() || options.scheme != Scheme::Isometric || options.cloth ||
+    options.preventOverlap)
   {
     return std::nullopt;
   }

@@ -15,9 +15,11 @@ namespace flattening
 /// 36(6), 2017). So parts that press on each other end up beside each other. A step that overlaps
 /// where nothing is filled is taken in part, and wider openings are filled for the next one. Ends
 /// where rounds lower the energy by less than a thousandth.
+/// \param enough strain on 95 % of the area, at which it ends as well, or where that comes no nearer;
+/// 0 for none
 /// \param options with an energy that has a barrier
 /// \return NotConverged where the lengths of wires cannot be kept so, or every further step would
 /// overlap; the positions have no overlap
 IsometricSolution warpWithoutOverlap(const Piece& piece, const AngleProblem& problem,
-  const Points2& start, const IsometricOptions& options, const Execution& execution);
+  const Points2& start, double enough, const IsometricOptions& options, const Execution& execution);
 }

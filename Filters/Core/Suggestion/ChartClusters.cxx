@@ -5,6 +5,7 @@
 #include "Quality/StrainMeasures.h"
 #include "Sparse/LinearSolver.h"
 #include "Suggestion/SeamDrawing.h"
+#include "Suggestion/SymmetryPlane.h"
 #include "Surface/SurfacePoint.h"
 #include "Surface/VertexFan.h"
 
@@ -365,5 +366,16 @@ Indices clusterTriangles(const TriangleMesh& mesh, const std::vector<Indices>& l
   const std::vector<char>& holes, double bound)
 {
   return Clustering(mesh, bound).run(loops, holes);
+}
+
+Indices halvesOf(const TriangleMesh& mesh)
+{
+  const SurfaceMoments moments = momentsOf(mesh);
+  Indices side;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+  {
+    side.push_back(moments.axes.col(2).dot(mesh.centroid(t) - moments.center) > 0.0 ? 1 : 0);
+  }
+  return side;
 }
 }

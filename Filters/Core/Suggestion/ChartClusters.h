@@ -35,4 +35,7 @@ double forecastStrain(const TriangleMesh& piece);
 /// \return per triangle its cluster
 Indices clusterTriangles(const TriangleMesh& mesh, const std::vector<Indices>& loops,
   const std::vector<char>& holes, double bound);
+
+/// The two sides of a mesh across its longest axis.
+Indices halvesOf(const TriangleMesh& mesh);
 }

@@ -4,7 +4,6 @@
 #include "Suggestion/CurveSuggestions.h"
 #include "Suggestion/OpeningCuts.h"
 #include "Suggestion/SeamDrawing.h"
-#include "Suggestion/SymmetryPlane.h"
 #include "Surface/VertexFan.h"
 
 #include <algorithm>
@@ -28,8 +27,10 @@ constexpr double dividedShare = 0.3;
 constexpr int maxDivisions = 4;
 /// What a forecast takes, in steps of a flattening.
 constexpr double forecastSteps = 1.0;
-/// More than there are threads.
+/// More than there are threads. In a single chart, of which flattenings are long, one.
 constexpr std::size_t triedAtOnce = 4;
+/// Cuts in a single chart that are sewn at once, at most.
+constexpr std::size_t mostTogether = 8;
 /// Of bound^2, the rise of the mean square of the strain below which merging is free.
 constexpr double freeRise = 1e-2;
 /// Where a number of charts is wanted: by what the bound is multiplied, and up to where.
@@ -39,18 +40,6 @@ constexpr double greatestBound = 1.0;
 constexpr double creaseShare = 0.5;
 /// Of a seam, what is sewn at once.
 constexpr std::array<double, 2> sewnShares{ 2.0 / 3.0, 1.0 / 3.0 };
-
-/// The two sides of a mesh across its longest axis.
-Indices halvesOf(const TriangleMesh& mesh)
-{
-  const SurfaceMoments moments = momentsOf(mesh);
-  Indices side;
-  for (Index t = 0; t < mesh.triangleCount(); ++t)
-  {
-    side.push_back(moments.axes.col(2).dot(mesh.centroid(t) - moments.center) > 0.0 ? 1 : 0);
-  }
-  return side;
-}
 }
 
 Charts::Charts(const TriangleMesh& mesh, std::vector<char> cut, Indices images,
@@ -134,6 +123,7 @@ std::vector<char> Charts::keeping(TrialBudget& budget, const Execution& executio
 
 void Charts::merge(bool sharing, TrialBudget& budget, const Execution& execution)
 {
+  this->Together = 2;
   this->eliminate(
     [this, sharing](const std::vector<Arc>& arcs, std::vector<Removal>& removals) {
       for (const Arc& arc : arcs)
@@ -171,6 +161,7 @@ double Charts::mergeToFewest(TrialBudget& budget, const Execution& execution)
 
 void Charts::shorten(TrialBudget& budget, const Execution& execution)
 {
+  this->Together = 1; // parts of one cut may be others' as well
   this->eliminate(
     [this](const std::vector<Arc>& arcs, std::vector<Removal>& removals) {
       for (const Arc& arc : arcs)
@@ -288,6 +279,7 @@ void Charts::number(TrialBudget& budget, const Execution& execution)
   }
   const std::vector<ChartTrials::Result> results =
     this->Trials.run(parts, this->Bound, budget, execution);
+  this->Lying = results.size() == 1 ? results.front().corners : std::vector<FlatCorners>();
   for (std::size_t c = 0; c < results.size(); ++c)
   {
     this->All[c].keeps = results[c].keeps(this->Bound);
@@ -301,6 +293,7 @@ void Charts::eliminate(
   TrialBudget& budget, const Execution& execution)
 {
   std::map<Indices, Candidate> known;
+  this->Needed.clear();
   bool more = true;
   while (more && !budget.spent() && !execution.cancelled())
   {
@@ -317,58 +310,109 @@ void Charts::eliminate(
       const auto entry = known.emplace(this->keyOf(removal), Candidate());
       order.push_back(&entry.first->second);
       order.back()->removal = std::move(removal); // charts have other numbers now
-      if (entry.second)
+      // What a chart cannot do without it can do without no better when others are sewn.
+      order.back()->tried =
+        order.back()->tried || this->Needed.count(order.back()->removal.edges) > 0;
+      if (entry.second && !order.back()->tried)
       {
         fresh.push_back(order.back());
+        for (Index chart : order.back()->removal.charts)
+        {
+          budget.pay(forecastSteps * static_cast<double>(this->All[chart].triangles.size()));
+        }
       }
     }
     execution.forEachTask(static_cast<Index>(fresh.size()),
       [&](Index k) { fresh[k]->cost = this->forecastCost(fresh[k]->removal); });
-    for (const Candidate* one : fresh)
-    {
-      for (Index chart : one->removal.charts)
-      {
-        budget.pay(forecastSteps * static_cast<double>(this->All[chart].triangles.size()));
-      }
-    }
     eraseIf(order,
       [](const Candidate* one) { return std::isinf(one->cost) || (one->tried && !one->keeps); });
     std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) {
       return a->removal.saved * b->cost > b->removal.saved * a->cost;
     });
-    more = this->removeFirst(order, budget, execution);
+    more =
+      this->removeTogether(order, budget, execution) || this->removeFirst(order, budget, execution);
   }
+}
+
+/// The first cuts in a single chart, twice as many as the last time, or fewer where these are too
+/// many for the bound. False where only single ones can be removed.
+bool Charts::removeTogether(
+  const std::vector<Candidate*>& order, TrialBudget& budget, const Execution& execution)
+{
+  for (; this->All.size() == 1 && std::min(order.size(), this->Together) > 1 && !budget.spent();
+       this->Together /= 2)
+  {
+    const std::size_t count = std::min(order.size(), this->Together);
+    Removal all = order.front()->removal;
+    for (std::size_t k = 1; k < count; ++k)
+    {
+      const Indices& edges = order[k]->removal.edges;
+      all.edges.insert(all.edges.end(), edges.begin(), edges.end());
+      all.saved += order[k]->removal.saved;
+    }
+    sortUnique(all.edges);
+    const ChartTrials::Result flat = this->tryWithout({ &all }, budget, execution).front();
+    if (flat.keeps(this->Bound))
+    {
+      this->remove(all, flat);
+      this->Together = std::min(2 * count, mostTogether);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// What becomes of the charts after each removal.
+std::vector<ChartTrials::Result> Charts::tryWithout(
+  const std::vector<const Removal*>& removals, TrialBudget& budget, const Execution& execution)
+{
+  std::vector<std::vector<TriangleMesh>> sets;
+  for (const Removal* one : removals)
+  {
+    sets.emplace_back();
+    for (OpenedPart& part : this->without(*one))
+    {
+      sets.back().push_back(std::move(part.mesh));
+    }
+  }
+  std::vector<ChartTrials::Result> results =
+    this->Trials.run(sets, this->Bound, budget, execution, this->Lying);
+  for (std::size_t k = 0; k < removals.size(); ++k)
+  {
+    ChartTrials::Result& one = results[k];
+    one.sound = one.keeps(this->Bound) && this->worthIt(*removals[k], one.waste, budget, execution);
+  }
+  return results;
 }
 
 /// The first of the candidates that keeps the bound. False where none does.
 bool Charts::removeFirst(
   const std::vector<Candidate*>& order, TrialBudget& budget, const Execution& execution)
 {
-  for (std::size_t first = 0; first < order.size() && !budget.spent(); first += triedAtOnce)
+  const std::size_t together = this->All.size() == 1 ? 1 : triedAtOnce;
+  for (std::size_t first = 0; first < order.size() && !budget.spent(); first += together)
   {
-    const std::size_t last = std::min(order.size(), first + triedAtOnce);
-    std::vector<std::vector<TriangleMesh>> sets;
+    const std::size_t last = std::min(order.size(), first + together);
+    std::vector<const Removal*> removals;
     for (std::size_t k = first; k < last; ++k)
     {
-      sets.emplace_back();
-      for (OpenedPart& part : this->without(order[k]->removal))
-      {
-        sets.back().push_back(std::move(part.mesh));
-      }
+      removals.push_back(&order[k]->removal);
     }
-    const std::vector<ChartTrials::Result> results =
-      this->Trials.run(sets, this->Bound, budget, execution);
+    const std::vector<ChartTrials::Result> results = this->tryWithout(removals, budget, execution);
     for (std::size_t k = first; k < last; ++k)
     {
       order[k]->tried = true;
-      order[k]->keeps = results[k - first].keeps(this->Bound) &&
-        this->worthIt(order[k]->removal, results[k - first].waste, budget, execution);
+      order[k]->keeps = results[k - first].keeps(this->Bound);
+      if (!order[k]->keeps && order[k]->removal.charts.size() == 1)
+      {
+        this->Needed.insert(order[k]->removal.edges);
+      }
     }
     for (std::size_t k = first; k < last; ++k)
     {
       if (order[k]->keeps)
       {
-        this->remove(order[k]->removal);
+        this->remove(order[k]->removal, results[k - first]);
         return true;
       }
     }
@@ -409,7 +453,7 @@ std::vector<char> Charts::cutAfter(const Removal& removal) const
   return cut;
 }
 
-void Charts::remove(const Removal& removal)
+void Charts::remove(const Removal& removal, const ChartTrials::Result& flat)
 {
   std::vector<char> cut = this->cutAfter(removal);
   std::vector<char> touched(this->All.size(), 0);
@@ -427,6 +471,7 @@ void Charts::remove(const Removal& removal)
   }
   this->Cut = std::move(cut);
   this->group(changed);
+  this->Lying = this->All.size() == 1 ? flat.corners : std::vector<FlatCorners>();
 }
 
 /// What becomes of the charts.

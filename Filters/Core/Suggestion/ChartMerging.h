@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <limits>
+#include <set>
 
 namespace flattening
 {
@@ -92,10 +93,14 @@ private:
   void divideOnce(double bound);
   void eliminate(const std::function<void(const std::vector<Arc>&, std::vector<Removal>&)>& list,
     TrialBudget& budget, const Execution& execution);
+  bool removeTogether(
+    const std::vector<Candidate*>& order, TrialBudget& budget, const Execution& execution);
+  std::vector<ChartTrials::Result> tryWithout(
+    const std::vector<const Removal*>& removals, TrialBudget& budget, const Execution& execution);
   bool removeFirst(
     const std::vector<Candidate*>& order, TrialBudget& budget, const Execution& execution);
   std::vector<char> cutAfter(const Removal& removal) const;
-  void remove(const Removal& removal);
+  void remove(const Removal& removal, const ChartTrials::Result& flat);
   std::vector<OpenedPart> without(const Removal& removal) const;
   bool worthIt(
     const Removal& removal, double waste, TrialBudget& budget, const Execution& execution);
@@ -132,5 +137,8 @@ private:
   Indices ChartOf; ///< by triangle
   std::vector<Chart> All;
   Index Versions = 0;
+  std::set<Indices> Needed; ///< edges inside one chart that it does not keep the bound without
+  std::vector<FlatCorners> Lying; ///< by triangle, of a single chart, where it is known
+  std::size_t Together = 1;       ///< cuts inside one chart that are sewn at once
 };
 }

@@ -4,6 +4,7 @@
 #include "Sparse/LinearSolver.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace flattening
@@ -38,24 +39,40 @@ ChartTrials::Key ChartTrials::keyOf(const TriangleMesh& chart)
   return key;
 }
 
-ChartTrials::Result ChartTrials::flattened(
-  const TriangleMesh& chart, double most, const Execution& execution) const
+ChartTrials::Result ChartTrials::flattened(const TriangleMesh& chart, double bound, double most,
+  const std::vector<FlatCorners>& start, const Execution& execution) const
 {
   TrialBudget budget(std::min(
     most, this->MostSteps * factorizationWork(static_cast<double>(chart.triangleCount()))));
-  const TrialOutcome outcome =
-    CutTrials(chart, {}, {}, this->Flattening).run({}, budget, execution);
   Result result;
-  result.sound = outcome.valid && outcome.flipped == 0 && outcome.overlaps == 0;
-  result.strain = outcome.valid ? outcome.strainP95 : result.strain;
-  result.waste = outcome.waste;
+  const auto flatten = [&](const FlatteningOptions& options) {
+    const CutTrials::Trial trial = CutTrials(chart, {}, {}, options).trial({}, budget, execution);
+    const TrialOutcome& outcome = trial.outcome;
+    result.sound = outcome.valid && outcome.flipped == 0 && outcome.overlaps == 0;
+    result.strain = outcome.valid ? outcome.strainP95 : std::numeric_limits<double>::infinity();
+    result.waste = outcome.waste;
+    result.corners =
+      result.sound && options.preventOverlap ? cornersOf(trial.flat) : std::vector<FlatCorners>();
+  };
+  if (this->Flattening.preventOverlap && std::isfinite(bound))
+  {
+    FlatteningOptions enough = this->Flattening;
+    enough.enoughStrain = bound;
+    enough.start = start;
+    flatten(enough);
+    result.upTo = result.keeps(bound) ? 0.0 : bound;
+  }
+  if (result.upTo == 0.0)
+  {
+    flatten(this->Flattening); // as the piece will be
+  }
   result.work = budget.work();
   return result;
 }
 
 std::vector<ChartTrials::Result> ChartTrials::run(
   const std::vector<std::vector<TriangleMesh>>& sets, double bound, TrialBudget& budget,
-  const Execution& execution)
+  const Execution& execution, const std::vector<FlatCorners>& start)
 {
   std::vector<Result> results(sets.size());
   const Execution inner = execution.nestedExecution();
@@ -65,13 +82,16 @@ std::vector<ChartTrials::Result> ChartTrials::run(
     const std::size_t last = std::min(sets.size(), first + triedTogether);
     std::vector<std::vector<std::pair<Key, Result>>> fresh(last - first);
     execution.forEachTask(static_cast<Index>(last - first), [&](Index k) {
-      Result all{ true, 0.0, 0.0, 0.0 };
+      Result all;
+      all.sound = true;
+      all.strain = 0.0;
       for (const TriangleMesh& chart : sets[first + k])
       {
         const Key key = keyOf(chart);
         const auto known = this->Known.find(key);
-        const bool isKnown = known != this->Known.end();
-        const Result one = isKnown ? known->second : this->flattened(chart, left, inner);
+        const bool isKnown = known != this->Known.end() && known->second.holdsFor(bound);
+        const Result one =
+          isKnown ? known->second : this->flattened(chart, bound, left, start, inner);
         if (!isKnown)
         {
           fresh[k].emplace_back(key, one);
@@ -80,6 +100,7 @@ std::vector<ChartTrials::Result> ChartTrials::run(
         all.sound = all.sound && one.sound;
         all.strain = std::max(all.strain, one.strain);
         all.waste += one.waste;
+        all.corners = one.corners;
         if (!all.keeps(bound))
         {
           break;
@@ -93,11 +114,12 @@ std::vector<ChartTrials::Result> ChartTrials::run(
       {
         budget.pay(results[k].work);
       }
-      for (const auto& [key, one] : fresh[k - first])
+      for (auto& [key, one] : fresh[k - first])
       {
         if (one.work < left) // with more it may come out otherwise
         {
-          this->Known.emplace(key, one);
+          one.corners = one.keeps(bound) ? std::move(one.corners) : std::vector<FlatCorners>();
+          this->Known.insert_or_assign(key, std::move(one));
         }
       }
     }

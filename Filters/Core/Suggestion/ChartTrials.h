@@ -4,6 +4,7 @@
 #include "Suggestion/CutTrials.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -21,7 +22,11 @@ public:
     double strain = std::numeric_limits<double>::infinity(); ///< on 95 % of the area
     double waste = 0.0;                                      ///< see TrialOutcome
     double work = 0.0;
+    double upTo = 0.0; ///< where it is above 0, the bound that the strain was found to be above
+    std::vector<FlatCorners> corners; ///< by triangle, where overlaps are prevented
 
+    /// Whether it tells as much of another bound.
+    bool holdsFor(double bound) const { return this->upTo == 0.0 || bound <= this->upTo; }
     bool keeps(double bound) const { return this->sound && this->strain <= bound; }
   };
 
@@ -34,16 +39,19 @@ public:
 
   /// Sets of charts, in parallel. A set is no better than the worst of its charts, wastes as much
   /// as all of them, and is given up at the first that does not keep the bound. Those after the
-  /// budget is spent are not tried.
+  /// budget is spent are not tried. Where overlaps are prevented, which takes long, a strain above
+  /// the bound is no minimum's.
+  /// \param start by triangle of each chart, where it may lie; empty for none
   std::vector<Result> run(const std::vector<std::vector<TriangleMesh>>& sets, double bound,
-    TrialBudget& budget, const Execution& execution);
+    TrialBudget& budget, const Execution& execution, const std::vector<FlatCorners>& start = {});
 
 private:
   using Key = std::array<std::uint64_t, 2>;
 
   static Key keyOf(const TriangleMesh& chart);
   /// \param most work, after which it is given up
-  Result flattened(const TriangleMesh& chart, double most, const Execution& execution) const;
+  Result flattened(const TriangleMesh& chart, double bound, double most,
+    const std::vector<FlatCorners>& start, const Execution& execution) const;
 
   FlatteningOptions Flattening;
   double MostSteps;

@@ -172,6 +172,16 @@ bool dartsDivide(const ImprintedSurface& surface, std::size_t first)
 }
 }
 
+std::vector<FlatCorners> cornersOf(const FlatteningResult& flat)
+{
+  std::vector<FlatCorners> corners;
+  for (const auto& [a, b, c] : flat.cut->mesh.triangles())
+  {
+    corners.push_back({ flat.positions[a], flat.positions[b], flat.positions[c] });
+  }
+  return corners;
+}
+
 double lengthOf(const Points3& line)
 {
   double length = 0.0;
@@ -263,7 +273,7 @@ CutTrials::Trial CutTrials::tried(
                                       : this->MostSteps;
     limit = std::min(most, static_cast<double>(factorized) + factorizationWork(triangles) * steps);
     FlatteningOptions options = this->Flattening;
-    options.start = fromStart ? this->startOf(trial.surface) : std::vector<FlatCorners>();
+    options.start = fromStart ? this->startOf(trial.surface) : this->Flattening.start;
     trial.flat = flattenSurface(trial.surface.mesh, trial.surface.curves, options, counting);
     if (!trial.flat.status.refused())
     {
@@ -289,11 +299,7 @@ TrialOutcome CutTrials::startUncut(TrialBudget& budget, const Execution& executi
   const FlatteningResult& flat = trial.flat;
   const bool whole = trial.outcome.valid && trial.outcome.flipped == 0 && flat.leftOut.empty() &&
     trial.surface.mesh.triangles() == this->Mesh.triangles();
-  for (Index t = 0; t < this->Mesh.triangleCount() && whole; ++t)
-  {
-    const auto& [a, b, c] = flat.cut->mesh.triangle(t);
-    this->Start.push_back({ flat.positions[a], flat.positions[b], flat.positions[c] });
-  }
+  this->Start = whole ? cornersOf(flat) : std::vector<FlatCorners>();
   return std::move(trial.outcome);
 }
 

@@ -129,6 +129,9 @@ struct TrialOutcome
   }
 };
 
+/// By triangle.
+std::vector<FlatCorners> cornersOf(const FlatteningResult& flat);
+
 /// Of a line by its points.
 double lengthOf(const Points3& line);
 
