@@ -32,7 +32,7 @@ constexpr double mostDeformed = 10.0;
 /// No more than which Newton's method gets along with.
 constexpr double littleDeformed = 100.0;
 /// Where shapes between leave out no less than this share of what they did, in this number of
-/// rounds, they lead no further.
+/// rounds, or nothing is gained in one, they lead no further.
 constexpr double leadsOn = 0.9;
 constexpr int leadingRounds = 6;
 constexpr int shapeHalvings = 20;
@@ -50,8 +50,10 @@ constexpr double slim = 1e-7;
 constexpr std::size_t nearingRounds = 4;
 constexpr double nearingShare = 0.1;
 /// Of the energy, the change in a round below which a strain is judged: before, most of it may be
-/// near a seam that has just been sewn, on less than a twentieth of the area.
+/// near a seam that has just been sewn, on less than a twentieth of the area. Where it comes no
+/// nearer it is judged sooner.
 constexpr double rest = 1e-2;
+constexpr double nearRest = 0.1;
 /// What lengths may miss in the model's units where the last round ended.
 constexpr double lengthsKeptWithin = 1e-6;
 
@@ -316,15 +318,18 @@ IsometricSolution warpWithoutOverlap(const Piece& piece, const AngleProblem& pro
     opening = share < 1.0 ? std::min(widening * opening, maxOpening)
                           : std::max(opening / widening, minOpening);
     const bool gains = next.distortionEnergy < (1.0 - minGain) * energy;
-    const bool rests = share == 1.0 && std::abs(next.distortionEnergy - energy) < rest * energy;
+    const double change = share == 1.0 && std::isfinite(energy)
+      ? std::abs(next.distortionEnergy / energy - 1.0)
+      : std::numeric_limits<double>::infinity();
     idle = share < 1.0 || gains || between ? 0 : idle + 1;
+    leading = between && share == 1.0 && !gains ? leadingRounds : leading;
     energy = share < 1.0 ? std::numeric_limits<double>::infinity() : next.distortionEnergy;
     if (enough > 0.0)
     {
       strains.push_back(strainQuantile(mesh, map.positions));
       const double excess = strains.back() - enough;
-      if ((excess <= 0.0 && rests) ||
-        (strains.size() > nearingRounds &&
+      if ((excess <= 0.0 && change < rest) ||
+        (strains.size() > nearingRounds && change < nearRest &&
           strains[strains.size() - 1 - nearingRounds] - strains.back() < nearingShare * excess))
       {
         break;
