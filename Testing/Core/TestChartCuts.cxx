@@ -228,6 +228,8 @@ TEST(ChartCuts, OpenABodyWithLimbsAsOnePieceWithAFreeBoundary)
       const double length = totalLength(found.curves);
       EXPECT_GT(length, before); // less strain takes more seams
       before = length;
+      // Where each trial begins anew, and ends at its minimum, the last takes 10.7.
+      EXPECT_LT(found.work, 8.0);
     }
   }
 }

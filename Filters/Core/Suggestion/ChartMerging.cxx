@@ -25,8 +25,6 @@ namespace
 constexpr double dividedBound = 0.5;
 constexpr double dividedShare = 0.3;
 constexpr int maxDivisions = 4;
-/// What a forecast takes, in steps of a flattening.
-constexpr double forecastSteps = 1.0;
 /// More than there are threads. In a single chart, of which flattenings are long, one.
 constexpr std::size_t triedAtOnce = 4;
 /// Cuts in a single chart that are sewn at once, at most.
@@ -311,14 +309,14 @@ void Charts::eliminate(
       order.push_back(&entry.first->second);
       order.back()->removal = std::move(removal); // charts have other numbers now
       // What a chart cannot do without it can do without no better when others are sewn.
-      order.back()->tried =
-        order.back()->tried || this->Needed.count(order.back()->removal.edges) > 0;
+      const bool needed = this->Needed.count(order.back()->removal.edges) > 0;
+      order.back()->tried = order.back()->tried || needed;
       if (entry.second && !order.back()->tried)
       {
         fresh.push_back(order.back());
         for (Index chart : order.back()->removal.charts)
         {
-          budget.pay(forecastSteps * static_cast<double>(this->All[chart].triangles.size()));
+          budget.pay(static_cast<double>(this->All[chart].triangles.size())); // a step
         }
       }
     }
@@ -342,13 +340,13 @@ bool Charts::removeTogether(
   for (; this->All.size() == 1 && std::min(order.size(), this->Together) > 1 && !budget.spent();
        this->Together /= 2)
   {
-    const std::size_t count = std::min(order.size(), this->Together);
     Removal all = order.front()->removal;
+    const std::size_t count = std::min(order.size(), this->Together);
     for (std::size_t k = 1; k < count; ++k)
     {
-      const Indices& edges = order[k]->removal.edges;
-      all.edges.insert(all.edges.end(), edges.begin(), edges.end());
-      all.saved += order[k]->removal.saved;
+      const Removal& one = order[k]->removal;
+      all.edges.insert(all.edges.end(), one.edges.begin(), one.edges.end());
+      all.saved += one.saved;
     }
     sortUnique(all.edges);
     const ChartTrials::Result flat = this->tryWithout({ &all }, budget, execution).front();
@@ -379,8 +377,8 @@ std::vector<ChartTrials::Result> Charts::tryWithout(
     this->Trials.run(sets, this->Bound, budget, execution, this->Lying);
   for (std::size_t k = 0; k < removals.size(); ++k)
   {
-    ChartTrials::Result& one = results[k];
-    one.sound = one.keeps(this->Bound) && this->worthIt(*removals[k], one.waste, budget, execution);
+    results[k].sound = results[k].keeps(this->Bound) &&
+      this->worthIt(*removals[k], results[k].waste, budget, execution);
   }
   return results;
 }

@@ -443,6 +443,11 @@ CutSet withFolds(CutSet set, const CutTrials& trials, std::size_t curves, double
   }
   CutTrials::Trial flat = trials.trial(linesOf(open.cuts), budget, execution);
   open.outcome = std::move(flat.outcome);
+  if (!trials.foldDarts())
+  {
+    set.outcome = open.outcome;
+    return set;
+  }
   const double most = maxFolding * flat.work;
   while (open.outcome.valid && std::any_of(set.cuts.begin(), set.cuts.end(), isDart))
   {
