@@ -70,8 +70,8 @@ struct FlatteningOptions
   /// Free: keep the boundary from crossing itself (see warpWithoutOverlap()).
   bool preventOverlap = false;
   /// With that, of pieces on trial: the strain on 95 % of the area that is enough. They are kept
-  /// from overlapping from the start, and no further than to there, or until that is out of reach.
-  /// 0: to a minimum.
+  /// from overlapping from `start` on, or from a convex map, and without wires no further than to
+  /// there, or until that is out of reach. 0: to a minimum.
   double enoughStrain = 0.0;
   /// How far each stretch of the boundary between ends of other wires may go from its length on the
   /// surface, as a fraction in [0, 1); 0 is rigid.

@@ -5,7 +5,6 @@
 #include "Quality/BoundaryOverlap.h"
 #include "Quality/FlatteningQuality.h"
 #include "Quality/IntrinsicDelaunay.h"
-#include "Quality/StrainMeasures.h"
 #include "Surface/PolygonTriangulation.h"
 #include "Surface/TriangleFrame.h"
 
@@ -215,26 +214,6 @@ std::vector<std::array<Point2, 2>> shapesBetween(
   return worst > littleDeformed ? shapes : std::vector<std::array<Point2, 2>>();
 }
 
-/// What is not exceeded on 95 % of the area, see StrainMeasures.
-double strainQuantile(const TriangleMesh& mesh, const Points2& positions)
-{
-  std::vector<AreaValue> strains;
-  for (const Triangle& c : mesh.triangles())
-  {
-    std::array<Complex, 3> corner;
-    for (int k = 0; k < 3; ++k)
-    {
-      corner[k] = Complex(positions[c[k]].x(), positions[c[k]].y());
-    }
-    const TriangleFrame frame(mesh.points(), c);
-    const double large = std::abs(frame.alpha(corner)) + std::abs(frame.beta(corner));
-    const double small = std::abs(frame.alpha(corner)) - std::abs(frame.beta(corner));
-    strains.push_back(
-      { small > 0.0 ? std::max(std::log(large), -std::log(small)) : largestStrain, frame.area });
-  }
-  return areaQuantile(std::move(strains));
-}
-
 bool isBijective(const TriangleMesh& mesh, const Points2& positions)
 {
   return countFlipped(mesh, positions) == 0 && findBoundaryOverlaps(mesh, positions, 1).empty();
@@ -288,6 +267,8 @@ IsometricSolution warpWithoutOverlap(const Piece& piece, const AngleProblem& pro
   int idle = 0;
   bool stuck = false;
   std::vector<double> strains; // by round, where one is enough
+  const SurfaceMeasures surface =
+    enough > 0.0 ? measureSurface(mesh, execution) : SurfaceMeasures();
   for (int k = 0; k < maxRounds && idle < idleRounds; ++k)
   {
     round.maximumIterations = steps;
@@ -318,18 +299,22 @@ IsometricSolution warpWithoutOverlap(const Piece& piece, const AngleProblem& pro
     opening = share < 1.0 ? std::min(widening * opening, maxOpening)
                           : std::max(opening / widening, minOpening);
     const bool gains = next.distortionEnergy < (1.0 - minGain) * energy;
-    const double change = share == 1.0 && std::isfinite(energy)
-      ? std::abs(next.distortionEnergy / energy - 1.0)
-      : std::numeric_limits<double>::infinity();
+    const auto rests = [&](double change) {
+      return share == 1.0 && std::isfinite(energy) &&
+        std::abs(next.distortionEnergy - energy) <= change * energy;
+    };
+    const bool settled = enough > 0.0 && rests(rest);
+    const bool nearlySettled = enough > 0.0 && rests(nearRest);
     idle = share < 1.0 || gains || between ? 0 : idle + 1;
     leading = between && share == 1.0 && !gains ? leadingRounds : leading;
     energy = share < 1.0 ? std::numeric_limits<double>::infinity() : next.distortionEnergy;
     if (enough > 0.0)
     {
-      strains.push_back(strainQuantile(mesh, map.positions));
+      strains.push_back(
+        measureFlattening(mesh, surface, map.positions, {}, execution).summary.strainP95);
       const double excess = strains.back() - enough;
-      if ((excess <= 0.0 && change < rest) ||
-        (strains.size() > nearingRounds && change < nearRest &&
+      if ((excess <= 0.0 && settled) ||
+        (strains.size() > nearingRounds && nearlySettled &&
           strains[strains.size() - 1 - nearingRounds] - strains.back() < nearingShare * excess))
       {
         break;

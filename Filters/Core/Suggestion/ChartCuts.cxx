@@ -54,9 +54,10 @@ constexpr double maxChartSteps = 50.0;
 constexpr double firstForecast = 3.0;
 constexpr double nextForecast = 0.9;
 constexpr double lastForecast = 0.3;
-/// The forecast is lowered by a power of what the strain is too much, from the last two, at least
-/// this one, but to no less than a share at once: of three trees it went with the strain's power of
-/// 1.3 to 3.
+/// The forecast is lowered by a power of what the strain is too much, found from the last two with
+/// at least this logarithm between them, at least this one, but to no less than a share at once: of
+/// three trees it went with the strain's power of 1.3 to 3.
+constexpr double leastFall = 0.01;
 constexpr double leastPower = 0.8;
 constexpr double leastStep = 0.5;
 constexpr double growingShare = 0.6;
@@ -394,34 +395,39 @@ private:
     ChartOptions options = this->Options;
     options.bound = ruggedShare * this->Bound;
     options.hopelessShare = std::numeric_limits<double>::infinity();
-    ChartTrials trials(roughly(options.flattening), maxTreeSteps);
+    ChartTrials trials(roughly(options.flattening), maxTreeSteps, true);
     SeamTree tree(mesh);
     TrialBudget growing(growingShare * this->Budget.left(), this->Budget);
+    constexpr double any = std::numeric_limits<double>::infinity();
+    const auto laid = [&](const std::vector<char>& opened, double enough, TrialBudget& budget) {
+      const OpenedPart disk = openedPart(mesh, numbersTo(mesh.triangleCount()), opened);
+      return trials.run({ { disk.mesh } }, enough, budget, this->Run).front();
+    };
     std::vector<char> cut;
-    double strain = std::numeric_limits<double>::infinity();
+    double strain = any;
     double step = nextForecast;
-    double power = leastPower;
     for (double share = firstForecast; strain > options.bound && share > lastForecast &&
          tree.grow(share * options.bound, growing, this->Run);
-         share *= step)
+         share *= share * step > lastForecast ? step : nextForecast)
     {
-      const OpenedPart disk = openedPart(mesh, numbersTo(mesh.triangleCount()), tree.cut());
-      const ChartTrials::Result flat =
-        trials.run({ { disk.mesh } }, options.bound, growing, this->Run).front();
-      const bool nearer = flat.sound && flat.strain < strain;
-      if (nearer && std::isfinite(strain))
+      const ChartTrials::Result flat = laid(tree.cut(), options.bound, growing);
+      const double lastStep = std::exchange(step, nextForecast);
+      if (flat.sound && flat.strain < strain)
       {
-        power = std::max(power, std::log(step) / std::log(flat.strain / strain));
-      }
-      step = nextForecast;
-      if (nearer)
-      {
+        const double left = std::max(flat.strain, options.bound);
+        const double power = strain < any
+          ? std::max(leastPower, std::log(lastStep) / std::min(-leastFall, std::log(left / strain)))
+          : leastPower;
         cut = tree.cut();
         strain = flat.strain;
-        step = std::clamp(std::pow(options.bound / strain, power), leastStep, nextForecast);
+        step = std::clamp(std::pow(options.bound / left, power), leastStep, nextForecast);
       }
     }
-    if (cut.empty())
+    if (!cut.empty() && strain > options.bound)
+    {
+      strain = laid(cut, any, this->Budget).strain; // as the piece will be
+    }
+    if (!std::isfinite(strain))
     {
       return {};
     }

@@ -308,7 +308,7 @@ void Charts::eliminate(
       const auto entry = known.emplace(this->keyOf(removal), Candidate());
       order.push_back(&entry.first->second);
       order.back()->removal = std::move(removal); // charts have other numbers now
-      // What a chart cannot do without it can do without no better when others are sewn.
+      // What one piece cannot do without it can do without no better when others are sewn.
       const bool needed = this->Needed.count(order.back()->removal.edges) > 0;
       order.back()->tried = order.back()->tried || needed;
       if (entry.second && !order.back()->tried)
@@ -337,8 +337,7 @@ void Charts::eliminate(
 bool Charts::removeTogether(
   const std::vector<Candidate*>& order, TrialBudget& budget, const Execution& execution)
 {
-  for (; this->All.size() == 1 && std::min(order.size(), this->Together) > 1 && !budget.spent();
-       this->Together /= 2)
+  while (this->All.size() == 1 && std::min(order.size(), this->Together) > 1 && !budget.spent())
   {
     Removal all = order.front()->removal;
     const std::size_t count = std::min(order.size(), this->Together);
@@ -356,6 +355,7 @@ bool Charts::removeTogether(
       this->Together = std::min(2 * count, mostTogether);
       return true;
     }
+    this->Together = count / 2;
   }
   return false;
 }
@@ -401,7 +401,7 @@ bool Charts::removeFirst(
     {
       order[k]->tried = true;
       order[k]->keeps = results[k - first].keeps(this->Bound);
-      if (!order[k]->keeps && order[k]->removal.charts.size() == 1)
+      if (!order[k]->keeps && this->Options.pieces == 1 && this->All.size() == 1)
       {
         this->Needed.insert(order[k]->removal.edges);
       }

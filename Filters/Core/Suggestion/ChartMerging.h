@@ -137,7 +137,7 @@ private:
   Indices ChartOf; ///< by triangle
   std::vector<Chart> All;
   Index Versions = 0;
-  std::set<Indices> Needed; ///< edges inside one chart that it does not keep the bound without
+  std::set<Indices> Needed;       ///< of a single piece, which it does not keep the bound without
   std::vector<FlatCorners> Lying; ///< by triangle, of a single chart, where it is known
   std::size_t Together = 1;       ///< cuts inside one chart that are sewn at once
 };

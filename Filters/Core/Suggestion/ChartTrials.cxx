@@ -42,19 +42,21 @@ ChartTrials::Key ChartTrials::keyOf(const TriangleMesh& chart)
 ChartTrials::Result ChartTrials::flattened(const TriangleMesh& chart, double bound, double most,
   const std::vector<FlatCorners>& start, const Execution& execution) const
 {
-  TrialBudget budget(std::min(
-    most, this->MostSteps * factorizationWork(static_cast<double>(chart.triangleCount()))));
+  const double steps =
+    this->MostSteps * factorizationWork(static_cast<double>(chart.triangleCount()));
   Result result;
   const auto flatten = [&](const FlatteningOptions& options) {
+    TrialBudget budget(std::min(most - result.work, steps));
     const CutTrials::Trial trial = CutTrials(chart, {}, {}, options).trial({}, budget, execution);
     const TrialOutcome& outcome = trial.outcome;
     result.sound = outcome.valid && outcome.flipped == 0 && outcome.overlaps == 0;
     result.strain = outcome.valid ? outcome.strainP95 : std::numeric_limits<double>::infinity();
     result.waste = outcome.waste;
+    result.work += budget.work();
     result.corners =
-      result.sound && options.preventOverlap ? cornersOf(trial.flat) : std::vector<FlatCorners>();
+      result.sound && this->InParts ? cornersOf(trial.flat) : std::vector<FlatCorners>();
   };
-  if (this->Flattening.preventOverlap && std::isfinite(bound))
+  if (this->InParts && std::isfinite(bound))
   {
     FlatteningOptions enough = this->Flattening;
     enough.enoughStrain = bound;
@@ -64,9 +66,8 @@ ChartTrials::Result ChartTrials::flattened(const TriangleMesh& chart, double bou
   }
   if (result.upTo == 0.0)
   {
-    flatten(this->Flattening); // as the piece will be
+    flatten(this->Flattening);
   }
-  result.work = budget.work();
   return result;
 }
 

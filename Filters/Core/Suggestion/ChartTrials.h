@@ -22,7 +22,8 @@ public:
     double strain = std::numeric_limits<double>::infinity(); ///< on 95 % of the area
     double waste = 0.0;                                      ///< see TrialOutcome
     double work = 0.0;
-    double upTo = 0.0; ///< where it is above 0, the bound that the strain was found to be above
+    double upTo =
+      0.0; ///< the bound that the first part did not keep; 0 where the piece was flattened
     std::vector<FlatCorners> corners; ///< by triangle, where overlaps are prevented
 
     /// Whether it tells as much of another bound.
@@ -30,17 +31,19 @@ public:
     bool keeps(double bound) const { return this->sound && this->strain <= bound; }
   };
 
-  /// \param maxSteps after which a flattening is given up
-  ChartTrials(const FlatteningOptions& flattening, double maxSteps)
+  /// \param maxSteps after which a flattening is given up \param inParts whether overlaps are
+  /// prevented from the start on, and only what keeps the bound so is flattened as the piece will
+  /// be
+  ChartTrials(const FlatteningOptions& flattening, double maxSteps, bool inParts = false)
     : Flattening(flattening)
     , MostSteps(maxSteps)
+    , InParts(inParts && flattening.preventOverlap)
   {
   }
 
   /// Sets of charts, in parallel. A set is no better than the worst of its charts, wastes as much
   /// as all of them, and is given up at the first that does not keep the bound. Those after the
-  /// budget is spent are not tried. Where overlaps are prevented, which takes long, a strain above
-  /// the bound is no minimum's.
+  /// budget is spent are not tried. In parts, a strain above the bound is no minimum's.
   /// \param start by triangle of each chart, where it may lie; empty for none
   std::vector<Result> run(const std::vector<std::vector<TriangleMesh>>& sets, double bound,
     TrialBudget& budget, const Execution& execution, const std::vector<FlatCorners>& start = {});
@@ -55,6 +58,7 @@ private:
 
   FlatteningOptions Flattening;
   double MostSteps;
+  bool InParts;
   std::map<Key, Result> Known;
 };
 }

@@ -273,7 +273,11 @@ CutTrials::Trial CutTrials::tried(
                                       : this->MostSteps;
     limit = std::min(most, static_cast<double>(factorized) + factorizationWork(triangles) * steps);
     FlatteningOptions options = this->Flattening;
-    options.start = fromStart ? this->startOf(trial.surface) : this->Flattening.start;
+    const bool given =
+      this->Flattening.start.size() == static_cast<std::size_t>(trial.surface.mesh.triangleCount());
+    options.start = fromStart ? this->startOf(trial.surface)
+      : given                 ? this->Flattening.start
+                              : std::vector<FlatCorners>();
     trial.flat = flattenSurface(trial.surface.mesh, trial.surface.curves, options, counting);
     if (!trial.flat.status.refused())
     {
@@ -297,7 +301,8 @@ TrialOutcome CutTrials::startUncut(TrialBudget& budget, const Execution& executi
   this->Start.clear();
   Trial trial = this->trial({}, budget, execution);
   const FlatteningResult& flat = trial.flat;
-  const bool whole = trial.outcome.valid && trial.outcome.flipped == 0 && flat.leftOut.empty() &&
+  const bool whole = !this->Flattening.preventOverlap && trial.outcome.valid &&
+    trial.outcome.flipped == 0 && flat.leftOut.empty() &&
     trial.surface.mesh.triangles() == this->Mesh.triangles();
   this->Start = whole ? cornersOf(flat) : std::vector<FlatCorners>();
   return std::move(trial.outcome);

@@ -167,7 +167,8 @@ public:
   {
     return this->trial(cuts, budget, execution).outcome;
   }
-  /// The surface without any cut. From then on trials start from where that has put it.
+  /// The surface without any cut. From then on trials start from where that has put it, but for
+  /// those that keep it from overlapping.
   TrialOutcome startUncut(TrialBudget& budget, const Execution& execution);
   /// Whether darts lie otherwise than seams.
   bool foldDarts() const
