@@ -91,6 +91,11 @@ struct FlatteningOptions
   bool closeCuts = false;
   /// Whether darts are to fold, leg on leg.
   DartLegs dartLegs = DartLegs::Free;
+  /// Whether legs are held to fold: with a free boundary none are.
+  bool foldsDarts() const
+  {
+    return this->dartLegs != DartLegs::Free && this->boundary == BoundaryMode::Exact;
+  }
   /// Curves that are longer in one of their pieces than in the other (see decideEases()).
   std::vector<CurveEase> eases;
   /// Leave out pieces without boundary or with handles instead of refusing the surface for them.

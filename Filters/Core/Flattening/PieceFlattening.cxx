@@ -345,7 +345,7 @@ void foldEach(const PieceContext& context, const Indices& darts,
 PieceSolution flattenWithDarts(const PieceContext& context, const CurveRules& rules)
 {
   PieceSolution piece = flattenByScheme(context, rules);
-  const bool free = context.options.dartLegs == DartLegs::Free || rules.freeBoundary ||
+  const bool free = !context.options.foldsDarts() ||
     context.options.scheme == Scheme::LeastSquaresConformal || piece.status.refused() ||
     piece.positions.empty();
   if (free)

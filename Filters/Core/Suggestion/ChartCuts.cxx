@@ -56,7 +56,7 @@ constexpr double nextForecast = 0.9;
 constexpr double lastForecast = 0.3;
 /// The forecast is lowered by a power of what the strain is too much, found from the last two with
 /// at least this logarithm between them, at least this one, but to no less than a share at once: of
-/// three trees it went with the strain's power of 1.3 to 3.
+/// three trees it went with the strain's power of 0.7 to 3.
 constexpr double leastFall = 0.01;
 constexpr double leastPower = 0.8;
 constexpr double leastStep = 0.5;

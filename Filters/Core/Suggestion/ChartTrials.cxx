@@ -45,9 +45,11 @@ ChartTrials::Result ChartTrials::flattened(const TriangleMesh& chart, double bou
   const double steps =
     this->MostSteps * factorizationWork(static_cast<double>(chart.triangleCount()));
   Result result;
-  const auto flatten = [&](const FlatteningOptions& options) {
+  const auto flatten = [&](const FlatteningOptions& options, const std::vector<FlatCorners>& from) {
     TrialBudget budget(std::min(most - result.work, steps));
-    const CutTrials::Trial trial = CutTrials(chart, {}, {}, options).trial({}, budget, execution);
+    CutTrials trials(chart, {}, {}, options);
+    trials.startFrom(from);
+    const CutTrials::Trial trial = trials.trial({}, budget, execution);
     const TrialOutcome& outcome = trial.outcome;
     result.sound = outcome.valid && outcome.flipped == 0 && outcome.overlaps == 0;
     result.strain = outcome.valid ? outcome.strainP95 : std::numeric_limits<double>::infinity();
@@ -60,13 +62,12 @@ ChartTrials::Result ChartTrials::flattened(const TriangleMesh& chart, double bou
   {
     FlatteningOptions enough = this->Flattening;
     enough.enoughStrain = bound;
-    enough.start = start;
-    flatten(enough);
+    flatten(enough, start);
     result.upTo = result.keeps(bound) ? 0.0 : bound;
   }
   if (result.upTo == 0.0)
   {
-    flatten(this->Flattening);
+    flatten(this->Flattening, {});
   }
   return result;
 }

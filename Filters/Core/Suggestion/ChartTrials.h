@@ -4,7 +4,6 @@
 #include "Suggestion/CutTrials.h"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -22,9 +21,10 @@ public:
     double strain = std::numeric_limits<double>::infinity(); ///< on 95 % of the area
     double waste = 0.0;                                      ///< see TrialOutcome
     double work = 0.0;
-    double upTo =
-      0.0; ///< the bound that the first part did not keep; 0 where the piece was flattened
-    std::vector<FlatCorners> corners; ///< by triangle, where overlaps are prevented
+    /// The bound that the first part did not keep; 0 where the piece was flattened.
+    double upTo = 0.0;
+    std::vector<FlatCorners>
+      corners; ///< by triangle of the last chart; in parts, where it is sound
 
     /// Whether it tells as much of another bound.
     bool holdsFor(double bound) const { return this->upTo == 0.0 || bound <= this->upTo; }

@@ -443,7 +443,7 @@ CutSet withFolds(CutSet set, const CutTrials& trials, std::size_t curves, double
   }
   CutTrials::Trial flat = trials.trial(linesOf(open.cuts), budget, execution);
   open.outcome = std::move(flat.outcome);
-  if (!trials.foldDarts())
+  if (!trials.foldsDarts())
   {
     set.outcome = open.outcome;
     return set;

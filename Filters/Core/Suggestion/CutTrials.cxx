@@ -273,11 +273,7 @@ CutTrials::Trial CutTrials::tried(
                                       : this->MostSteps;
     limit = std::min(most, static_cast<double>(factorized) + factorizationWork(triangles) * steps);
     FlatteningOptions options = this->Flattening;
-    const bool given =
-      this->Flattening.start.size() == static_cast<std::size_t>(trial.surface.mesh.triangleCount());
-    options.start = fromStart ? this->startOf(trial.surface)
-      : given                 ? this->Flattening.start
-                              : std::vector<FlatCorners>();
+    options.start = fromStart ? this->startOf(trial.surface) : std::vector<FlatCorners>();
     trial.flat = flattenSurface(trial.surface.mesh, trial.surface.curves, options, counting);
     if (!trial.flat.status.refused())
     {

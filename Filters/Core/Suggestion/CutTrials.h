@@ -170,12 +170,9 @@ public:
   /// The surface without any cut. From then on trials start from where that has put it, but for
   /// those that keep it from overlapping.
   TrialOutcome startUncut(TrialBudget& budget, const Execution& execution);
-  /// Whether darts lie otherwise than seams.
-  bool foldDarts() const
-  {
-    return this->Flattening.dartLegs != DartLegs::Free &&
-      this->Flattening.boundary == BoundaryMode::Exact;
-  }
+  /// From then on trials start from there. \param start by triangle of the mesh; empty: anew
+  void startFrom(std::vector<FlatCorners> start) { this->Start = std::move(start); }
+  bool foldsDarts() const { return this->Flattening.foldsDarts(); }
   /// By cut, the points where it crosses the edges of the surface; none where it cannot be made.
   std::vector<Points3> paths(const std::vector<Polyline>& cuts) const;
   /// Several, in parallel; an empty set of cuts is not tried, and none once the budget is spent.
