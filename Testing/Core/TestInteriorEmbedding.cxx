@@ -208,7 +208,7 @@ TEST(RigidEmbedding, EndsWhereTheLocalGlobalMethodEnds)
     const Point3& p = wired.piece.mesh.point(vertices[i]);
     start.row(static_cast<Eigen::Index>(i)) << 1.1 * p.x() + 0.2 * p.y(), 0.8 * p.y();
   }
-  RigidEmbedding embedding(system, system.factor(InteriorWeights::Cotangent, {}), start);
+  RigidEmbedding embedding(system, system.factor(InteriorWeights::Cotangent, {}), start, {});
   for (int k = 0; k < 50 && embedding.iterate(0.0) == RigidEmbedding::State::Running; ++k)
   {
   }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Sparse/LinearSolver.h"
 #include "Sparse/NewtonKkt.h"
 #include "Sparse/PenaltyDescent.h"
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -140,6 +142,21 @@ DenseModel onThePlane(const Eigen::VectorXd& row, double right, DenseModel model
   return model;
 }
 
+/// The orthonormal basis of the cosine transform, the longest wave first.
+Eigen::MatrixXd cosines(Index n)
+{
+  Eigen::MatrixXd waves(n, n);
+  for (Index i = 0; i < n; ++i)
+  {
+    for (Index j = 0; j < n; ++j)
+    {
+      waves(i, j) =
+        std::sqrt((j == 0 ? 1.0 : 2.0) / n) * std::cos(std::acos(-1.0) * (i + 0.5) * j / n);
+    }
+  }
+  return waves;
+}
+
 /// One that leaves its unknowns in their order.
 LinearSolver inSinglePrecision(const DenseModel& model)
 {
@@ -186,15 +203,7 @@ TEST(NewtonKkt, AFactorInSinglePrecisionEndsAtTheSameMinimumWhereTheMultiplierIs
   // tolerance. H reaches from 1 to 1e5 along the waves of a cosine transform.
   constexpr Index n = 12;
   constexpr double s = 1e5;
-  Eigen::MatrixXd waves(n, n);
-  for (Index i = 0; i < n; ++i)
-  {
-    for (Index j = 0; j < n; ++j)
-    {
-      waves(i, j) =
-        std::sqrt((j == 0 ? 1.0 : 2.0) / n) * std::cos(std::acos(-1.0) * (i + 0.5) * j / n);
-    }
-  }
+  const Eigen::MatrixXd waves = cosines(n);
   const Eigen::VectorXd bent =
     pow(10.0, Eigen::ArrayXd::LinSpaced(n, 0.0, 5.0)).matrix(); // curvatures
   const Eigen::MatrixXd h = waves * bent.asDiagonal() * waves.transpose();
@@ -220,6 +229,33 @@ TEST(NewtonKkt, AFactorInSinglePrecisionEndsAtTheSameMinimumWhereTheMultiplierIs
   const Eigen::VectorXd along = waves * bent.cwiseInverse().asDiagonal() * waves.transpose() * a;
   const Eigen::VectorXd expected = a.dot(bySpectrum) / a.dot(along) * along - bySpectrum;
   EXPECT_LT((end.x - expected).norm(), 1e-7 * expected.norm());
+}
+
+TEST(NewtonKkt, AFactorInSinglePrecisionStaysWhereRefiningLeavesLittle)
+{
+  // Least of x H x / 2 - b x with a x = 0, b along the softest wave, whose curvature is 1e-7 of the
+  // stiffest one's: x is so large beside b that rounding of H leaves half of b at first.
+  constexpr Index n = 200;
+  const Eigen::MatrixXd waves = cosines(n);
+  const Eigen::VectorXd bent = pow(10.0, Eigen::ArrayXd::LinSpaced(n, -7.0, 0.0)).matrix();
+  const Eigen::MatrixXd h = waves * bent.asDiagonal() * waves.transpose();
+  const Eigen::VectorXd b = 1e-3 * waves.col(0);
+  DenseModel model;
+  model.unknowns = n;
+  model.f = [&](const Eigen::VectorXd& x) { return 0.5 * x.dot(h * x) - b.dot(x) + 1.0; };
+  model.gradient = [&](const Eigen::VectorXd& x) { return Eigen::VectorXd(h * x - b); };
+  model.hessian = [&](const Eigen::VectorXd&) { return h; };
+  model = onThePlane(waves.col(1), 0.0, model);
+  std::atomic<std::int64_t> work{ 0 };
+  Execution execution;
+  execution.factorized = &work;
+
+  const NewtonKktState end =
+    minimize(model, { Eigen::VectorXd::Zero(n), {} }, inSinglePrecision(model), {}, execution);
+
+  EXPECT_TRUE(end.converged());
+  EXPECT_LT((end.x - 1e7 * b).norm(), 1e7 * 1e-6 * b.norm());
+  EXPECT_EQ(work, std::llround(factorizationWork(n + 1))); // of one
 }
 
 TEST(NewtonKkt, FindsTheNearestPointOfALineInOneStepAndItsMultiplier)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace flattening
 {
@@ -151,18 +152,17 @@ CutSurface cutSurface(const TriangleMesh& mesh, const std::vector<FeatureCurve>&
   return openCuts(mesh, std::move(labels));
 }
 
-CutSurface openCuts(const TriangleMesh& mesh, CurveLabels labels)
+namespace
 {
-  CutSurface cut;
+/// Gives the fans between cuts a vertex each.
+TriangleMesh opened(const TriangleMesh& mesh, const CurveLabels& labels, Indices& originalVertex)
+{
   // Crossing an uncut edge keeps a fan's copy of the vertex, so copies are the fans between cuts.
   auto crossing = [&](Index h) { return mesh.twin(h) == none || labels.opensAt(h); };
   Points3 points = mesh.points();
   Triangles triangles = mesh.triangles();
-  cut.originalVertex.resize(points.size());
-  cut.originalVertexCount = mesh.vertexCount();
   for (Index v = 0; v < mesh.vertexCount(); ++v)
   {
-    cut.originalVertex[v] = v;
     // Start behind a cut or at the boundary, so that no fan is met in two parts.
     Index start = none;
     for (Index h : VertexFan(mesh, v))
@@ -185,7 +185,7 @@ CutSurface openCuts(const TriangleMesh& mesh, CurveLabels labels)
       {
         copy = static_cast<Index>(points.size());
         points.push_back(mesh.point(v));
-        cut.originalVertex.push_back(v);
+        originalVertex.push_back(v);
       }
       firstFan = false;
       triangles[h / 3][h % 3] = copy;
@@ -206,7 +206,19 @@ CutSurface openCuts(const TriangleMesh& mesh, CurveLabels labels)
     }
   }
   points.shrink_to_fit(); // it grew by copies, and is kept
-  cut.mesh = TriangleMesh(std::move(points), std::move(triangles), std::move(twins));
+  return TriangleMesh(std::move(points), std::move(triangles), std::move(twins));
+}
+}
+
+CutSurface openCuts(const TriangleMesh& mesh, CurveLabels labels)
+{
+  CutSurface cut;
+  cut.originalVertex.resize(mesh.vertexCount());
+  std::iota(cut.originalVertex.begin(), cut.originalVertex.end(), 0);
+  cut.originalVertexCount = mesh.vertexCount();
+  const bool opens = std::any_of(labels.curveOfHalfedge.begin(), labels.curveOfHalfedge.end(),
+    [&labels](Index curve) { return curve != none && labels.opens[curve] != 0; });
+  cut.mesh = opens ? opened(mesh, labels, cut.originalVertex) : mesh;
   cut.curveOfHalfedge = std::move(labels.curveOfHalfedge);
   for (Index h = 0; h < mesh.halfedgeCount(); ++h)
   {

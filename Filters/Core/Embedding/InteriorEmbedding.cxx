@@ -75,7 +75,7 @@ public:
       this->Result = Outcome::Stalled;
       return;
     }
-    this->Rigid = std::make_unique<RigidEmbedding>(this->System, factor, this->Local);
+    this->Rigid = std::make_unique<RigidEmbedding>(this->System, factor, this->Local, this->Run);
     this->Running = true;
   }
 

@@ -243,7 +243,8 @@ bool minimizeConformalEnergy(const TriangleMesh& mesh, const ConformalEnergy& en
     {
       return false;
     }
-    const Eigen::VectorXd step = solver.solve(energy.descent(positions, free.column, unknowns));
+    const Eigen::VectorXd step =
+      solver.solve(energy.descent(positions, free.column, unknowns), execution);
     if (step.rows() != unknowns)
     {
       return false;

@@ -74,11 +74,12 @@ struct RigidEmbedding::Linearized
   double slack = 0.0; ///< 1 / |alpha|
 };
 
-RigidEmbedding::RigidEmbedding(
-  InteriorSystem& system, const LinearSolver* preconditioner, const Eigen::MatrixXd& positions)
+RigidEmbedding::RigidEmbedding(InteriorSystem& system, const LinearSolver* preconditioner,
+  const Eigen::MatrixXd& positions, const Execution& execution)
   : Patch(&system.patch())
   , Frames(&system.frames())
   , Preconditioner(preconditioner)
+  , Run(execution)
   , Positions(positions)
 {
   for (const TriangleFrame& frame : *this->Frames)
@@ -155,7 +156,7 @@ RigidEmbedding::Direction RigidEmbedding::newtonDirection(
 {
   Eigen::MatrixXd step = Eigen::MatrixXd::Zero(descent.rows(), 2);
   Eigen::MatrixXd residual = descent;
-  Eigen::MatrixXd preconditioned = this->Preconditioner->solve(residual);
+  Eigen::MatrixXd preconditioned = this->Preconditioner->solve(residual, this->Run);
   Eigen::MatrixXd direction = preconditioned;
   double product = dot(residual, preconditioned);
   if (0.5 * conditionBound * product <= enough)
@@ -183,7 +184,7 @@ RigidEmbedding::Direction RigidEmbedding::newtonDirection(
       break;
     }
     residual -= length * bent;
-    preconditioned = this->Preconditioner->solve(residual);
+    preconditioned = this->Preconditioner->solve(residual, this->Run);
     const double next = dot(residual, preconditioned);
     direction = preconditioned + (next / product) * direction;
     product = next;

@@ -30,8 +30,8 @@ public:
 
   /// Only refers to the system, whose cotangent factor must be there for iterate(). \param
   /// positions of the patch's vertices; the interior ones are the start.
-  RigidEmbedding(
-    InteriorSystem& system, const LinearSolver* preconditioner, const Eigen::MatrixXd& positions);
+  RigidEmbedding(InteriorSystem& system, const LinearSolver* preconditioner,
+    const Eigen::MatrixXd& positions, const Execution& execution);
 
   /// One Newton step. Converged where the energy falls by less than this fraction of itself.
   State iterate(double energyTolerance);
@@ -59,6 +59,7 @@ private:
   const InteriorPatch* Patch;
   const std::vector<TriangleFrame>* Frames;
   const LinearSolver* Preconditioner;
+  Execution Run;
   double Area = 0.0;
   Eigen::MatrixXd Positions;
 };

@@ -97,7 +97,7 @@ ScaleFactorOptions withoutSites(Indices fixed)
 {
   ScaleFactorOptions options;
   options.fixed = std::move(fixed);
-  options.maxSites = 1;
+  options.maxSites = 0;
   return options;
 }
 }

@@ -185,7 +185,9 @@ bool ScaleFactor::solve(const TriangleMesh& mesh, const std::vector<double>& are
 {
   const Indices members = freeVertices(mesh, options.fixed);
   const Index count = static_cast<Index>(members.size());
-  this->SiteOfVertex = clusterVertices(mesh, members, std::max<Index>(options.maxSites, 1));
+  const bool sites = options.maxSites > 0;
+  this->SiteOfVertex =
+    sites ? clusterVertices(mesh, members, options.maxSites) : Indices(mesh.vertexCount(), none);
   if (count == 0)
   {
     return mesh.triangleCount() > 0;
@@ -195,7 +197,7 @@ bool ScaleFactor::solve(const TriangleMesh& mesh, const std::vector<double>& are
     return false; // whether the last pivot is zero is left to rounding
   }
   const LinearSolver solver = factorLaplacian(mesh, members, execution);
-  const Eigen::MatrixXd u = solver.solve(angleDefects(mesh, members));
+  const Eigen::MatrixXd u = solver.solve(angleDefects(mesh, members), execution);
   if (u.rows() != count)
   {
     return false;
@@ -203,6 +205,10 @@ bool ScaleFactor::solve(const TriangleMesh& mesh, const std::vector<double>& are
   for (Index k = 0; k < count; ++k)
   {
     this->Values[members[k]] = u(k, 0);
+  }
+  if (!sites)
+  {
+    return true;
   }
   const SparseMatrix means = siteMeans(areas, members, this->SiteOfVertex);
   this->SiteValue = means.transpose() * u.col(0);

@@ -34,7 +34,7 @@ struct ScaleFactorOptions
   /// Vertices beside those of the boundary where lengths are kept.
   Indices fixed;
   /// Up to this number free vertices count by themselves; of more only means over as many clusters
-  /// are known.
+  /// are known. 0: what a cut would do is not asked for.
   Index maxSites = 600;
 };
 

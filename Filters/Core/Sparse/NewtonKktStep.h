@@ -160,8 +160,10 @@ private:
   struct KktSolution
   {
     Eigen::VectorXd x; ///< empty where the factor gives none
-    /// What the first solution left of the right-hand side, as a fraction, where it is refined.
-    double relativeResidual = 0.0;
+    /// What the first solution left of the right-hand side, as a fraction, where it is refined, and
+    /// at most what the refined one leaves.
+    double firstResidual = 0.0;
+    double refinedResidual = 0.0;
   };
   KktSolution solveKkt(const Eigen::VectorXd& rhs) const;
 
@@ -186,7 +188,7 @@ private:
   Eigen::VectorXd Step;
   Eigen::VectorXd Multipliers;
   /// What the last factor leaves of a right-hand side without refinement, as a fraction.
-  double RelativeResidual = 0.0;
+  double FirstResidual = 0.0;
   int Factorizations = 0;
   bool HandlesSaddles = false;
   bool Indefinite = false;

@@ -16,30 +16,28 @@ TriangleMesh::TriangleMesh(Points3 points, Triangles triangles)
 }
 
 TriangleMesh::TriangleMesh(Points3 points, Triangles triangles, Indices twins)
-  : Points(std::move(points))
-  , Cells(std::move(triangles))
-  , Twins(std::move(twins))
-  , Outgoing(Points.size(), none)
 {
+  Indices outgoing(points.size(), none);
   Index h = 0;
-  for (const Triangle& t : this->Cells)
+  for (const Triangle& t : triangles)
   {
     for (Index v : t)
     {
-      Index& outgoing = this->Outgoing[v];
-      if (outgoing == none || this->Twins[h] == none)
+      if (outgoing[v] == none || twins[h] == none)
       {
-        outgoing = h;
+        outgoing[v] = h;
       }
       ++h;
     }
   }
+  this->Shared = std::make_shared<const Arrays>(
+    Arrays{ std::move(points), std::move(triangles), std::move(twins), std::move(outgoing) });
 }
 
 Index TriangleMesh::find(Index fromVertex, Index toVertex) const
 {
   // Around both ends by turns, so that only the fan of the smaller one is walked.
-  const Index first[2] = { this->Outgoing[fromVertex], this->Outgoing[toVertex] };
+  const Index first[2] = { this->outgoing(fromVertex), this->outgoing(toVertex) };
   Index h = first[0];
   Index g = first[1];
   while (h != none && g != none)
@@ -64,14 +62,15 @@ Index TriangleMesh::find(Index fromVertex, Index toVertex) const
 
 bool TriangleMesh::onBoundary(Index vertex) const
 {
-  const Index h = this->Outgoing[vertex];
-  return h != none && this->Twins[h] == none;
+  const Index h = this->outgoing(vertex);
+  return h != none && this->twin(h) == none;
 }
 
 bool TriangleMesh::identical(const TriangleMesh& other) const
 {
-  return sameBits(this->Points, other.Points) && this->Cells == other.Cells &&
-    this->Twins == other.Twins;
+  return this->Shared == other.Shared ||
+    (sameBits(this->points(), other.points()) && this->triangles() == other.triangles() &&
+      this->twins() == other.twins());
 }
 
 double TriangleMesh::angle(Index h) const
@@ -82,13 +81,13 @@ double TriangleMesh::angle(Index h) const
 
 Point3 TriangleMesh::centroid(Index t) const
 {
-  const auto& [a, b, c] = this->Cells[t];
+  const auto& [a, b, c] = this->triangle(t);
   return (this->point(a) + this->point(b) + this->point(c)) / 3.0;
 }
 
 double TriangleMesh::area(Index t) const
 {
-  return 0.5 * areaVector(this->Points, this->Cells[t]).norm();
+  return 0.5 * areaVector(this->points(), this->triangle(t)).norm();
 }
 
 double TriangleMesh::area() const
@@ -106,8 +105,8 @@ std::vector<Indices> TriangleMesh::boundaryLoops() const
   std::vector<Indices> loops;
   std::vector<double> lengths;
   std::vector<char> seen(this->halfedgeCount(), 0);
-  const auto begin = this->Twins.begin();
-  const auto end = this->Twins.end();
+  const auto begin = this->twins().begin();
+  const auto end = this->twins().end();
   for (auto at = std::find(begin, end, none); at != end; at = std::find(at + 1, end, none))
   {
     if (seen[at - begin])
@@ -116,7 +115,7 @@ std::vector<Indices> TriangleMesh::boundaryLoops() const
     }
     Indices loop;
     double length = 0.0;
-    for (auto h = static_cast<Index>(at - begin); !seen[h]; h = this->Outgoing[this->to(h)])
+    for (auto h = static_cast<Index>(at - begin); !seen[h]; h = this->outgoing(this->to(h)))
     {
       seen[h] = 1;
       loop.push_back(h);

@@ -4,43 +4,60 @@
 #include "Base/Status.h"
 #include "Base/Types.h"
 
+#include <memory>
+#include <utility>
+
 namespace flattening
 {
 /// A manifold, oriented triangle mesh as compact half-edges over flat arrays.
 ///
 /// Half-edge h = 3 t + k runs in triangle t from its corner k to corner (k + 1) mod 3, the triangle
 /// on its left. Half-edges keep their ids when a mesh is cut, because a cut changes vertices only.
+///
+/// A mesh does not change, and copies share its arrays.
 class TriangleMesh
 {
 public:
-  TriangleMesh() = default;
+  TriangleMesh()
+    : TriangleMesh({}, {}, {})
+  {
+  }
+  TriangleMesh(const TriangleMesh&) = default;
+  TriangleMesh& operator=(const TriangleMesh&) = default;
+  ~TriangleMesh() = default;
+  // What is moved from stays a mesh.
+  TriangleMesh(TriangleMesh&& other) noexcept
+    : TriangleMesh(std::as_const(other))
+  {
+  }
+  TriangleMesh& operator=(TriangleMesh&& other) noexcept { return *this = std::as_const(other); }
   /// \pre edges are manifold and triangles consistently oriented (see prepareSurface()).
   TriangleMesh(Points3 points, Triangles triangles);
   /// \param twins of the half-edges, where they are known.
   TriangleMesh(Points3 points, Triangles triangles, Indices twins);
 
-  Index vertexCount() const { return static_cast<Index>(this->Outgoing.size()); }
-  Index triangleCount() const { return static_cast<Index>(this->Cells.size()); }
-  Index halfedgeCount() const { return static_cast<Index>(this->Twins.size()); }
+  Index vertexCount() const { return static_cast<Index>(this->Shared->outgoing.size()); }
+  Index triangleCount() const { return static_cast<Index>(this->Shared->cells.size()); }
+  Index halfedgeCount() const { return static_cast<Index>(this->Shared->twins.size()); }
 
-  const Points3& points() const { return this->Points; }
-  const Triangles& triangles() const { return this->Cells; }
-  const Indices& twins() const { return this->Twins; }
-  const Point3& point(Index vertex) const { return this->Points[vertex]; }
-  const Triangle& triangle(Index t) const { return this->Cells[t]; }
+  const Points3& points() const { return this->Shared->points; }
+  const Triangles& triangles() const { return this->Shared->cells; }
+  const Indices& twins() const { return this->Shared->twins; }
+  const Point3& point(Index vertex) const { return this->Shared->points[vertex]; }
+  const Triangle& triangle(Index t) const { return this->Shared->cells[t]; }
 
-  Index from(Index h) const { return this->Cells[h / 3][h % 3]; }
+  Index from(Index h) const { return this->Shared->cells[h / 3][h % 3]; }
   Index to(Index h) const { return this->from(next(h)); }
   static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
   /// The same edge seen from the other side; none on the boundary.
-  Index twin(Index h) const { return this->Twins[h]; }
+  Index twin(Index h) const { return this->Shared->twins[h]; }
   /// A half-edge that leaves the vertex: on the boundary the one that has no twin, so that
   /// counterClockwise() from it visits the whole fan. none for an unused vertex.
-  Index outgoing(Index vertex) const { return this->Outgoing[vertex]; }
+  Index outgoing(Index vertex) const { return this->Shared->outgoing[vertex]; }
   /// The next half-edge that leaves from(h), counter-clockwise; none past the end of a boundary
   /// fan.
-  Index counterClockwise(Index h) const { return this->Twins[previous(h)]; }
+  Index counterClockwise(Index h) const { return this->Shared->twins[previous(h)]; }
   /// The half-edge from one vertex to another, none where the mesh has no such edge in this
   /// direction.
   Index find(Index fromVertex, Index toVertex) const;
@@ -63,10 +80,14 @@ public:
   std::vector<Indices> boundaryLoops() const;
 
 private:
-  Points3 Points;
-  Triangles Cells;
-  Indices Twins;
-  Indices Outgoing;
+  struct Arrays
+  {
+    Points3 points;
+    Triangles cells;
+    Indices twins;
+    Indices outgoing;
+  };
+  std::shared_ptr<const Arrays> Shared;
 };
 
 /// V - E + F of the mesh (vertices that no triangle uses do not count).
