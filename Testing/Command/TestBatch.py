@@ -9,13 +9,10 @@ import command
 class Batch(command.CommandTest):
     def setUp(self):
         super().setUp()
-        points, triangles, arc = command.quarter_sphere()
-        self.write("lune.obj", command.obj(points, triangles))
-        self.write("arc.txt", "accessory arc " + " ".join(map(str, arc)) + "\n")
-        self.write("key.txt", "key arc " + " ".join(map(str, arc)) + "\n")
-        points, triangles = command.sheet()
+        self.write_lune()
+        self.write("key.txt", self.read("arc.txt").replace("accessory", "key"))
         os.mkdir(self.path("a folder"))
-        self.write("a folder/sheet.obj", command.obj(points, triangles))
+        self.write("a folder/sheet.obj", command.obj(*command.sheet()))
 
     def batch(self, text, *arguments, code=0):
         """Runs a list of this text into `out`. Gives batch.json and the run."""
@@ -63,7 +60,7 @@ class Batch(command.CommandTest):
             report, run = self.batch(text, "--threads", threads, code=3)
             self.assertEqual([row["exit_code"] for row in report["surfaces"]], [0, 0, 3, 0])
             self.assertEqual(report["surfaces"][2]["status"], "UnreadableInput")
-            self.assertTrue(any("error: missing.obj" in line for line in command.error_lines(run)), run.stderr)
+            self.assertIn("error: missing.obj", "\n".join(command.error_lines(run)))
             self.assertEqual(os.listdir(self.path("out/missing")), ["report.json"])
             self.assertEqual(report["workers"], min(4, int(threads)))
             seen.append([(row["folder"], row["status"]) for row in report["surfaces"]])
@@ -87,32 +84,26 @@ class Batch(command.CommandTest):
     def test_a_list_without_surfaces_or_with_an_open_quote_is_refused(self):
         for text, word in (("# nothing\n", "no surface"), ('lune.obj "arc.txt\n', "list.txt:1")):
             self.write("list.txt", text)
-            run = self.run_command("batch", "list.txt", "--output", "out", code=3)
-            self.assertIn(word, command.error_lines(run)[0])
+            self.fails(word, "batch", "list.txt", "--output", "out")
             self.assertFalse(os.path.exists(self.path("out")))
 
     def test_no_input_is_replaced_and_no_folder_left(self):
         os.makedirs(self.path("out/lune"))
-        points, triangles, _ = command.quarter_sphere()
         for name in ("lune/flat.vtp", "batch.json"):
-            self.write("out/" + name, command.xml_polydata(points, triangles))
+            self.write("out/" + name, command.xml_polydata(self.points, self.triangles))
             self.write("list.txt", "lune.obj\nout/%s\n" % name)
-            run = self.run_command("batch", "list.txt", "--output", "out", code=3)
-            self.assertIn("out/" + name, command.error_lines(run)[0])
+            self.fails("out/" + name, "batch", "list.txt", "--output", "out")
             os.remove(self.path("out/" + name))
         self.assertEqual(os.listdir(self.path("out")), ["lune"])
         self.write("flat.vtp", "precious")
         for name in ("..", ".", "out/"):
             self.write("list.txt", "lune.obj\n" + name + "\n")
-            run = self.run_command("batch", "list.txt", "--output", "out", code=3)
-            self.assertIn("list.txt:2", command.error_lines(run)[0])
+            self.fails("list.txt:2", "batch", "list.txt", "--output", "out")
         self.assertIn("flat.vtp", os.listdir(self.folder))
 
     def test_what_concerns_one_surface_is_bad_usage(self):
         self.write("list.txt", "lune.obj\n")
-        for arguments in (
-            ("lune.obj",), ("-o", "a.png"), ("picture", "lune.obj"), ("grade",),
-        ):
+        for arguments in (("lune.obj",), ("-o", "a.png"), ("picture", "lune.obj"), ("grade",)):
             self.run_command("batch", "list.txt", *arguments, code=2)
         self.assertEqual(self.run_command("batch", "").returncode, 2)
 
@@ -123,5 +114,4 @@ class Batch(command.CommandTest):
         self.assertEqual(sorted(os.listdir(self.path("list_flat"))), ["batch.json", "lune"])
 
 
-if __name__ == "__main__":
-    command.main()
+command.main()

@@ -177,8 +177,7 @@ class Commands(command.CommandTest):
         self.assert_usage_error("not a length", "check", "a.obj", "--height", "tall")
 
     def assert_usage_error(self, words, *arguments):
-        run = self.run_command(*arguments, code=2)
-        self.assertIn(words, run.stderr)
+        self.fails(words, *arguments, code=2)
 
     def test_what_does_not_fit_the_command_is_bad_usage(self):
         self.run_well("a.obj", "-o", "out")
@@ -193,12 +192,10 @@ class Commands(command.CommandTest):
 
     def test_a_folder_without_a_result_is_refused(self):
         os.mkdir(self.path("empty"))
-        run = self.run_command("pattern", "empty", code=3)
-        self.assertIn("empty: holds no result", run.stderr)
+        self.fails("empty: holds no result", "pattern", "empty")
         self.run_well("a.obj", "-o", "out")
         self.write("out/report.json", "{}")
-        run = self.run_command("pattern", "out", code=3)
-        self.assertIn("report.json: is not a report", run.stderr)
+        self.fails("report.json: is not a report", "pattern", "out")
 
 
 if __name__ == "__main__":

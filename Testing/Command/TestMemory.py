@@ -13,10 +13,8 @@ MEGABYTE = 1 << 20
 class Memory(command.CommandTest):
     def setUp(self):
         super().setUp()
-        _, triangles = command.sheet(120, 120)
-        self.write("bump.obj", command.obj(
-            [(x, y, 10 * math.sin(x / 40) * math.sin(y / 30)) for y in range(121) for x in range(121)],
-            triangles))
+        self.write("bump.obj", command.obj(*command.grid(
+            120, 120, lambda x, y: (x, y, 10 * math.sin(x / 40) * math.sin(y / 30)))))
 
     def run_within(self, megabytes, *arguments):
         def limit():
@@ -47,5 +45,4 @@ class Memory(command.CommandTest):
                 self.assertEqual(self.report("out")["status"], "Ok")
 
 
-if __name__ == "__main__":
-    command.main()
+command.main()

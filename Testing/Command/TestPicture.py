@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """wirewarp picture: what it shows, and what happens where nothing can be drawn."""
 
-import math
 import os
 import shutil
 
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkVersion
-from vtkmodules.vtkIOImage import vtkPNGReader
 
 import command
 from command import CommandTest, DATA
@@ -15,17 +12,6 @@ from command import CommandTest, DATA
 SURFACE = os.path.join(DATA, "shirt_front.vtp")
 CURVES = os.path.join(DATA, "shirt_front_curves.vtp")
 WIRES = {"boundary": (0, 0, 0), "accessory": (0, 153, 26), "key": (217, 0, 0), "dart": (0, 51, 230)}
-
-
-def read_picture(path):
-    """Width, height, and the pixels as rows of numbers from 0 to 255."""
-    reader = vtkPNGReader()
-    reader.SetFileName(path)
-    reader.Update()
-    image = reader.GetOutput()
-    width, height, _ = image.GetDimensions()
-    pixels = vtk_to_numpy(image.GetPointData().GetScalars()).astype(int)
-    return pixels.reshape(height, width, -1)[:, :, :3]
 
 
 def count(pixels, color):
@@ -36,7 +22,7 @@ class Picture(CommandTest):
     def draw(self, name, *arguments, source=(SURFACE, CURVES)):
         run = self.run_command("picture", *source, "--unit", "cm", "-o", name, *arguments, code=0)
         self.assertEqual(run.stderr, "")
-        return read_picture(self.path(name))
+        return command.read_png(self.path(name))
 
     def test_it_shows_the_wires_in_their_colors_in_space_and_in_the_plane(self):
         pixels = self.draw("shirt.png")
@@ -59,8 +45,7 @@ class Picture(CommandTest):
         self.assertTrue((default == strain).all())
         for other in (same, wide):
             self.assertGreater((other != strain).any(axis=2).mean(), 0.1)
-        run = self.run_command("picture", SURFACE, "-o", "a.png", "--color-range", "2", "1", code=2)
-        self.assertIn("--color-range", run.stderr)
+        self.fails("--color-range", "picture", SURFACE, "-o", "a.png", "--color-range", "2", "1", code=2)
 
     def test_its_size_may_be_chosen(self):
         self.assertEqual(self.draw("shirt.png", "--size", "800", "500").shape, (500, 800, 3))
@@ -68,11 +53,10 @@ class Picture(CommandTest):
     def test_bodies_are_seen_from_the_side_and_above(self):
         """A closed box has no direction that most of it faces; the bottom of a cup is not what shows it."""
         for up in "yz":
-            points, triangles = command.grid(
-                16, 8, lambda i, j: (math.cos(math.pi * i / 8), j, math.sin(math.pi * i / 8)), closed=True)
-            triangles = [t[::-1] for t in triangles] + [(0, i, i + 1) for i in range(1, 15)]
-            if up == "z":
-                points = [(x, -z, y) for x, y, z in points]
+            points, triangles = command.tube(16, 8, lambda j: (1, j))
+            triangles += [(0, i + 1, i) for i in range(1, 15)]
+            if up == "y":
+                points = [(x, z, -y) for x, y, z in points]
             self.write("cup.obj", command.obj(points, triangles))
             self.run_command("make", "cup.obj", "--unit", "cm", "-o", "cup", "-o", "cup.svg")
             for words in ((), ("--size", "400", "400")):
@@ -90,33 +74,29 @@ class Picture(CommandTest):
 
     def test_without_an_x_server_it_is_drawn_otherwise_or_refused_before_anything_is_written(self):
         for display in (None, "", ":65000"):
-            environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
-            if display is not None:
-                environment["DISPLAY"] = display
+            environment = {**os.environ, "DISPLAY": display or ""}
+            if display is None:
+                del environment["DISPLAY"]
             run = self.run_command("picture", SURFACE, "-o", "out", "-o", "a.png", env=environment)
             if run.returncode == 0:  # VTK 9.4 and later draw by EGL or OSMesa then
-                version = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion())
-                self.assertGreaterEqual(version, (9, 4))
+                self.assertGreaterEqual((vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()), (9, 4))
                 self.assertGreater(os.path.getsize(self.path("a.png")), 1000)
                 shutil.rmtree(self.path("out"))
                 os.remove(self.path("a.png"))
                 continue
             self.assertEqual(run.returncode, 3, run.stderr)
-            self.assertEqual(len(command.error_lines(run)), 1)
-            self.assertIn("X server", run.stderr)
-            self.assertIn("xvfb-run", run.stderr)
+            line, = command.error_lines(run)
+            self.assert_words(("X server", "xvfb-run"), line)
             self.assertEqual(os.listdir(self.folder), [])
 
     def test_a_folder_that_cannot_be_written_to_is_refused(self):
         self.write("file", "in the way")
-        run = self.run_command("picture", SURFACE, "-o", "out", "-o", os.path.join("file", "a.png"), code=3)
-        self.assertIn("cannot make", run.stderr)
+        self.fails("cannot make", "picture", SURFACE, "-o", "out", "-o", os.path.join("file", "a.png"))
         self.assertFalse(os.path.exists(self.path("out/flat.vtp")))
 
     def test_a_folder_in_its_place_is_refused_before_anything_is_written(self):
         os.mkdir(self.path("a.png"))
-        run = self.run_command("picture", SURFACE, "-o", "out", "-o", "a.png", code=3)
-        self.assertIn("--output", run.stderr)
+        self.fails("--output", "picture", SURFACE, "-o", "out", "-o", "a.png")
         self.assertEqual(os.listdir(self.folder), ["a.png"])
 
     def test_the_sewn_surface_is_drawn_over_its_design_by_its_distance(self):
@@ -129,15 +109,12 @@ class Picture(CommandTest):
 
     def test_colorings_need_what_they_show(self):
         for coloring, remedy in (("distance", "wirewarp sew"), ("stretch", "--material"), ("shear", "--material")):
-            run = self.run_command("picture", SURFACE, "-o", "a.png", "--color", coloring, code=3)
-            self.assertIn(remedy, run.stderr)
+            self.fails(remedy, "picture", SURFACE, "-o", "a.png", "--color", coloring)
             self.assertEqual(os.listdir(self.folder), [])
 
     def test_other_endings_and_colorings_are_bad_usage(self):
         for arguments in (("-o", "a.pdf"), ("-o", "a.png", "--color", "taste")):
-            run = self.run_command("picture", SURFACE, *arguments, code=2)
-            self.assertIn(arguments[-1], run.stderr)
+            self.fails(arguments[-1], "picture", SURFACE, *arguments, code=2)
 
 
-if __name__ == "__main__":
-    command.main()
+command.main()

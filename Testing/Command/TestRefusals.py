@@ -63,8 +63,7 @@ class Refusals(command.CommandTest):
         self.assertEqual(self.run_command("check", "unused.obj", "--unit", "cm").returncode, 0)
         points[3] = (float("nan"), 0.0, 0.0)
         self.write("nan.obj", "# a comment\n" + command.obj(points, triangles))
-        run = self.run_command("check", "nan.obj", code=3)
-        self.assertIn("nan.obj:5: a coordinate is not a finite number", run.stderr)
+        self.fails("nan.obj:5: a coordinate is not a finite number", "check", "nan.obj")
 
     def test_other_formats_name_the_line_or_the_facet(self):
         ply = ("ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
@@ -76,9 +75,7 @@ class Refusals(command.CommandTest):
         for name, text, place in (("a.ply", ply.format(points, 2), ":12: "), ("a.off", off.format(points, 2), ":5: "),
                                   ("a.stl", stl, ":4: "), ("b.stl", binary, "facet 0 ")):
             with self.subTest(name):
-                run = self.run_command("check", self.write(name, text), code=3)
-                self.assertIn(place, run.stderr)
-                self.assertIn("not a finite number", run.stderr)
+                self.fails((place, "not a finite number"), "check", self.write(name, text))
         for name, text in (("u.ply", ply.format(points, 3)), ("u.off", off.format(points, 3))):
             self.run_command("check", self.write(name, text), "--unit", "cm", code=0)
 
@@ -90,8 +87,7 @@ class Refusals(command.CommandTest):
 
     def test_a_result_in_another_unit_than_it_was_made_in(self):
         self.run_command("flatten", "good.obj", "--unit", "cm", "--output", "flat")
-        run = self.run_command("pattern", "flat", "--unit", "mm", "--output", "flat.svg", code=3)
-        self.assertIn("is in cm", run.stderr)
+        self.fails("is in cm", "pattern", "flat", "--unit", "mm", "--output", "flat.svg")
         self.assertFalse(os.path.exists(self.path("flat.svg")))
         self.assertEqual(self.run_command("pattern", "flat", "--unit", "cm", "--output", "flat.svg").returncode, 0)
 
@@ -196,21 +192,18 @@ class Refusals(command.CommandTest):
     def test_a_file_in_the_way_of_the_output_folder(self):
         self.write("out", "precious")
         for folder in ("out", "out/below"):
-            run = self.run_command("good.obj", "--output", folder, code=3)
-            self.assertIn("output folder", command.error_lines(run)[0])
+            self.fails("output folder", "good.obj", "--output", folder)
         self.assertEqual(self.read("out"), "precious")
 
     def test_a_result_that_cannot_be_put_in_place_leaves_no_part_behind(self):
         os.makedirs(self.path("out/flat.vtp/inner"))
-        run = self.run_command("good.obj", "--output", "out", code=3)
-        self.assertIn("flat.vtp", command.error_lines(run)[0])
+        self.fails("flat.vtp", "good.obj", "--output", "out")
         self.assertEqual(os.listdir(self.path("out")), ["flat.vtp"])
 
     def test_no_file_is_in_place_where_another_cannot_be(self):
         os.makedirs(self.path("out/report.json/inner"))
         self.write("out/pattern.svg", "of an earlier run")
-        run = self.run_command("good.obj", "--output", "out", code=3)
-        self.assertIn("report.json", command.error_lines(run)[0])
+        self.fails("report.json", "good.obj", "--output", "out")
         self.assertEqual(sorted(os.listdir(self.path("out"))), ["pattern.svg", "report.json"])
 
     def test_a_program_without_its_reader_says_what_is_missing(self):
@@ -308,9 +301,7 @@ class Refusals(command.CommandTest):
             for folder in ("out", "link"):
                 with self.subTest(name=name, folder=folder):
                     self.write("out/" + name, content)
-                    run = self.run_command(*arguments, "--output", folder, code=3)
-                    self.assertIn(folder + "/" + name, command.error_lines(run)[0])
-                    self.assertIn("--output", command.error_lines(run)[0])
+                    self.fails((folder + "/" + name, "--output"), *arguments, "--output", folder)
                     self.assertEqual(os.listdir(self.path("out")), [name])
                     self.assertEqual(self.read("out/" + name), content)
             os.remove(self.path("out/" + name))

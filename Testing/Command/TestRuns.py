@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs beside each other and runs that are ended: no mixed results, no process left."""
 
+import contextlib
 import fcntl
+import glob
 import os
 import signal
 import subprocess
@@ -12,40 +14,30 @@ import command
 SECONDS = 60  # for what takes an instant on an idle machine
 
 
+def state_and_parent(process):
+    """As /proc tells them; X and 0 of a process that is gone."""
+    with contextlib.suppress(OSError), open(f"/proc/{process}/stat", encoding="utf-8", errors="replace") as file:
+        state, parent = file.read().rsplit(")", 1)[1].split()[:2]
+        return state, int(parent)
+    return "X", 0
+
+
 def children(process):
-    """Ids of the processes below one, as /proc tells them."""
-    found = []
-    for entry in os.listdir("/proc"):
-        try:
-            with open(f"/proc/{entry}/stat", encoding="utf-8", errors="replace") as file:
-                parent = int(file.read().rsplit(")", 1)[1].split()[1])
-        except (OSError, IndexError):
-            continue
-        if parent == process:
-            found += [int(entry), *children(int(entry))]
-    return found
+    """Ids of the processes below one."""
+    found = [int(name) for name in os.listdir("/proc") if name.isdigit() and state_and_parent(name)[1] == process]
+    return [id_ for child in found for id_ in (child, *children(child))]
 
 
 def has_open(process, path):
-    try:
-        descriptors = os.listdir(f"/proc/{process}/fd")
-    except OSError:
-        return False
-    for descriptor in descriptors:
-        try:
-            if os.readlink(f"/proc/{process}/fd/{descriptor}") == path:
+    for place in glob.glob(f"/proc/{process}/fd/*"):
+        with contextlib.suppress(OSError):
+            if os.readlink(place) == path:
                 return True
-        except OSError:
-            continue
     return False
 
 
 def is_alive(process):
-    try:
-        with open(f"/proc/{process}/stat", encoding="utf-8", errors="replace") as file:
-            return file.read().rsplit(")", 1)[1].split()[0] not in "ZX"
-    except OSError:
-        return False
+    return state_and_parent(process)[0] not in "ZX"
 
 
 def wait_until(condition):
@@ -58,15 +50,13 @@ def wait_until(condition):
 class Runs(command.CommandTest):
     def setUp(self):
         super().setUp()
-        points, triangles = command.sheet()
-        self.write("good.obj", command.obj(points, triangles))
+        self.write("good.obj", command.obj(*command.sheet()))
         # VTK's reader is busy with it for seconds.
-        self.write("slow.vtk", command.legacy(points, triangles) + "FIELD f 1\nn 1 200000000 string\n")
+        self.write("slow.vtk", command.legacy(*command.sheet()) + "FIELD f 1\nn 1 200000000 string\n")
 
     def start(self, *arguments):
-        process = subprocess.Popen(
-            [command.EXECUTABLE, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL)
+        process = subprocess.Popen([command.EXECUTABLE, *arguments], cwd=self.folder, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
         return process
@@ -112,8 +102,7 @@ class Runs(command.CommandTest):
                 self.end(self.start("slow.vtk", "--output", "out"), signal_number, 1)
 
     def test_a_reader_leaves_no_process_behind(self):
-        points, triangles = command.sheet()
-        self.write("fine.vtp", command.xml_polydata(points, triangles))
+        self.write("fine.vtp", command.xml_polydata(*command.sheet()))
         self.write("list.txt", "fine.vtp\n" * 5 + "slow.vtk\n")
         run = self.start("batch", "list.txt", "--output", "out", "--threads", "1")
         self.assertTrue(wait_until(lambda: os.path.exists(self.path("out/fine_5/report.json"))))
@@ -133,10 +122,7 @@ class Runs(command.CommandTest):
                 reading = 1 if first[0] != "batch" else 2  # its reader; a worker and that one's reader
                 self.assertTrue(wait_until(lambda: len(children(run.pid)) >= reading))
                 before = sorted(os.listdir(self.path("out")))
-                other = self.run_command(*second, "--output", folder, code=3)
-                line = command.error_lines(other)[0]
-                self.assertIn("out: another run is writing to this folder", line)
-                self.assertIn("--output", line)
+                self.fails(("out: another run is writing to this folder", "--output"), *second, "--output", folder)
                 self.assertEqual(sorted(os.listdir(self.path("out"))), before)
                 run.kill()
                 run.wait()
@@ -155,10 +141,7 @@ class Runs(command.CommandTest):
             os.close(descriptor)
 
     def test_many_runs_at_once_leave_the_whole_result_of_one(self):
-        names = []
-        for rows in range(3, 9):
-            points, triangles = command.sheet(4, rows)
-            names.append(self.write(f"sheet{rows}.obj", command.obj(points, triangles)))
+        names = [self.write(f"sheet{rows}.obj", command.obj(*command.sheet(4, rows))) for rows in range(3, 9)]
         for _ in range(5):
             runs = [self.start(name, "--output", "out") for name in names]
             codes = [run.wait() for run in runs]
@@ -172,5 +155,4 @@ class Runs(command.CommandTest):
                 self.assertEqual(len(self.array("out/" + file, "Points")), 3 * report["pieces"][0]["vertices"])
 
 
-if __name__ == "__main__":
-    command.main()
+command.main()

@@ -113,9 +113,7 @@ class SeamsFrom(command.CommandTest):
         self.write("sheet.stl", command.stl(*command.sheet()))
         for file in ("plain.obj", "sheet.stl"):
             for kind, word in (("uv", "texture coordinates"), ("material", "two materials"), ("group", "two groups")):
-                run = self.run_command(file, "--seams-from", kind, code=3)
-                self.assertIn(file, run.stderr)
-                self.assertIn(word, run.stderr)
+                self.fails((file, word), file, "--seams-from", kind)
         file = self.sheets(("o Front\n", 1), ("o Back\n", 1))
         run = self.run_command(file, "--seams-from", "group", "--output", "out")
         self.assertIn("found no edge to cut along", run.stderr)

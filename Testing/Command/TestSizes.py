@@ -47,21 +47,20 @@ class Sizes(command.CommandTest):
         self.assertEqual(self.read("of file/pattern.svg"), self.read("stated/pattern.svg"))
 
     def test_the_likely_unit_is_taken_and_said_once_and_not_where_one_is_stated(self):
-        points, triangles = plate(6, 10)
         for scale, likely in ((0.1, "m"), (5.0, "cm"), (40.0, "mm")):
-            self.write("plate.obj", command.obj([tuple(scale * x for x in point) for point in points], triangles))
+            self.write("plate.obj", command.obj(*command.grid(6, 10, lambda i, j: (scale * i, scale * j, 0.0))))
             self.assertIn(f"{likely} is likely and taken", self.run_command("check", "plate.obj").stdout)
             self.run_command("cut", "plate.obj", "--kind", "darts", "--output", "cut")
             self.assertEqual(self.report("cut")["unit"], likely)
             for files in ((), ("-o", "out/pattern.svg", "-o", "out/pattern.plt")):
                 with self.subTest(likely=likely, files=files):
-                    run = self.run_command("pattern" if files else "flatten", "plate.obj", *files, "--output", "out")
+                    arguments = ("pattern" if files else "flatten", "plate.obj", *files, "--output", "out")
+                    run = self.run_command(*arguments)
                     self.assertIn(f"note: plate.obj states no unit: {likely} is taken", run.stderr)
                     self.assertEqual((run.stderr + run.stdout).count("--unit"), 1, run.stderr)
                     report = self.report("out")
                     self.assertEqual((report["unit"], report["unit_stated"]), (likely, False))
-                    run = self.run_command("pattern" if files else "flatten", "plate.obj", *files, "--unit", "inch",
-                                           "--output", "out")
+                    run = self.run_command(*arguments, "--unit", "inch")
                     self.assertEqual((run.stderr + run.stdout).count("--unit"), 0, run.stderr)
 
     def test_a_stated_unit_is_kept_by_all_files_that_are_written(self):
@@ -71,11 +70,9 @@ class Sizes(command.CommandTest):
         for unit, name, *inputs in (("m", "m", "plate.obj", curves), ("INCH", "inch", os.path.join("first", "cut.vtp")),
                                     ("mm", "mm", os.path.join("first", "flat.vtp")),
                                     ("cm", "cm", "plate.obj", "line.txt", curves)):
-            self.run_command("cut", "plate.obj", "line.txt", "--unit", unit, "--kind", "darts", "--output", "first",
-                             code=0)
+            self.run_command("cut", "plate.obj", "line.txt", "--unit", unit, "--kind", "darts", "--output", "first", code=0)
             with self.subTest(unit=name, inputs=inputs):
-                run = self.run_command("pattern", *inputs, "-o", "out/pattern.svg", "--smooth", "0", "--output", "out",
-                                       code=0)
+                run = self.run_command("pattern", *inputs, "-o", "out/a.svg", "--smooth", "0", "--output", "out", code=0)
                 self.assertNotIn("--unit", run.stderr + run.stdout)
                 report = self.report("out")
                 self.assertEqual((report["unit"], report["unit_stated"]), (name, True))
@@ -139,8 +136,7 @@ class Sizes(command.CommandTest):
         self.run_command("cut", "saddle.obj", "--unit", "cm", "--kind", "all", "--max-strain", "0", "--max-cuts", "2",
                          "--output", "first", code=0)
         self.assertGreater(len(self.report("first")["suggestions"]), 0)
-        run = self.run_command("saddle.obj", os.path.join("first", "curves.vtp"), "--unit", "cm", "--output", "second",
-                               code=0)
+        run = self.run_command("saddle.obj", "first/curves.vtp", "--unit", "cm", "--output", "second", code=0)
         self.assertLess(self.report("second")["curve_distance_mm"], 1e-6)
         self.assertNotIn("off the surface", run.stdout)
 

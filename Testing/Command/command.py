@@ -17,7 +17,21 @@ SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file_
 DATA = os.path.join(SOURCE, "Data")
 
 
-class CommandTest(unittest.TestCase):
+class WordsTest(unittest.TestCase):
+    def assert_words(self, words, text):
+        """One text, or each of several, is part of another."""
+        for word in (words,) if isinstance(words, str) else words:
+            self.assertIn(word, text)
+
+    def assert_raises(self, kind, words, call, *arguments, **options):
+        """The exception, whose text holds these words."""
+        with self.assertRaises(kind) as caught:
+            call(*arguments, **options)
+        self.assert_words(words, str(caught.exception))
+        return caught.exception
+
+
+class CommandTest(WordsTest):
     """Each test runs in a folder of its own."""
 
     def setUp(self):
@@ -49,6 +63,12 @@ class CommandTest(unittest.TestCase):
             self.assertIn(run.returncode, code if isinstance(code, tuple) else (code,), run.stdout + run.stderr)
         return run
 
+    def fails(self, words, *arguments, code=3):
+        """Runs wirewarp to this exit code; these words are on stderr."""
+        run = self.run_command(*arguments, code=code)
+        self.assert_words(words, "\n".join(error_lines(run)))
+        return run
+
     def flatten(self, *arguments, code=0):
         """Runs wirewarp into the folder `out` and gives its report."""
         self.run_command(*arguments, "--output", "out", code=code)
@@ -60,13 +80,19 @@ class CommandTest(unittest.TestCase):
     def array(self, file, name, within="Piece"):
         return read_array(self.path(file), name, within)
 
+    def write_lune(self, scale=1.0):
+        """The quarter-sphere as lune.obj, and its arc as the accessory curve of arc.txt."""
+        self.points, self.triangles, self.arc = quarter_sphere()
+        self.write("lune.obj", obj([tuple(scale * x for x in point) for point in self.points], self.triangles))
+        self.write("arc.txt", "accessory arc " + " ".join(map(str, self.arc)) + "\n")
+
 
 def refuse_constant(name):
     raise AssertionError("a number in report.json is " + name)
 
 
 def main():
-    """Runs the tests of the calling file; a skipped test would hide a missing fact."""
+    """Runs the tests of the calling file."""
     unittest.main(argv=[sys.argv[0]], verbosity=2)
 
 
@@ -80,18 +106,15 @@ def quarter_sphere():
         a, b = math.pi / 8 * longitude, math.pi / 8 * latitude
         return (math.sin(b) * math.cos(a), math.sin(b) * math.sin(a), math.cos(b))
 
-    points = [point(0, 0)] + [point(i, j) for j in range(1, 8) for i in range(5)] + [point(0, 8)]
-
     def vertex(i, j):
-        return 0 if j == 0 else 36 if j == 8 else 1 + 5 * (j - 1) + i
+        return 0 if j == 0 else 36 if j == 8 else 5 * j - 4 + i
 
     triangles = []
     for i in range(4):
         for j in range(8):
-            if j < 7:
-                triangles.append((vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1)))
-            if j > 0:
-                triangles.append((vertex(i, j), vertex(i + 1, j + 1), vertex(i + 1, j)))
+            a, b, c, d = vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1), vertex(i + 1, j)
+            triangles += [t for t in ((a, b, c), (a, c, d)) if len(set(t)) == 3]
+    points = [point(0, 0)] + [point(i, j) for j in range(1, 8) for i in range(5)] + [point(0, 8)]
     return points, triangles, [vertex(i, 4) for i in range(5)]
 
 
@@ -107,6 +130,15 @@ def grid(columns, rows, place, closed=False, other=lambda i, j: False):
             c, d = b + wide, a + wide
             triangles += [(a, b, d), (b, c, d)] if other(i, j) else [(a, b, c), (a, c, d)]
     return points, triangles
+
+
+def tube(columns, rows, ring, deep=1.0):
+    """A tube about the z axis, whose ring j has the radius and the height of ring(j); along y that radius is `deep` times
+    as large."""
+    def place(i, j):
+        turn, (radius, height) = 2 * math.pi * i / columns, ring(j)
+        return radius * math.cos(turn), deep * radius * math.sin(turn), height
+    return grid(columns, rows, place, closed=True)
 
 
 def sheet(columns=4, rows=4):
@@ -129,18 +161,15 @@ def hill(height):
 
 def cap(angle, rings, count, size=1.0):
     """The sphere about its pole, which is vertex 0, down to an angle."""
-    points, triangles = grid(count, rings - 1, lambda i, j: (
-        size * math.sin(angle * (j + 1) / rings) * math.cos(2 * math.pi * i / count),
-        size * math.sin(angle * (j + 1) / rings) * math.sin(2 * math.pi * i / count),
-        size * math.cos(angle * (j + 1) / rings)), closed=True)
+    points, triangles = tube(count, rings - 1, lambda j: (
+        size * math.sin(angle * (j + 1) / rings), size * math.cos(angle * (j + 1) / rings)))
     return [(0.0, 0.0, size), *points], [(0, 1 + k, 1 + (k + 1) % count) for k in range(count)] + [
         (a + 1, c + 1, b + 1) for a, b, c in triangles]
 
 
 def ring(count=24):
     """A flat ring of radii 1 and 3."""
-    return grid(count, 2, lambda i, j: (
-        (1 + j) * math.cos(2 * math.pi * i / count), (1 + j) * math.sin(2 * math.pi * i / count), 0.0), closed=True)
+    return tube(count, 2, lambda j: (1 + j, 0.0))
 
 
 TETRAHEDRON = ([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)],
@@ -158,22 +187,9 @@ def together(*surfaces):
 
 def torus(count=6):
     """A closed surface with one handle."""
-
-    def point(i, j):
-        a, b = 2 * math.pi * i / count, 2 * math.pi * j / count
-        r = 3 + math.cos(b)
-        return (r * math.cos(a), r * math.sin(a), math.sin(b))
-
-    def vertex(i, j):
-        return count * (i % count) + j % count
-
-    points = [point(i, j) for i in range(count) for j in range(count)]
-    triangles = []
-    for i in range(count):
-        for j in range(count):
-            a, b, c, d = vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)
-            triangles += [(a, b, c), (a, c, d)]
-    return points, triangles
+    points, triangles = tube(count, count, lambda j: (
+        3 + math.cos(2 * math.pi * j / count), math.sin(2 * math.pi * j / count)))
+    return points[:count * count], [tuple(v % (count * count) for v in t) for t in triangles]
 
 
 def obj(points, triangles):
@@ -184,8 +200,7 @@ def obj(points, triangles):
 
 def legacy(points, polygons=(), polylines=(), cell_data=""):
     """Legacy polydata, ASCII, double."""
-    text = "# vtk DataFile Version 3.0\ntest\nASCII\nDATASET POLYDATA\n"
-    text += "POINTS %d double\n" % len(points)
+    text = "# vtk DataFile Version 3.0\ntest\nASCII\nDATASET POLYDATA\nPOINTS %d double\n" % len(points)
     text += "".join("%r %r %r\n" % tuple(point) for point in points)
     for keyword, cells in (("LINES", polylines), ("POLYGONS", polygons)):
         if cells:
@@ -279,6 +294,19 @@ def read_array(path, name, within="Piece"):
     if not array:
         raise KeyError(name)
     return vtk_to_numpy(array).ravel().tolist()
+
+
+def read_png(path):
+    """The pixels of a picture as rows of three numbers from 0 to 255."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOImage import vtkPNGReader
+
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    image = reader.GetOutput()
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).astype(int).reshape(height, width, -1)[:, :, :3]
 
 
 def area(points, corners):

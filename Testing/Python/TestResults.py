@@ -180,7 +180,8 @@ class Help(unittest.TestCase):
 
     def test_the_version_is_that_of_the_command(self):
         printed = subprocess.check_output([os.environ["WIREWARP"], "--version"], text=True)
-        self.assertRegex(printed, rf"^wirewarp {re.escape(sf.__version__)} ")
+        self.assertRegex(printed, rf"^wirewarp {re.escape(sf.__version__)} \(VTK \d+\.\d+")
+        self.assertRegex(sf.__version__, r"^\d+\.\d+\.\d+$")
 
 
 def arrays_of(data):

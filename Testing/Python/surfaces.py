@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Surfaces that the tests of the Python package share."""
 
+import contextlib
 import os
 import sys
+import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -11,6 +13,22 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "Command"))
 import command  # noqa: E402  - it lies in another folder
 from command import DATA, SOURCE  # noqa: E402, F401
+
+
+@contextlib.contextmanager
+def quiet():
+    """Warnings are ignored."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        yield
+
+
+@contextlib.contextmanager
+def warned():
+    """The list of warnings that are given meanwhile."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        yield caught
 
 
 def read_file(path):
