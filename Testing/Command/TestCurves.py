@@ -28,29 +28,24 @@ def chain(*places):
 class Curves(command.CommandTest):
     def setUp(self):
         super().setUp()
-        self.points, self.triangles, arc = command.quarter_sphere()
-        self.write("lune.obj", command.obj(self.points, self.triangles))
-        text = "accessory arc " + " ".join(map(str, arc)) + "\n"
-        self.write("arc.txt", text)
+        self.write_lune()
         meridian = [0] + [5 * j - 2 for j in range(1, 8)] + [36]
-        self.write("two.txt", text + "accessory meridian " + " ".join(map(str, meridian)) + "\n")
+        self.write("two.txt", self.read("arc.txt") + "accessory meridian " + " ".join(map(str, meridian)) + "\n")
 
     def test_a_number_where_the_name_should_be_is_told(self):
-        self.write("forgotten.txt", "accessory " + " ".join(map(str, command.quarter_sphere()[2])) + "\n")
-        run = self.run_command("lune.obj", "forgotten.txt", "--output", "out", code=0)
-        self.assertIn("which is not one of its vertices; if it should be, put a name before it", run.stderr)
+        self.write("forgotten.txt", self.read("arc.txt").replace("arc ", ""))
+        self.fails("which is not one of its vertices; if it should be, put a name before it", "lune.obj", "forgotten.txt",
+                   "--output", "out", code=0)
 
-    def tube(self):
-        """A tube of radius 1, from z = 0 to z = 2, wider at its upper end."""
-        points, triangles = command.grid(16, 8, lambda i, j: (
-            (1 + 0.05 * j) * math.cos(math.pi * i / 8), (1 + 0.05 * j) * math.sin(math.pi * i / 8), 0.25 * j), closed=True)
-        self.write("tube.obj", command.obj(points, triangles))
+    def tube(self, height=2.0):
+        """A tube of radius 1, from z = 0 to a height, wider at its upper end."""
+        self.write("tube.obj", command.obj(*command.tube(16, 8, lambda j: (1 + 0.05 * j, height * j / 8))))
 
     def lengths(self, text, *arguments, code=0):
         """Lengths on the surface of the curves of a text file, by their names."""
         self.write("words.txt", text)
         report = self.flatten("tube.obj", "words.txt", "--unit", "cm", *arguments, code=code)
-        self.assertEqual(report["curve_distance_mm"] < 1e-6, True)
+        self.assertLess(report["curve_distance_mm"], 1e-6)
         lengths = {}
         for curve in report["curves"]:
             lengths.setdefault(curve["name"], []).append(curve["length_3d"])
@@ -82,9 +77,7 @@ class Curves(command.CommandTest):
         self.assertIn("opening 1: %.4g cm long, around 0, 0, 2" % (1.4 * rim), listed.replace("-0,", "0,"))
 
     def test_boundaries_are_named_by_their_side_or_by_an_earlier_curve(self):
-        self.write("tube.obj", command.obj(*command.grid(
-            16, 8, lambda i, j: ((1 + 0.05 * j) * math.cos(math.pi * i / 8), (1 + 0.05 * j) * math.sin(math.pi * i / 8),
-                                 0.5 * j), closed=True)))
+        self.tube(4.0)
         rim = 32 * math.sin(math.pi / 16)
         lengths = self.lengths("seam side plane y=0 x>0\nedge neck boundary top\nedge hem boundary bottom\n"
                                "accessory same boundary hem\n")
@@ -127,13 +120,7 @@ class Curves(command.CommandTest):
                             ("seam side between opening 1 and opening 1", "both meet"),
                             ("accessory line 1,0 2,0,0", "is not a point")):
             with self.subTest(text):
-                self.write("words.txt", text + "\n")
-                self.assertIn(words, self.refused("tube.obj", "words.txt", "--unit", "cm", "-o", "out"))
-
-    def refused(self, *arguments):
-        """The lines of an error, in one."""
-        run = self.run_command(*arguments, code=3)
-        return " ".join(command.error_lines(run))
+                self.fails(words, "tube.obj", self.write("words.txt", text + "\n"), "--unit", "cm", "-o", "out")
 
     def arc_rows(self):
         """Points of the arc of arc.txt."""
@@ -149,28 +136,22 @@ class Curves(command.CommandTest):
         self.assertAlmostEqual(report["pieces"][0]["E_area"], expected["pieces"][0]["E_area"], delta=1e-6)
 
     def test_a_pattern_says_that_its_grainline_does_not_follow_a_bent_key(self):
-        points, triangles = dome()
-        self.write("dome.obj", command.obj(points, triangles))
+        self.write("dome.obj", command.obj(*dome()))
         line = chain(*((i, 1 + (i > 3)) for i in range(SIZE + 1)))
         said = {}
         for kind in ("key", "straight"):
             self.write("fold.txt", f"{kind} fold {line}\n")
-            run = self.run_command("pattern", "dome.obj", "fold.txt", "-o", "out/pattern.svg", "--unit", "m",
-                                   code=(0, 4))
+            run = self.run_command("pattern", "dome.obj", "fold.txt", "-o", "a.svg", "--unit", "m", code=(0, 4))
             said[kind] = [row for row in run.stderr.splitlines() if "grainline" in row]
-        self.assertEqual(len(said["key"]), 1, said)
-        for word in ("fold", "mm", "straight NAME"):
-            self.assertIn(word, said["key"][0])
-        self.assertEqual(said["straight"], [])
+        self.assertEqual((len(said["key"]), said["straight"]), (1, []))
+        self.assert_words(("fold", "mm", "straight NAME"), said["key"][0])
 
     def test_a_pattern_says_of_all_darts_in_one_sentence_how_far_their_legs_miss_each_other(self):
         surface, curves = (os.path.join(command.DATA, name) for name in ("pants_back.vtp", "pants_back_curves.vtp"))
-        run = self.run_command("pattern", surface, curves, "-o", "out/pattern.svg", "--unit", "cm", "--output", "out",
-                               "--dart-legs", "free", code=(0, 4))
-        said = [row for row in run.stderr.splitlines() if "miss each other" in row]
-        self.assertEqual(len(said), 1, run.stderr)
+        run = self.run_command("pattern", surface, curves, "-o", "a.svg", "--unit", "cm", "--dart-legs", "free", code=(0, 4))
+        said, = [row for row in run.stderr.splitlines() if "miss each other" in row]
         for dart in ("waist_dart_inner", "waist_dart_outer"):
-            self.assertEqual(said[0].count(dart), 1, said)
+            self.assertEqual(said.count(dart), 1, said)
 
     def test_lines_of_an_obj_file_are_curves_named_by_their_group(self):
         ids = [int(word) + 1 for word in self.read("arc.txt").split()[2:]]
@@ -184,44 +165,40 @@ class Curves(command.CommandTest):
 
     def test_rows_of_a_csv_table_are_points_of_curves(self):
         rows = self.arc_rows()
-        self.write("a.csv", "x,y,z,Name,Type\n" + "".join(f"{x!r},{y!r},{z!r},arc,key\n" for x, y, z in rows))
-        self.assert_same_as_text(self.flatten("lune.obj", "a.csv"), "key", "arc")
-        self.write("b.csv", "name;x;y;z\r\n" + "".join(f"key arc;{x!r};{y!r};{z!r}\r\n" for x, y, z in rows))
-        self.assert_same_as_text(self.flatten("lune.obj", "b.csv"), "key", "arc")
-        # As tables are written where the decimal sign is a comma.
-        comma = "".join(f"key arc;{x!r};{y!r};{z!r}\r\n" for x, y, z in rows).replace(".", ",")
-        self.write("h.csv", "name;x;y;z\r\n" + comma)
-        self.assert_same_as_text(self.flatten("lune.obj", "h.csv"), "key", "arc")
+
+        def table(form, head="name;x;y;z\r\n", some=rows):
+            return head + "".join(form.format(*map(repr, row)) for row in some)
+
+        semicolons = table("key arc;{};{};{}\r\n")
+        for name, text in (
+            ("a.csv", table("{},{},{},arc,key\n", "x,y,z,Name,Type\n")), ("b.csv", semicolons),
+            # As tables are written where the decimal sign is a comma.
+            ("h.csv", semicolons.replace(".", ",")),
+            # No column of types: what stands behind the last one named is none.
+            ("n.csv", table("key arc,{},{},{},dart\n", "name,x,y,z\n")),
+        ):
+            self.assert_same_as_text(self.flatten("lune.obj", self.write(name, text)), "key", "arc")
+        self.write("o.csv", table("{},{},{},key arc\\\n", "x,y,z,name\n"))
+        self.assert_same_as_text(self.flatten("lune.obj", "o.csv"), "key", "arc\\")
         # An empty row, as tables have it, begins another curve of the same name.
-        self.write("i.csv", "name,x,y,z\n" + "".join(
-            f"arc,{x!r},{y!r},{z!r}\n" for x, y, z in rows[:2]) + ",,,\n" + "".join(
-            f"arc,{x!r},{y!r},{z!r}\n" for x, y, z in rows[2:4]))
+        self.write("i.csv", table("arc,{},{},{}\n", "name,x,y,z\n", rows[:2]) + table("arc,{},{},{}\n", ",,,\n", rows[2:4]))
         self.assertEqual([curve["name"] for curve in self.flatten("lune.obj", "i.csv")["curves"]
                           if curve["name"] == "arc"], ["arc", "arc"])
         # Fields in quotes hold dividers and quotes; a type may stand in the first row of a curve alone.
         for name, divider, quoting in (("j.csv", ",", csv.QUOTE_MINIMAL), ("k.csv", ";", csv.QUOTE_ALL),
                                        ("l.csv", "\t", csv.QUOTE_MINIMAL)):
-            table = [["x", "z", "name", "type", "y"]] + [
-                [repr(x), repr(z), 'side, "left"; low', "" if k else "Key", repr(y)]
-                for k, (x, y, z) in enumerate(rows)]
             with open(self.path(name), "w", encoding="utf-8", newline="") as file:
-                csv.writer(file, delimiter=divider, quoting=quoting).writerows(table)
+                csv.writer(file, delimiter=divider, quoting=quoting).writerows([["x", "z", "name", "type", "y"]] + [
+                    [repr(x), repr(z), 'side, "left"; low', "" if k else "Key", repr(y)] for k, (x, y, z) in enumerate(rows)])
             curves = self.flatten("lune.obj", name)["curves"]
             self.assertEqual([(curve["name"], curve["type"]) for curve in curves], [('side, "left"; low', "key")])
-        self.write("o.csv", "x,y,z,name\n" + "".join(f"{x!r},{y!r},{z!r},key arc\\\n" for x, y, z in rows))
-        self.assert_same_as_text(self.flatten("lune.obj", "o.csv"), "key", "arc\\")
-        self.write("m.csv", 'name,type,x,y,z\n"open,key,0,0,0\n')
-        self.assertIn("m.csv:2: a field in quotes", self.refused("lune.obj", "m.csv"))
-        # No column of types: what stands behind the last one named is none.
-        self.write("n.csv", "name,x,y,z\n" + "".join(f"key arc,{x!r},{y!r},{z!r},dart\n" for x, y, z in rows))
-        self.assert_same_as_text(self.flatten("lune.obj", "n.csv"), "key", "arc")
-        for name, text, part in (("c.csv", "x,y,z\n0,0,0\n", "'name'"),
+        for name, text, part in (("m.csv", 'name,type,x,y,z\n"open,key,0,0,0\n', "m.csv:2: a field in quotes"),
+                                 ("c.csv", "x,y,z\n0,0,0\n", "'name'"),
                                  ("d.csv", "name,x,y,z\na,0,0\n", "coordinate"),
                                  ("e.csv", "name,type,x,y,z\na,hem,0,0,0\n", "'hem'"),
                                  ("f.csv", "name,x,y,z\na,0,0,0\n", "one point"),
                                  ("g.csv", "name,x,y,z\n", "no curve")):
-            self.write(name, text)
-            self.assertIn(part, self.refused("lune.obj", name))
+            self.fails(part, "lune.obj", self.write(name, text))
 
     def test_polylines_of_a_dxf_file_are_curves_named_by_their_layer(self):
         rows = self.arc_rows()
@@ -237,10 +214,7 @@ class Curves(command.CommandTest):
         document.saveas(self.path("b.dxf"))
         self.assert_same_as_text(self.flatten("lune.obj", "b.dxf"), "key", "arc")
         # A flat sheet at z = 1 takes a light polyline, which has one elevation, closed.
-        self.write("flat.obj", command.obj([(i, j, 1.0) for j in range(5) for i in range(5)],
-                                           [t for j in range(4) for i in range(4) for t in
-                                            ((5 * j + i, 5 * j + i + 1, 5 * j + i + 6),
-                                             (5 * j + i, 5 * j + i + 6, 5 * j + i + 5))]))
+        self.write("flat.obj", command.obj(*command.grid(4, 4, lambda i, j: (i, j, 1.0))))
         document = ezdxf.new("R2010")
         document.modelspace().add_lwpolyline([(1, 1), (3, 1), (3, 3), (1, 3)], close=True,
                                              dxfattribs={"elevation": 1.0, "layer": "pocket"})
@@ -248,15 +222,12 @@ class Curves(command.CommandTest):
         curve = self.flatten("flat.obj", "c.dxf")["curves"][0]
         self.assertEqual((curve["name"], curve["type"]), ("pocket", "accessory"))
         self.assertAlmostEqual(curve["length_3d"], 8.0, delta=1e-12)
-        self.write("text.dxf", "name,x\n1,2\n")
-        self.assertIn("group code", self.refused("lune.obj", "text.dxf"))
+        self.fails("group code", "lune.obj", self.write("text.dxf", "name,x\n1,2\n"))
 
     def sheet_of(self, size, elevation=0.0):
         """A flat sheet of 20 x 20 squares from -size to size."""
-        count = 20
-        points, triangles = command.grid(
-            count, count, lambda i, j: (size * (2 * i / count - 1), size * (2 * j / count - 1), elevation))
-        self.write("sheet.obj", command.obj(points, triangles))
+        self.write("sheet.obj", command.obj(*command.grid(20, 20, lambda i, j: (
+            size * (i / 10 - 1), size * (j / 10 - 1), elevation))))
 
     def drawn_lengths(self, document):
         """Lengths in space of the curves of a drawing, by their names; the parts of one add up."""
@@ -374,7 +345,7 @@ class Curves(command.CommandTest):
         self.assertIn(warning.removeprefix("wirewarp: warning: "), self.report("out")["warnings"])
         space.delete_entity(hem)
         document.saveas(self.path("none.dxf"))
-        self.assertIn("HATCH (line ", self.refused("sheet.obj", "none.dxf"))
+        self.fails("HATCH (line ", "sheet.obj", "none.dxf")
 
     def test_a_damaged_curve_of_a_dxf_file_is_refused_by_its_line(self):
         self.sheet_of(400.0)
@@ -385,9 +356,7 @@ class Curves(command.CommandTest):
                                    ("d", "10\nnan\n", "'nan'")):
             with self.subTest(part):
                 self.write(name + ".dxf", head + groups + "0\nENDSEC\n0\nEOF\n")
-                message = self.refused("sheet.obj", name + ".dxf")
-                self.assertIn(part, message)
-                self.assertRegex(message, name + r"\.dxf:(6|12):")
+                self.assertRegex(self.fails(part, "sheet.obj", name + ".dxf").stderr, name + r"\.dxf:(6|12):")
 
     def test_a_tolerance_is_a_fraction(self):
         for text in ("arc=1", "arc=-0.1", "arc=nan", "arc=", "=0.1", "arc", "arc=2%"):

@@ -30,14 +30,10 @@ class Damaged(command.CommandTest):
 
     def refuse(self, *arguments, says=()):
         """Exit 3 with one line, in which these words are."""
-        run = self.run_command(*arguments, "--output", "out", code=3)
-        lines = command.error_lines(run)
-        self.assertEqual(len(lines), 1, lines)
-        for word in says:
-            self.assertIn(word, lines[0])
+        line, = command.error_lines(self.fails(says, *arguments, "--output", "out"))
         self.assertEqual(os.listdir(self.path("out")), ["report.json"])
         self.assertEqual(self.report("out")["status"], "UnreadableInput")
-        return lines[0]
+        return line
 
     def test_points_that_no_locator_can_be_asked_about_are_refused(self):
         lines = ('<Lines><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2</DataArray>'
@@ -61,22 +57,12 @@ class Damaged(command.CommandTest):
             with self.subTest(count):
                 self.refuse(self.write("wide.vtp", text), says=("wide.vtp", "memory"))
 
-    def test_a_reader_that_dies_is_a_message_for_surfaces_and_curves(self):
-        died = 0
-        for name, text in self.killing.items():
-            for before in ((), ("good.obj",)):
-                with self.subTest(name=name, before=before):
-                    line = self.refuse(*before, self.write(name, text), says=(name,))
-                    died += "VTK's reader ended by signal 11" in line
-        self.assertGreater(died, 1)
-
-    def test_a_reader_that_does_not_end_is_a_message(self):
-        late = 0
-        for name, text in self.endless.items():
-            with self.subTest(name):
-                line = self.refuse(self.write(name, text), says=(name,))
-                late += "came to no end within" in line
-        self.assertGreater(late, 0)
+    def test_a_reader_that_dies_or_does_not_end_is_a_message_for_surfaces_and_curves(self):
+        for files, befores, words, least in ((self.killing, ((), ("good.obj",)), "VTK's reader ended by signal 11", 2),
+                                             (self.endless, ((),), "came to no end within", 1)):
+            lines = [self.refuse(*before, self.write(name, text), says=name)
+                     for name, text in files.items() for before in befores]
+            self.assertGreaterEqual(sum(words in line for line in lines), least, lines)
 
     def test_in_a_batch_only_the_damaged_surfaces_are_refused(self):
         names = [self.write(name, text) for name, text in self.killing.items()]
@@ -120,12 +106,9 @@ class Damaged(command.CommandTest):
     def test_names_with_control_characters_reach_no_terminal(self):
         escape = "\x1b[31m\x9b"
         self.write("names.txt", f"accessory a{escape} 10 11 12 13 14\n")
-        coded = command.legacy_curves(self.points, [(1, "a%1b[31m%00%0ab", [10, 11, 12, 13, 14])])
-        self.write("names.vtk", coded)
+        self.write("names.vtk", command.legacy_curves(self.points, [(1, "a%1b[31m%00%0ab", [10, 11, 12, 13, 14])]))
         for name in ("names.txt", "names.vtk"):
-            for arguments in (
-                ("--table",), ("--tolerance", "none=0.1"), ("--max-iterations", "1"), ("--no-split-triangles",),
-            ):
+            for arguments in (("--table",), ("--tolerance", "none=0.1"), ("--max-iterations", "1"), ("--no-split-triangles",)):
                 with self.subTest(name=name, arguments=arguments):
                     run = self.run_command("good.obj", name, *arguments, "--output", "out")
                     text = run.stdout + run.stderr
@@ -133,13 +116,9 @@ class Damaged(command.CommandTest):
                     self.assertIn(run.returncode, (0, 3, 4))
                     if arguments == ("--table",):
                         self.assertIn("a?[31m", text)
-        bad = "bogus\x1b[31m"
-        self.write("bad.txt", f"accessory a{escape} 10 99\n{bad} b 1 2\n")
-        run = self.run_command("good.obj", "bad.txt", code=3)
-        self.assertNotIn("\x1b", run.stderr)
-        run = self.run_command("a\x1b[31m.obj", "--output", "out")
-        self.assertNotIn("\x1b", run.stderr)
+        self.write("bad.txt", f"accessory a{escape} 10 99\nbogus\x1b[31m b 1 2\n")
+        for arguments in (("good.obj", "bad.txt"), ("a\x1b[31m.obj",)):
+            self.assertNotIn("\x1b", self.run_command(*arguments, "--output", "out", code=3).stderr)
 
 
-if __name__ == "__main__":
-    command.main()
+command.main()

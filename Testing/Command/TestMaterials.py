@@ -8,17 +8,14 @@ import command
 
 TWILL = {"name": "mine", "warp": 2017, "weft": 2035, "shear": 26, "compression": 1,
          "limits": {"warp": [-1, 1], "weft": [-2, 2], "shear": 25}}
-KEYS = ["grain_angle", "grain_curve", "one_way", "share_locked",
-        "share_out_of_limit", "share_over_5_percent",
-        "shear_limit", "shear_rms", "strain_warp_rms", "strain_weft_rms"]
+KEYS = ["grain_angle", "grain_curve", "one_way", "share_locked", "share_out_of_limit", "share_over_5_percent", "shear_limit",
+        "shear_rms", "strain_warp_rms", "strain_weft_rms"]
 
 
 class Materials(command.CommandTest):
     def setUp(self):
         super().setUp()
-        points, triangles, arc = command.quarter_sphere()
-        self.write("lune.obj", command.obj(points, triangles))
-        self.write("arc.txt", "accessory arc " + " ".join(map(str, arc)) + "\n")
+        self.write_lune()
         # A knit that has no limits.
         self.write("soft.json", json.dumps({"warp": 34, "weft": 17, "shear": 9, "compression": 0.5}))
 
@@ -87,16 +84,12 @@ class Materials(command.CommandTest):
                   for value in ([1, 2], [0, 0], [2, -2], [-1e-300, 1e-300])),
                 *(({"limits": {"shear": value}}, "a shear limit") for value in (0, -5)),
                 ({"limits": {"shear": "5"}}, 'has a "shear" that is not a number'),
-                ({"limits": {"warp": 3}}, "are not two numbers"),
-                ({"limits": {"warp": [-1, 1, 2]}}, "are not two numbers"),
-                ({"limits": {"warp": [-1, None]}}, "are not two numbers"),
+                *(({"limits": {"warp": value}}, "are not two numbers") for value in (3, [-1, 1, 2], [-1, None])),
                 ({"limits": {"bias": [-1, 1]}}, 'has a member "bias" that means nothing'),
                 ({"limits": [-1, 1]}, 'has "limits" that are not an object'),
-                ({"compression": 0}, "the compression ratio 0"),
-                ({"compression": 2}, "the compression ratio 2"),
+                *(({"compression": value}, f"the compression ratio {value}") for value in (0, 2)),
                 ({"one_way": 1}, "neither true nor false"),
-                ({"name": 3}, 'has a "name" that is not text, or is too long'),
-                ({"name": "x" * 5000}, 'has a "name" that is not text, or is too long'),
+                *(({"name": value}, 'has a "name" that is not text, or is too long') for value in (3, "x" * 5000)),
                 ({"bending": 3}, 'has a member "bending" that means nothing')):
             self.write("bad.json", json.dumps({**TWILL, **change}))
             self.assertIn(words, self.refused("--material", "bad.json"), change)
@@ -107,24 +100,22 @@ class Materials(command.CommandTest):
     def test_files_that_are_no_material_are_named(self):
         numbers = '"warp": 2000, "weft": 1900, "shear": 25'
         for text, words in (
-                ("", "is not JSON at line 1"), ("{", "is not JSON at line 1"), ("[1]", "holds no object"),
-                ("7", "holds no object"), ("null", "holds no object"), ('"twill"', "holds no object"),
+                *((text, "holds no object") for text in ("[1]", "7", "null", '"twill"')),
+                ("", "is not JSON at line 1"), ("{", "is not JSON at line 1"),
                 ("{\n" + numbers + "\n,}", "is not JSON at line 3"),
-                ('{"warp": NaN}', "is not JSON"), ('{"warp": Infinity}', "is not JSON"),
-                ("{" + numbers + "} {}", "is not JSON"),
                 ('{"warp": 1e999, "weft": 1, "shear": 1}', "has a number that is too large"),
                 ("{" + numbers + ', "warp": 1}', 'has "warp" twice'),
                 ("{" + numbers + ', "limits": {"shear": 1, "shear": 9}}', 'has "shear" twice'),
-                ("[" * 100000, "is not JSON"), ('{"a":' * 100000, "is not JSON"),
-                (b"\x00\xff\xfe" * 100, "is not JSON"), (b'{"name": "\xff"}', "is not JSON"),
+                *((text, "is not JSON") for text in (
+                    '{"warp": NaN}', '{"warp": Infinity}', "{" + numbers + "} {}", "[" * 100000, '{"a":' * 100000,
+                    b"\x00\xff\xfe" * 100, b'{"name": "\xff"}')),
                 (" " * 2000000 + "{" + numbers + "}", "has more than a megabyte")):
             self.write("bad.json", text)
             self.assertIn(words, self.refused("--material", "bad.json"), text[:60])
         os.mkdir(self.path("folder"))
         os.mkfifo(self.path("pipe"))
-        for name in ("missing.json", "folder", "pipe", "/dev/zero", "", "x" * 5000, "twill\n"):
-            if name:
-                self.assertIn("is neither a material nor a file that can be read", self.refused("--material", name))
+        for name in ("missing.json", "folder", "pipe", "/dev/zero", "x" * 5000, "twill\n"):
+            self.assertIn("is neither a material nor a file that can be read", self.refused("--material", name))
 
     def test_damaged_files_are_materials_or_refused(self):
         random.seed(15)
@@ -146,16 +137,14 @@ class Materials(command.CommandTest):
         self.assertEqual(seen, {"InvalidOption", "BeyondLimits"})
 
     def test_a_material_may_be_written_with_capitals_unless_a_file_is_called_so(self):
-        points, triangles, _ = command.quarter_sphere()
-        self.write("a.obj", command.obj(points, triangles))
         sewn = []
         for name in ("denim", "Denim", "DENIM"):
-            self.run_command("a.obj", "--unit", "cm", "--material", name, "--output", f"of {name}", code=(0, 4))
-            sewn.append(self.report(f"of {name}")["pieces"][0]["cloth"])
+            self.run_command("lune.obj", "--unit", "cm", "--material", name, "--output", "out", code=(0, 4))
+            sewn.append(self.report("out")["pieces"][0]["cloth"])
         self.assertIsNotNone(sewn[0])
         self.assertEqual(sewn[1:], sewn[:1] * 2)
         self.write("Denim", "no material")
-        self.fails('the material file "Denim"', "a.obj", "--unit", "cm", "--material", "Denim", "--output", "file")
+        self.fails('the material file "Denim"', "lune.obj", "--unit", "cm", "--material", "Denim", "--output", "file")
 
     def test_the_list_has_every_material_with_its_source(self):
         run = self.run_command("materials")
@@ -171,9 +160,8 @@ class Sheets(command.CommandTest):
         """Half of a tube of 100 mm in 36 chords, 200 mm long: a layer that is d within has at each of the 35 bends
         2 d tan(angle / 2) less, the angle being pi / 36."""
         for unit, size in (("mm", 1.0), ("cm", 0.1)):
-            self.write("tube.obj", command.obj(*command.grid(
-                36, 4, lambda i, j: (100 * size * math.cos(math.pi * i / 36), 100 * size * math.sin(math.pi * i / 36),
-                                     50 * size * j))))
+            self.write("tube.obj", command.obj(*command.grid(36, 4, lambda i, j: tuple(size * x for x in (
+                100 * math.cos(math.pi * i / 36), 100 * math.sin(math.pi * i / 36), 50 * j)))))
             for inwards in (0.0, 1.8, -2.0):
                 self.flatten("flatten", "tube.obj", "--unit", unit, "--neutral-layer", str(inwards))
                 width = 36 * 200 * math.sin(math.pi / 72) - 70 * inwards * math.tan(math.pi / 72)
@@ -181,5 +169,4 @@ class Sheets(command.CommandTest):
                 self.assertAlmostEqual(around, 2 * (width + 200) * size, delta=1e-6)
 
 
-if __name__ == "__main__":
-    command.unittest.main()
+command.main()

@@ -13,9 +13,8 @@ class SeamsFrom(command.CommandTest):
     def names(self, *arguments):
         self.run_command("pattern", *arguments, "--unit", "cm", "-o", "out/pattern.svg", "--smooth", "0",
                          "--output", "out", code=0)
-        root = ElementTree.parse(self.path("out/pattern.svg")).getroot()
-        layers = [group.get(LABEL) for group in root if group.get(LABEL)]
-        return [layer for layer in layers if layer != "scale check"]
+        layers = [group.get(LABEL) for group in ElementTree.parse(self.path("out/pattern.svg")).getroot()]
+        return [layer for layer in layers if layer and layer != "scale check"]
 
     def sheets(self, *heads):
         """Squares beside each other, each below its lines; several under one head are apart."""

@@ -41,6 +41,8 @@ OPTIONS = (
     ({"tolerance": {"waist_dart": 0.04}}, "--tolerance waist_dart=0.04"),
     ({"scheme": "lscm", "pins": (3, 40)}, "--scheme lscm --pins 3 40"),
     ({"arrange": False}, "--no-arrange"),
+    ({"dart_legs": "free"}, "--dart-legs free"),
+    ({"dart_legs": "straight"}, "--dart-legs straight"),
     ({"material": "twill", "grain": 30.0}, "--material twill --grain 30"),
     ({"material": "jersey", "grain": ["none_such", "grainline:45"], "release_keys": True},
      "--material jersey --grain none_such --grain grainline:45 --no-keys"),
