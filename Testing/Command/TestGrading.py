@@ -3,7 +3,6 @@
 import glob
 import math
 import os
-import re
 from xml.etree import ElementTree
 
 import command

@@ -2,19 +2,14 @@
 """Every measure in report.json, in the table and in the arrays is what numpy finds in the files that were
 written beside it."""
 
-import json
 import os
-import subprocess
-import sys
-import tempfile
 import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from surfaces import DATA, points_of, polylines_of, read_file, triangles_of
+from surfaces import DATA, command, points_of, polylines_of, read_file, triangles_of
 
-COMMAND = os.environ["WIREWARP"]
 FLIPPED_STRAIN = 100.0
 # Surface, or surface+set of curves, and options.
 CASES = (
@@ -76,9 +71,8 @@ def regions(triangles, walls):
 class Output:
     """What the command has written, and what numpy makes of points and triangles alone."""
 
-    def __init__(self, folder):
-        with open(os.path.join(folder, "report.json"), encoding="utf-8") as file:
-            self.report = json.load(file)
+    def __init__(self, report, folder):
+        self.report = report
         self.flat, self.wires, cut = (
             read_file(os.path.join(folder, name)) for name in ("flat.vtp", "wires.vtp", "cut.vtp"))
         self.plane, self.space = points_of(self.flat), points_of(cut)
@@ -92,10 +86,7 @@ class Output:
         self.boundary = {tuple(pair) for pair in edges[counts == 1]}
         self.pairs = array(self.flat.GetFieldData(), "SeamPairs").astype(int).reshape(-1, 5)
         self.closed = array(self.flat.GetFieldData(), "SeamClosed") != 0
-        self.measure()
-
-    def measure(self):
-        """Singular values S >= s, s negative where flipped, areas and errors of angles."""
+        # Singular values S >= s, s negative where flipped, areas and errors of angles.
         a, b, c = self.triangles.T
         u, v = self.space[b] - self.space[a], self.space[c] - self.space[a]
         base = np.linalg.norm(u, axis=1)
@@ -163,7 +154,7 @@ class Output:
         return (apart & (side(a, b, c) * side(a, b, d) < 0) & (side(c, d, a) * side(c, d, b) < 0)).sum()
 
 
-class EveryNumber(unittest.TestCase):
+class EveryNumber(command.CommandTest):
     dirichlet = False
 
     def near(self, what, said, found, tolerance=1e-8):
@@ -171,12 +162,10 @@ class EveryNumber(unittest.TestCase):
 
     def test_of_pieces_of_each_scheme(self):
         for name, *options in CASES:
-            with self.subTest(name, options=options), tempfile.TemporaryDirectory() as folder:
+            with self.subTest(name, options=options):
                 surface, _, curves = os.path.join(DATA, name).partition("+")
-                run = subprocess.run(
-                    [COMMAND, surface + ".vtp", f"{surface}_curves{curves}.vtp", *options, "--table", "--output",
-                     folder], capture_output=True, text=True, check=False)
-                output = Output(folder)
+                run = self.run_command(surface + ".vtp", f"{surface}_curves{curves}.vtp", *options, "--table", "-o", "out")
+                output = Output(self.report("out"), self.path("out"))
                 self.assertEqual(run.returncode, 0 if output.report["status"] == "Ok" else 4, run.stderr)
                 self.check_table(output.report, run.stdout)
                 self.check_regions(output)
@@ -310,6 +299,4 @@ class EveryNumber(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not COMMAND:
-        sys.exit("the command wirewarp is not built")
     unittest.main()

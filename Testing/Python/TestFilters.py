@@ -8,14 +8,13 @@ import re
 import tempfile
 import unittest
 import unittest.mock
-import warnings
 
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 import surfaceflattening as sf
-from surfaces import SOURCE, quarter_sphere
+from surfaces import SOURCE, quarter_sphere, warned
 
 
 class Filters(unittest.TestCase):
@@ -55,8 +54,7 @@ class Filters(unittest.TestCase):
                         for part in ("flat", "wires", "cut"):
                             self.assertEqual(sf.vtkFlatteningAlgorithm.GetLengthUnitOf(result.to_polydata(part)), unit)
             for word in ("", "furlong"):
-                with warnings.catch_warnings(record=True) as caught:
-                    warnings.simplefilter("always")
+                with warned() as caught:
                     result, pattern = made(word, "", folder)
                     self.assertIn("taken as cm", str(caught[0].message))
                     self.assertEqual(sf.vtkFlatteningAlgorithm.GetLengthUnitOf(result.to_polydata("flat")), "")

@@ -2,12 +2,11 @@
 """make_flattenable() moves a surface until it lies flat with little strain."""
 
 import unittest
-import warnings
 
 import numpy as np
 
 import surfaceflattening as sf
-from surfaces import dome
+from surfaces import dome, quiet
 
 
 class Flattenable(unittest.TestCase):
@@ -18,7 +17,7 @@ class Flattenable(unittest.TestCase):
         self.assertEqual(moved.strain_before, sf.flatten(points, triangles).report["pieces"][0]["strain_p95"])
         self.assertEqual(moved.strain_after, moved.flattening.report["pieces"][0]["strain_p95"])
         self.assertLessEqual(moved.strain_after, 0.01)
-        np.testing.assert_array_equal(moved.points - moved.shift, moved.points - (moved.points - points))
+        np.testing.assert_array_equal(moved.shift, moved.points - points)
         np.testing.assert_array_equal(moved.points[moved.kept], points[moved.kept])
         self.assertEqual(moved.kept.sum(), 40)
         again = sf.flatten(moved.points, moved.triangles)
@@ -38,8 +37,7 @@ class Flattenable(unittest.TestCase):
         points, triangles = dome(10, 10, 0.3)
         row = list(range(5 * 11, 6 * 11))
         curves = [sf.Curve(row, "key", "middle", "straight")]
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", sf.FlatteningWarning)
+        with quiet():
             moved = sf.make_flattenable(points, triangles, curves, keep=["middle"])
         np.testing.assert_array_equal(moved.points[row], points[row])
         curve, = moved.curves
@@ -55,9 +53,8 @@ class Flattenable(unittest.TestCase):
                           {"outside_bias": -0.5}, {"outside_bias": float("nan")}):
             with self.assertRaises(ValueError):
                 sf.make_flattenable(points, triangles, **arguments)
-        for arguments in ({"keep": "hem"}, {"cuts": "all"}):
-            with self.assertRaises(TypeError):
-                sf.make_flattenable(points, triangles, **arguments)
+        with self.assertRaises(TypeError):
+            sf.make_flattenable(points, triangles, cuts="all")
         with self.assertRaises(TypeError):
             sf.make_flattenable_polydata(points)
 

@@ -2,12 +2,11 @@
 """Defects of surfaces are healed with a warning each; curves and results go on referring to the input's points."""
 
 import unittest
-import warnings
 
 import numpy as np
 
 import surfaceflattening as sf
-from surfaces import command
+from surfaces import command, warned
 
 COLUMNS, ROWS = 12, 10
 
@@ -48,8 +47,7 @@ def pinched(points, triangles):
 
 class Healed(unittest.TestCase):
     def flatten(self, points, triangles, *arguments, **options):
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
+        with warned() as caught:
             result = sf.flatten(np.array(points), np.array(triangles), *arguments, **options)
         self.assertEqual(result.report["warnings"], [str(one.message) for one in caught])
         self.assertEqual(result.report["status"], "Ok")

@@ -4,25 +4,19 @@
 import dataclasses
 import math
 import unittest
-import warnings
 
 import surfaceflattening as sf
-from surfaces import points_of, polylines_of, read, triangles_of
+from surfaces import points_of, polylines_of, quiet, read, triangles_of
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 
-def piece(name, curves, kinds=None):
-    """Points, triangles and the curves by their types, or those of the numbers `kinds` as keys."""
+def piece(name, curves, kind=None):
+    """Points, triangles and the curves, by their types or all of one."""
     surface, lines = read(name), read(curves)
-    ids = {tuple(point): k for k, point in enumerate(points_of(surface))}
-    places = points_of(lines)
     types = vtk_to_numpy(lines.GetCellData().GetArray("CurveType"))
-    result = []
-    for k, chain in enumerate(polylines_of(lines)):
-        kind = ("accessory", "key", "dart", "seam")[types[k]] if kinds is None else (
-            "key" if k in kinds else "accessory")
-        result.append(sf.Curve([ids[tuple(places[p])] for p in chain], kind, f"curve {k}"))
-    return points_of(surface), triangles_of(surface), result
+    return points_of(surface), triangles_of(surface), [
+        sf.Curve(points_of(lines)[chain], kind or ("accessory", "key", "dart", "seam")[types[k]], f"curve {k}")
+        for k, chain in enumerate(polylines_of(lines))]
 
 
 def largest(report, key):
@@ -31,23 +25,22 @@ def largest(report, key):
 
 class KeyPrices(unittest.TestCase):
     def test_the_price_is_what_releasing_the_shape_saves(self):
-        points, triangles, curves = piece("quarter_sphere", "quarter_sphere_curves_two", kinds=(0, 1))
+        points, triangles, curves = piece("quarter_sphere", "quarter_sphere_curves_two", "key")
         prices = sf.price_keys(points, triangles, curves, scheme="global")
         self.assertEqual({key.name for key in prices.keys}, {"curve 0", "curve 1"})
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", sf.FlatteningWarning)
+        with quiet():
             whole = sf.flatten(points, triangles, curves, scheme="global").report
             for key in prices.keys:
                 k = int(key.name[-1])
-                others = [dataclasses.replace(c, type="accessory") if j == k else c
-                          for j, c in enumerate(curves)]
+                others = [dataclasses.replace(c, type="accessory") if j == k else c for j, c in enumerate(curves)]
                 report = sf.flatten(points, triangles, others, scheme="global").report
-                self.assertAlmostEqual(
-                    key.price, largest(whole, "E_area") - largest(report, "E_area"), 12)
+                self.assertAlmostEqual(key.price, largest(whole, "E_area") - largest(report, "E_area"), 12)
                 self.assertAlmostEqual(key.without.strain_p95, largest(report, "strain_p95"), 12)
                 self.assertEqual(key.without.released, [
                     curve["name"] for curve in report["curves"] if curve["released"]])
+            none = sf.flatten(points, triangles, curves, scheme="global", release_keys=True).report
         self.assertAlmostEqual(prices.all.E_area, largest(whole, "E_area"), 12)
+        self.assertAlmostEqual(prices.none.E_area, largest(none, "E_area"), 12)
         self.assertEqual([key.price for key in prices.keys],
                          sorted((key.price for key in prices.keys), reverse=True))
 

@@ -13,7 +13,7 @@ import warnings
 import numpy as np
 
 import surfaceflattening as sf
-from surfaces import SOURCE, grid
+from surfaces import SOURCE, grid, quiet
 
 
 def shell(columns=10, rows=12, height=0.25):
@@ -22,8 +22,7 @@ def shell(columns=10, rows=12, height=0.25):
 
 
 def flatten(*arguments, **options):
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", sf.FlatteningWarning)
+    with quiet():
         return sf.flatten(*arguments, **options)
 
 

@@ -6,23 +6,21 @@ import subprocess
 import sys
 import tempfile
 import unittest
-import warnings
 
 os.environ["MPLBACKEND"] = "Agg"
 
 import matplotlib  # noqa: E402  - the backend is chosen first
 import numpy as np  # noqa: E402
 from matplotlib import pyplot  # noqa: E402
-from matplotlib.collections import LineCollection, TriMesh  # noqa: E402
+from matplotlib.collections import LineCollection  # noqa: E402
 
-import surfaceflattening as sf  # noqa: E402
-from surfaces import read  # noqa: E402
+from surfaces import flattened, quiet  # noqa: E402
 
 
 class Plot(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.result = sf.flatten_polydata(read("tshirt"), read("tshirt_curves"))
+        cls.result = flattened("tshirt")
 
     def tearDown(self):
         pyplot.close("all")
@@ -43,15 +41,9 @@ class Plot(unittest.TestCase):
 
     def test_triangles_are_colored_by_the_array_that_is_named(self):
         for word, name in (("homogeneity", "HomogeneityOfDistortion"), ("area", "AreaRatio"),
-                           ("aspect-ratio", "AspectRatio")):
-            ax = self.result.plot(word)
-            (triangles,) = [collection for collection in ax.collections
-                            if not isinstance(collection, LineCollection)]
-            np.testing.assert_array_equal(triangles.get_array(), self.result.cell_arrays[name])
-        ax = self.result.plot("developability")
-        (triangles,) = [collection for collection in ax.collections if isinstance(collection, TriMesh)]
-        np.testing.assert_array_equal(
-            triangles.get_array(), self.result.point_arrays["Developability"])
+                           ("aspect-ratio", "AspectRatio"), ("developability", "Developability")):
+            values = self.result.cell_arrays.get(name, self.result.point_arrays.get(name))
+            np.testing.assert_array_equal(self.triangles_of(self.result, word).get_array(), values)
 
     def lightness(self, triangles, values):
         """Relative luminance after ITU-R BT.709."""
@@ -65,9 +57,8 @@ class Plot(unittest.TestCase):
         return triangles
 
     def test_maps_are_light_where_nothing_is_changed_and_of_both_signs_diverge_from_there(self):
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", sf.FlatteningWarning)
-            result = sf.flatten_polydata(read("shirt_front"), read("shirt_front_curves"), material="twill")
+        with quiet():
+            result = flattened("shirt_front", material="twill")
         for word, ideal, poor in (("homogeneity", 1.0, 0.5), ("aspect-ratio", 1.0, 0.5), ("stretch", 100.0, 119.9),
                                   ("developability", 0.0, 1e9)):
             triangles = self.triangles_of(result, word)
@@ -84,7 +75,7 @@ class Plot(unittest.TestCase):
             self.assertGreater(low[2] - low[0], 0.3, word)
             self.assertGreater(high[0] - high[2], 0.3, word)
             light = self.lightness(triangles, np.linspace(first, last, 41))
-            self.assertEqual(np.argmax(light) in (19, 20, 21), True, word)
+            self.assertIn(np.argmax(light), (19, 20, 21), word)
 
     def test_pieces_are_numbered_and_measured(self):
         texts = [text.get_text() for text in self.result.plot().texts]

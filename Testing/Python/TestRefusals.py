@@ -6,20 +6,19 @@ import os
 import pickle
 import tempfile
 import unittest
-import warnings
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkIntArray
 
 import surfaceflattening as sf
-from surfaces import grid, read
+from surfaces import command, grid, read, warned
 
 Codes = sf.vtkFlatteningAlgorithm
 
 
 @contextlib.contextmanager
-def standard_error(lines):
-    """What VTK writes past Python's sys.stderr."""
+def silence(test):
+    """VTK writes nothing past Python's sys.stderr."""
     with tempfile.TemporaryFile() as file:
         kept = os.dup(2)
         os.dup2(file.fileno(), 2)
@@ -29,15 +28,13 @@ def standard_error(lines):
             os.dup2(kept, 2)
             os.close(kept)
             file.seek(0)
-            lines.extend(file.read().decode().splitlines())
+            test.assertEqual(file.read(), b"")
 
 
 class Refused(unittest.TestCase):
     def refuse(self, code, *arguments, **options):
-        lines = []
-        with standard_error(lines), self.assertRaises(sf.FlatteningError) as caught:
+        with silence(self), self.assertRaises(sf.FlatteningError) as caught:
             sf.flatten(*arguments, **options)
-        self.assertEqual(lines, [])
         error = caught.exception
         self.assertEqual(error.code, code)
         self.assertTrue(error.message)
@@ -67,18 +64,12 @@ class Refused(unittest.TestCase):
                     call(points, triangles, curves)
 
     def test_what_is_skipped_is_warned_of_and_reported(self):
-        points, triangles = grid()
-        button = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]) + len(points)
-        all_points = np.concatenate([points, [[9, 0, 0], [10, 0, 0], [9, 1, 0], [9, 0, 1]]])
-        all_triangles = np.concatenate([triangles, button])
-        first = len(triangles)
+        all_points, all_triangles = map(np.array, command.together(command.sheet(), command.TETRAHEDRON))
+        first = len(all_triangles) - 4
         error = self.refuse(Codes.CLOSED_SURFACE, all_points, all_triangles)
         self.assertEqual(error.ids, [first])
-        lines = []
-        with standard_error(lines), warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
+        with silence(self), warned() as caught:
             result = sf.flatten(all_points, all_triangles, skip_closed=True)
-        self.assertEqual(lines, [])
         self.assertEqual([warning.category for warning in caught], [sf.FlatteningWarning])
         self.assertEqual(caught[0].filename, __file__)
         self.assertEqual(result.report["warnings"], [str(caught[0].message)])
@@ -89,23 +80,21 @@ class Refused(unittest.TestCase):
     def test_a_straight_key_along_two_edges_of_a_triangle_is_warned_of(self):
         points, triangles = grid()
         for scale in (1e-3, 1.0, 300.0):
-            for start, way, warned in ((1.015, "key", True), (1.05, "key", True), (1.015, "accessory", False),
+            for start, way, told in ((1.015, "key", True), (1.05, "key", True), (1.015, "accessory", False),
                                        (1.0, "key", False)):
                 line = np.array([[0, 0, 0], [start, 0, 0], [1.5, 0.9, 0], [2.0, 3.0, 0]]) * scale
                 curve = sf.Curve(line, way, "bent", "straight") if way == "key" else sf.Curve(line, way, "bent")
-                with self.subTest(scale=scale, start=start, way=way), warnings.catch_warnings(record=True) as caught:
-                    warnings.simplefilter("always")
+                with self.subTest(scale=scale, start=start, way=way), warned() as caught:
                     sf.flatten(points * scale, triangles, [curve])
                     found = [str(one.message) for one in caught if "two edges of a triangle" in str(one.message)]
-                    self.assertEqual(len(found), 1 if warned else 0, [str(one.message) for one in caught])
-                    if warned:
+                    self.assertEqual(len(found), 1 if told else 0, [str(one.message) for one in caught])
+                    if told:
                         self.assertRegex(found[0], r"'bent' runs along .* in cells 2, ")
 
     def test_arrays_of_curves_whose_names_differ_in_case_alone_are_warned_of(self):
         points, triangles = grid()
         for name in ("CurveType", "CurveName", "KeyShape", "LengthTolerance", "LengthEase", "EasedPiece", "PlanarShape"):
-            with self.subTest(name), warnings.catch_warnings(record=True) as caught:
-                warnings.simplefilter("always")
+            with self.subTest(name), warned() as caught:
                 curves = sf.make_curves([sf.Curve([0, 1], "key", planar_shape=[[0, 0], [1, 0]])], points)
                 data = curves.GetPointData() if name == "PlanarShape" else curves.GetCellData()
                 data.RemoveArray(name)
@@ -126,45 +115,37 @@ class Refused(unittest.TestCase):
                          (error.code, error.name, error.ids, error.message))
 
 
-class Arguments(unittest.TestCase):
-    def wrong(self, words, *arguments, **options):
-        with self.assertRaises(ValueError) as caught:
-            sf.flatten(*arguments, **options)
-        self.assertIsInstance(caught.exception, sf.ArgumentError)
-        for word in words:
-            self.assertIn(word, str(caught.exception))
+class Arguments(command.WordsTest):
+    def wrong(self, words, curves=(), **options):
+        error = self.assert_raises(ValueError, words, sf.flatten, *grid(), curves, **options)
+        self.assertIsInstance(error, sf.ArgumentError)
 
     def test_words(self):
-        points, triangles = grid()
         for option in ("scheme", "solver", "interior", "coincident_points"):
-            self.wrong([option, "'best'", "one of"], points, triangles, **{option: "best"})
-        self.wrong(["type of curve 0", "accessory, key, dart, seam"], points, triangles,
-                   [sf.Curve([0, 1], type="hem")])
-        self.wrong(["key_shape", "straight"], points, triangles,
-                   [sf.Curve([0, 1], key_shape="round")])
+            self.wrong([option, "'best'", "one of"], **{option: "best"})
+        self.wrong(["type of curve 0", "accessory, key, dart, seam"], [sf.Curve([0, 1], type="hem")])
+        self.wrong(["key_shape", "straight"], [sf.Curve([0, 1], key_shape="round")])
 
     def test_capital_letters_of_words_do_not_matter_as_in_the_command(self):
         points, triangles = grid()
         small, large = (sf.flatten(points, triangles, scheme=scheme, interior=interior)
                         for scheme, interior in (("global", "laplacian"), ("Global", "LAPLACIAN")))
         self.assertEqual(small.positions.tolist(), large.positions.tolist())
-        self.wrong(["angle_weight", "isometric", "global"], points, triangles, scheme="Global", angle_weight=1.0)
+        self.wrong(["angle_weight", "isometric", "global"], scheme="Global", angle_weight=1.0)
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "a.pdf")
             large.write_pattern(path, unit="CM", paper="a3")
             self.assertTrue(os.path.exists(path))
 
     def test_words_of_the_commands_text_files(self):
-        points, triangles = grid()
+        points, _ = grid()
         for word in ("straight", "Straight"):
-            self.wrong([f"type of curve 0 ('mid') is '{word}'", 'type="key", key_shape="straight"'], points,
-                       triangles, [sf.Curve([0, 1], type=word, name="mid")])
-        self.wrong(["'edge'", 'type="accessory"', "border"], points, triangles, [sf.Curve([0, 1], type="edge")])
-        small = sf.make_curves([sf.Curve([0, 1], type="key", key_shape="straight")], points).GetCellData()
-        large = sf.make_curves([sf.Curve([0, 1], type="Key", key_shape="STRAIGHT")], points).GetCellData()
-        for name in ("CurveType", "KeyShape"):
-            self.assertEqual(small.GetArray(name).GetValue(0), 1)
-            self.assertEqual(large.GetArray(name).GetValue(0), 1)
+            self.wrong([f"type of curve 0 ('mid') is '{word}'", 'type="key", key_shape="straight"'],
+                       [sf.Curve([0, 1], type=word, name="mid")])
+        self.wrong(["'edge'", 'type="accessory"', "border"], [sf.Curve([0, 1], type="edge")])
+        for kind, shape in (("key", "straight"), ("Key", "STRAIGHT")):
+            data = sf.make_curves([sf.Curve([0, 1], type=kind, key_shape=shape)], points).GetCellData()
+            self.assertEqual([data.GetArray(name).GetValue(0) for name in ("CurveType", "KeyShape")], [1, 1])
 
     def test_lists_and_dicts_of_another_type_are_named(self):
         points, triangles = grid()
@@ -180,22 +161,17 @@ class Arguments(unittest.TestCase):
                 call()
 
     def test_ranges(self):
-        points, triangles = grid()
         for option, value in (("spacing", -0.1), ("imprint_tolerance", 2.0), ("max_iterations", 0),
                               ("snap_tolerance", float("nan"))):
-            self.wrong([option, "out of range"], points, triangles, **{option: value})
-        with self.assertRaises(TypeError) as caught:
-            sf.flatten(points, triangles, spacing="wide")
-        self.assertIsInstance(pickle.loads(pickle.dumps(caught.exception)), sf.ArgumentError)
+            self.wrong([option, "out of range"], **{option: value})
+        error = self.assert_raises(TypeError, "", sf.flatten, *grid(), spacing="wide")
+        self.assertIsInstance(pickle.loads(pickle.dumps(error)), sf.ArgumentError)
 
 
 class BrokenPromises(unittest.TestCase):
     def test_keys_that_contradict_each_other_are_named(self):
-        lines = []
-        with standard_error(lines), warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
+        with silence(self), warned() as caught:
             result = sf.flatten_polydata(read("pants_front"), read("pants_front_curves_set3"))
-        self.assertEqual(lines, [])
         # Fig. 13: both girths and the grain between them cannot keep their shapes together.
         self.assertEqual(result.report["status"], "IncompatibleKeys")
         self.assertEqual([warning.category for warning in caught], [sf.FlatteningWarning])

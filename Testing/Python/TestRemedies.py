@@ -4,11 +4,10 @@
 import inspect
 import re
 import unittest
-import warnings
 
 import surfaceflattening as sf
 from surfaceflattening._core import make_message
-from surfaces import grid
+from surfaces import grid, warned
 
 Algorithm = sf.vtkFlatteningAlgorithm
 NAMES = [Algorithm.GetRemedyName(k) for k in range(Algorithm.GetNumberOfRemedies())]
@@ -76,8 +75,7 @@ class Reports(unittest.TestCase):
         points += [[x + 10, y, z] for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0))]
         triangles = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1], [5, 6, 7]]
         ridges = [sf.Curve([0, v], name=f"ridge {v}") for v in range(1, 5)]
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
+        with warned() as caught:
             report = sf.flatten(points, triangles, ridges).report
         pieces = sorted(report["pieces"], key=lambda piece: piece["triangles"])
         self.assertEqual([piece["status"] for piece in pieces], ["Ok", "LengthError"])

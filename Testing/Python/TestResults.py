@@ -10,7 +10,6 @@ import re
 import subprocess
 import sys
 import unittest
-import warnings
 from xml.etree import ElementTree
 
 import numpy as np
@@ -18,7 +17,7 @@ from vtkmodules.vtkCommonCore import vtkStringArray
 
 import surfaceflattening as sf
 from page import Page
-from surfaces import DATA, command, grid, points_of, polylines_of, quarter_sphere, read, triangles_of
+from surfaces import DATA, command, grid, points_of, polylines_of, quarter_sphere, quiet, read, triangles_of, warned
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -150,8 +149,7 @@ class Shown(unittest.TestCase):
         self.assertLess(len(text), 1_500_000)
 
     def test_a_broken_promise_is_told(self):
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
+        with quiet():
             result = flattened("wetsuit_upper_front")
         self.assertIn("Overlap", result._repr_html_())
         self.assertIn("waist_dart_left", result._repr_html_())
@@ -217,8 +215,7 @@ class Meshes(unittest.TestCase):
             owner.InsertNextValue("")
             surface.GetFieldData().AddArray(owner)
             filter_ = outputs(name, material, grain, surface)
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore", sf.FlatteningWarning)
+            with quiet():
                 result = sf.flatten_polydata(surface, read(name + "_curves"), **(
                     {"material": material, "grain": grain} if material else {}))
             for result in (result, pickle.loads(pickle.dumps(result))):
@@ -256,8 +253,7 @@ class Meshes(unittest.TestCase):
             self.assertEqual(result.to_polydata().GetCellData().GetArray("AreaRatio").GetValue(0), -1.0)
 
     def test_measures_of_an_earlier_material_do_not_stay(self):
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", sf.FlatteningWarning)
+        with quiet():
             first = flattened("shirt_front", material="twill", grain="centre_front:45")
         again = sf.flatten_polydata(first.to_polydata())
         self.assertIsNotNone(first.report["pieces"][0]["cloth"])
@@ -333,8 +329,7 @@ class Patterns(command.CommandTest):
             subprocess.run([os.environ["WIREWARP"], "pattern", folder, "-o", folder + "/pattern.svg", "-o",
                             folder + "/pattern.dxf", *words], **run)
             subprocess.run([os.environ["WIREWARP"], "nest", folder, *words, *laying], **run)
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore", sf.FlatteningWarning)
+            with quiet():
                 result = flattened(name, material=material, grain=grain)
                 laid = "fabric_width" in options
                 for file, given in (("pattern.svg", {} if laid else options), ("pattern.dxf", {} if laid else options),
@@ -354,8 +349,7 @@ class Patterns(command.CommandTest):
                 self.assertAlmostEqual(np.degrees(np.arctan2(y, x)) + angle, 90, delta=1e-6, msg=folder)
 
     def test_a_unit_that_is_not_given_and_a_grainline_that_bends_are_warned_of(self):
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
+        with warned() as caught:
             flattened().write_pattern(self.path("a.svg"))
             flattened().write_pattern(self.path("b.svg"), unit="cm")
         self.assertEqual({(warning.category, warning.filename) for warning in caught},

@@ -1,19 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """flatten() from arrays gives what the C++ program wirewarp gives from files."""
 
-import json
 import os
-import subprocess
-import sys
-import tempfile
 import unittest
-import warnings
 
-import surfaceflattening as sf
-from surfaces import DATA, read
-
-COMMAND = os.environ["WIREWARP"]
-
+from surfaces import DATA, command, flattened, quiet
 
 # Options, and the words of the command for them.
 OPTIONS = (
@@ -79,16 +70,10 @@ REFUSED = (
 )
 
 
-class SameNumbers(unittest.TestCase):
-    def report_of_command(self, name, *options):
-        with tempfile.TemporaryDirectory() as folder:
-            run = subprocess.run(
-                [COMMAND, os.path.join(DATA, name + ".vtp"), os.path.join(DATA, name + "_curves.vtp"),
-                 "--unit", "cm", *options, "--quiet", "--output", folder],
-                capture_output=True, text=True, check=False)
-            self.assertIn(run.returncode, (0, 4), run.stderr)
-            with open(os.path.join(folder, "report.json"), encoding="utf-8") as file:
-                return json.load(file)
+class SameNumbers(command.CommandTest):
+    def run_pants(self, words, code):
+        files = (os.path.join(DATA, f"pants_front{end}.vtp") for end in ("", "_curves"))
+        return self.run_command(*files, "--unit", "cm", *words.split(), "--quiet", "--output", "out", code=code)
 
     def compare(self, mine, theirs, where):
         if isinstance(mine, dict):
@@ -104,38 +89,28 @@ class SameNumbers(unittest.TestCase):
         else:
             self.assertEqual(mine, theirs, where)
 
+    @quiet()
     def test_they_give_the_same_report_and_each_changes_something(self):
-        surface, curves = read("pants_front"), read("pants_front_curves")
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", sf.FlatteningWarning)
-            plain = sf.flatten_polydata(surface, curves)
-            for options, words in OPTIONS:
-                with self.subTest(options=options):
-                    mine = sf.flatten_polydata(surface, curves, **options)
-                    theirs = self.report_of_command("pants_front", *words.split())
-                    self.assertEqual(mine.report["status"], theirs["status"])
-                    self.compare(mine.report["pieces"], [
-                        {**piece, "message": own["message"]}
-                        for piece, own in zip(theirs["pieces"], mine.report["pieces"])], "pieces")
-                    self.compare(mine.report["curves"], theirs["curves"], "curves")
-                    if not {"split_triangles", "imprint_tolerance", "release_keys"} & set(options):
-                        self.assertFalse(mine == plain)
+        plain = flattened("pants_front")
+        for options, words in OPTIONS:
+            with self.subTest(options=options):
+                mine = flattened("pants_front", **options)
+                self.run_pants(words, (0, 4))
+                theirs = self.report("out")
+                self.assertEqual(mine.report["status"], theirs["status"])
+                self.compare(mine.report["pieces"], [
+                    {**piece, "message": own["message"]}
+                    for piece, own in zip(theirs["pieces"], mine.report["pieces"])], "pieces")
+                self.compare(mine.report["curves"], theirs["curves"], "curves")
+                if not {"split_triangles", "imprint_tolerance", "release_keys"} & set(options):
+                    self.assertFalse(mine == plain)
 
     def test_they_are_refused_for_the_same(self):
-        surface, curves = read("pants_front"), read("pants_front_curves")
         for options, words in REFUSED:
             with self.subTest(options=options):
-                with self.assertRaises(ValueError):
-                    sf.flatten_polydata(surface, curves, **options)
-                with tempfile.TemporaryDirectory() as folder:
-                    run = subprocess.run(
-                        [COMMAND, os.path.join(DATA, "pants_front.vtp"),
-                         os.path.join(DATA, "pants_front_curves.vtp"), *words.split(), "--output", folder],
-                        capture_output=True, text=True, check=False)
-                self.assertIn(run.returncode, (2, 3), words)
+                self.assert_raises(ValueError, "", flattened, "pants_front", **options)
+                self.run_pants(words, (2, 3))
 
 
 if __name__ == "__main__":
-    if not COMMAND:
-        sys.exit("the command wirewarp is not built")
     unittest.main()

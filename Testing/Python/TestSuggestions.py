@@ -4,14 +4,13 @@
 import functools
 import time
 import unittest
-import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
 import surfaceflattening as sf
 from page import Page
-from surfaces import dome, grid
+from surfaces import dome, grid, quiet
 
 
 @functools.cache
@@ -52,8 +51,7 @@ class Suggestions(unittest.TestCase):
             [piece["strain_p95"] for piece in again.report["pieces"]],
             [piece["strain_p95"] for piece in suggestion.flattening.report["pieces"]], rtol=1e-9)
         waist = sf.Curve(np.arange(15) + 7 * 15, name="waist")
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", sf.FlatteningWarning)
+        with quiet():
             for kept in (sf.suggest_polydata(mesh, [waist], max_cuts=1),
                          sf.make_flattenable_polydata(mesh, [waist], keep=["waist"], bound=0.1)):
                 self.assertEqual(kept.flattening.report["curves"][0]["name"], "waist")
@@ -91,8 +89,7 @@ class Suggestions(unittest.TestCase):
         folded = sheet + np.column_stack([out * (np.cos(1.0) - 1), 0 * x, out * np.sin(1.0)])
 
         def mirror(surface, **options):
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore", sf.FlatteningWarning)
+            with quiet():
                 return sf.suggest(surface, triangles, cuts="darts", bound=0, max_cuts=2, **options).mirror
 
         plane = mirror(sheet)
@@ -109,8 +106,7 @@ class Suggestions(unittest.TestCase):
         points, triangles = dome(10, 10)
         triangles = np.array(triangles)
         right = points[triangles, 0].mean(axis=1) > 0
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", sf.FlatteningWarning)
+        with quiet():
             cuts = sf.suggest(points, triangles, cuts="darts", bound=0, max_cuts=1, weights=1.0 * right).cuts
             surface = sf.make_surface(points, triangles)
             array = numpy_to_vtk(5.0 * right, deep=True)
@@ -125,8 +121,7 @@ class Suggestions(unittest.TestCase):
     def test_curves_given_stay_and_are_not_proposed_again(self):
         points, triangles = dome()
         middle = np.arange(15) + 7 * 15
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", sf.FlatteningWarning)
+        with quiet():
             suggestion = sf.suggest(
                 points, triangles, [sf.Curve(middle, name="girth")], bound=0, max_cuts=1,
                 prefer={"girth": 0.0})

@@ -16,24 +16,15 @@ import unittest
 import numpy as np
 
 import surfaceflattening as sf
-from surfaces import grid, quarter_sphere, read
+from surfaces import command, flattened, grid, quarter_sphere, read
 
 NAMES = ("pants_front", "tshirt", "shirt_front", "quarter_sphere")
-
-
-def flatten(name):
-    return sf.flatten_polydata(read(name), read(name + "_curves"))
 
 
 def curved_grid(size):
     points, triangles = grid(size, size)
     points[:, 2] = np.sin(points[:, 0] / 9) * np.sin(points[:, 1] / 9)
     return points, triangles
-
-
-def closed():
-    return sf.flatten([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
-                      [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
 
 
 def run(program, **environment):
@@ -44,27 +35,18 @@ def run(program, **environment):
 
 class Threads(unittest.TestCase):
     def test_each_gets_what_one_alone_gets(self):
-        alone = {name: flatten(name) for name in NAMES}
+        alone = {name: flattened(name) for name in NAMES}
+        surface, curves = read("tshirt"), read("tshirt_curves")
         with concurrent.futures.ThreadPoolExecutor(8) as pool:
             names = NAMES * 4
-            for name, result in zip(names, pool.map(flatten, names)):
+            refused = [pool.submit(sf.flatten, *command.TETRAHEDRON) for _ in range(4)]
+            of_one = [pool.submit(sf.flatten_polydata, surface, curves) for _ in range(8)]
+            for name, result in zip(names, pool.map(flattened, names)):
                 self.assertTrue(result == alone[name], name)
-
-    def test_one_surface_may_be_read_by_many(self):
-        surface, curves = read("tshirt"), read("tshirt_curves")
-        alone = sf.flatten_polydata(surface, curves)
-        with concurrent.futures.ThreadPoolExecutor(4) as pool:
-            for run in [pool.submit(sf.flatten_polydata, surface, curves) for _ in range(8)]:
-                self.assertTrue(run.result() == alone)
-
-    def test_refusals_reach_the_thread_that_caused_them(self):
-        with concurrent.futures.ThreadPoolExecutor(4) as pool:
-            good = [pool.submit(flatten, "pants_front") for _ in range(4)]
-            bad = [pool.submit(closed) for _ in range(4)]
-            for run in bad:
+            for run in of_one:  # all read the same surface
+                self.assertTrue(run.result() == alone["tshirt"])
+            for run in refused:
                 self.assertEqual(run.exception().name, "ClosedSurface")
-            for run in good:
-                self.assertEqual(run.result().report["status"], "Ok")
 
     def test_what_progress_raises_ends_its_own_run_alone(self):
         points, triangles, arc = quarter_sphere()

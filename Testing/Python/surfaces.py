@@ -43,6 +43,12 @@ def read(name):
     return read_file(os.path.join(DATA, name + ".vtp"))
 
 
+def flattened(name, **options):
+    """A piece of Data/ with its curves."""
+    import surfaceflattening as sf
+    return sf.flatten_polydata(read(name), read(name + "_curves"), **options)
+
+
 def points_of(polydata):
     return np.array(vtk_to_numpy(polydata.GetPoints().GetData()), float)
 
