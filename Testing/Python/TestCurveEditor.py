@@ -7,13 +7,12 @@ import tempfile
 import unittest
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import surfaceflattening as sf
-from surfaces import SOURCE, points_of, read, read_file
+from surfaces import SOURCE, command, points_of, read, read_file, vtk_points
 
 TYPES = ("accessory", "key", "dart", "seam")
 
@@ -37,9 +36,7 @@ def drawn(surface):
     editor = sf.vtkFeatureCurveEditor()
     assert editor.SetSurface(surface), editor.GetMessage()
     for curve, (kind, name, vertices) in enumerate(tutorial()):
-        nodes = vtkPoints()
-        nodes.InsertNextPoint(surface.GetPoint(vertices[0]))
-        assert editor.AddCurve(nodes, editor.SECTION)
+        assert editor.AddCurve(vtk_points([surface.GetPoint(vertices[0])]), editor.SECTION)
         for v in vertices[1:]:
             count = editor.GetNumberOfNodes(curve)
             assert editor.InsertNode(curve, count, surface.GetPoint(v), editor.SECTION)
@@ -64,7 +61,7 @@ def curves_of(editor):
     return curves
 
 
-class Editor(unittest.TestCase):
+class Editor(command.WordsTest):
     @classmethod
     def setUpClass(cls):
         cls.surface = read("shirt_front")
@@ -72,8 +69,14 @@ class Editor(unittest.TestCase):
 
     def assert_close(self, actual, expected):
         for a, b in zip(actual, expected, strict=True):
-            for x, y in zip(a, b, strict=True):
-                self.assertTrue(math.isclose(x, y, rel_tol=1e-7), (x, y))
+            np.testing.assert_allclose(a, b, rtol=1e-7)
+
+    def edited(self, curves):
+        """Another editor that goes on with them."""
+        editor = sf.vtkFeatureCurveEditor()
+        self.assertTrue(editor.SetSurface(self.surface))
+        self.assertTrue(editor.SetCurves(curves), editor.GetMessage())
+        return editor
 
     def test_drawn_curves_give_the_report_of_those_given_by_vertices(self):
         self.assert_close(flattened(self.surface, curves_of(self.editor)),
@@ -86,20 +89,14 @@ class Editor(unittest.TestCase):
             writer.SetFileName(path)
             writer.SetInputData(curves_of(self.editor))
             writer.Write()
-            again = sf.vtkFeatureCurveEditor()
-            self.assertTrue(again.SetSurface(self.surface))
-            self.assertTrue(again.SetCurves(read_file(path)), again.GetMessage())
+            again = self.edited(read_file(path))
         self.assertEqual(again.GetNumberOfCurves(), 5)
         self.assertFalse(again.CanUndo())
         for curve in range(5):
-            self.assertEqual(again.GetCurveName(curve), self.editor.GetCurveName(curve))
-            self.assertEqual(again.GetCurveType(curve), self.editor.GetCurveType(curve))
-            self.assertEqual(again.GetNumberOfNodes(curve), self.editor.GetNumberOfNodes(curve))
+            for get in ("GetCurveName", "GetCurveType", "GetNumberOfNodes"):
+                self.assertEqual(getattr(again, get)(curve), getattr(self.editor, get)(curve))
             self.assertEqual(again.GetSegmentKind(curve, 0), again.SECTION)
-        before, after = curves_of(self.editor), curves_of(again)
-        self.assertEqual(before.GetNumberOfPoints(), after.GetNumberOfPoints())
-        for k in range(before.GetNumberOfPoints()):
-            self.assertEqual(before.GetPoint(k), after.GetPoint(k))
+        np.testing.assert_array_equal(points_of(curves_of(again)), points_of(curves_of(self.editor)))
 
     def test_eases_come_back_and_images_have_them_where_no_piece_is_named(self):
         editor = drawn(self.surface)
@@ -111,37 +108,37 @@ class Editor(unittest.TestCase):
             cells = curves_of(editor).GetCellData()
             images = [k for k in range(cells.GetNumberOfTuples()) if cells.GetArray("CurveImageOf").GetValue(k) >= 0]
             self.assertEqual([cells.GetArray("LengthEase").GetValue(k) for k in images], [of_image])
-            again = sf.vtkFeatureCurveEditor()
-            self.assertTrue(again.SetSurface(self.surface))
-            self.assertTrue(again.SetCurves(curves_of(editor)), again.GetMessage())
+            again = self.edited(curves_of(editor))
             self.assertEqual((again.GetCurveEase(1), again.GetCurveEasedPiece(1)), (ease, piece))
             self.assertEqual((again.GetCurveEase(0), again.GetCurveEasedPiece(0)), (0.0, -1))
         editor.Undo()
         self.assertEqual((editor.GetCurveEase(1), editor.GetCurveEasedPiece(1)), (0.03, 1))
 
     def test_polylines_of_others_get_a_node_at_each_point(self):
-        editor = sf.vtkFeatureCurveEditor()
-        editor.SetSurface(self.surface)
         others = read("shirt_front_curves")
-        self.assertTrue(editor.SetCurves(others), editor.GetMessage())
+        editor = self.edited(others)
         self.assertEqual(editor.GetNumberOfCurves(), others.GetNumberOfCells())
         self.assertEqual(editor.GetNumberOfNodes(0), others.GetCell(0).GetNumberOfPoints())
         self.assert_close(flattened(self.surface, curves_of(editor)), flattened(self.surface, others))
 
     def test_what_cannot_be_is_refused_by_name_and_changes_nothing(self):
-        editor = drawn(self.surface)
-        for command, word in ((lambda: editor.SetCurveName(1, "centre_front"), "centre_front"),
-                              (lambda: editor.MoveNode(9, 0, (0, 0, 0)), "no curve 9"),
-                              (lambda: editor.MoveNode(0, -1, (0, 0, 0)), "no node"),
-                              (lambda: editor.MoveNode(0, 0, (math.nan, 0, 0)), "finite"),
-                              (lambda: editor.SetCurveTolerance(0, 1.5), "1.5"),
-                              (lambda: editor.SetCurveEase(0, 1.0, 0), "ease is 1 "),
-                              (lambda: editor.SetCurveEase(0, 0.1, -2), "piece -2"),
-                              (lambda: editor.SetCurveClosed(3, True), "no closed section"),
-                              (lambda: editor.SetMirrorPlane((0, 0, 0), (0, 0, 0)), "normal"),
-                              (lambda: editor.AddMirrorImage(0), "mirror plane")):
+        editor, stroke = drawn(self.surface), vtk_points(self.surface.GetPoint(k) for k in (30, 31, 32))
+        for call, word in ((lambda: editor.SetCurveName(1, "centre_front"), "centre_front"),
+                           (lambda: editor.MoveNode(9, 0, (0, 0, 0)), "no curve 9"),
+                           (lambda: editor.MoveNode(0, -1, (0, 0, 0)), "no node"),
+                           (lambda: editor.MoveNode(0, 0, (math.nan, 0, 0)), "finite"),
+                           (lambda: editor.SetCurveTolerance(0, 1.5), "1.5"),
+                           (lambda: editor.SetCurveEase(0, 1.0, 0), "ease is 1 "),
+                           (lambda: editor.SetCurveEase(0, 0.1, -2), "piece -2"),
+                           (lambda: editor.SetCurveClosed(3, True), "no closed section"),
+                           (lambda: editor.SetMirrorPlane((0, 0, 0), (0, 0, 0)), "normal"),
+                           (lambda: editor.AddMirrorImage(0), "mirror plane"),
+                           (lambda: editor.AddOffset(1, 0.0), "not 0"), (lambda: editor.AddOffset(1, 1e6), "1e+06"),
+                           (lambda: editor.AddOffset(1, math.nan), "finite"),
+                           (lambda: editor.AddStroke(vtk_points([]), 0.05), ""),
+                           (lambda: editor.AddStroke(stroke, 0.0), ""), (lambda: editor.AddStroke(stroke, math.nan), "")):
             before = editor.GetMTime()
-            self.assertFalse(command())
+            self.assertFalse(call())
             self.assertIn(word, editor.GetMessage())
             self.assertEqual(editor.GetMTime(), before)
         empty = sf.vtkFeatureCurveEditor()
@@ -155,32 +152,22 @@ class Editor(unittest.TestCase):
         self.assertEqual(editor.GetCurveType(curve), editor.GetCurveType(1))
         editor.GetNode(curve, 0, place)
         self.assertAlmostEqual(editor.GetDistance(1, place), -1.5, delta=0.005)
-        for distance, word in ((0.0, "not 0"), (1e6, "1e+06"), (math.nan, "finite")):
-            self.assertFalse(editor.AddOffset(1, distance))
-            self.assertIn(word, editor.GetMessage())
-        stroke = vtkPoints()
-        for k in range(101):
-            stroke.InsertNextPoint(np.array(self.surface.GetPoint(30)) + (0.03 * k, 0.5 * math.sin(0.03 * k), 0.0))
+        stroke = vtk_points(np.array(self.surface.GetPoint(30)) + (x, 0.5 * math.sin(x), 0.0) for x in np.linspace(0, 3, 101))
         for kind in (editor.SPLINE, editor.GEODESIC):
             self.assertTrue(editor.AddStroke(stroke, 0.02, kind), editor.GetMessage())
             curve = editor.GetNumberOfCurves() - 1
             self.assertLess(editor.GetNumberOfNodes(curve), 25)
             self.assertEqual(editor.GetSegmentKind(curve, 0), kind)
-        for points, tolerance in ((vtkPoints(), 0.05), (stroke, 0.0), (stroke, math.nan)):
-            self.assertFalse(editor.AddStroke(points, tolerance))
 
     def test_curves_that_were_not_on_the_surface_are_laid_onto_it_and_named(self):
         curves = curves_of(self.editor)
-        editor = sf.vtkFeatureCurveEditor()
-        editor.SetSurface(self.surface)
-        self.assertTrue(editor.SetCurves(curves))
+        editor = self.edited(curves)
         self.assertEqual(editor.GetMessage(), "")
         first = curves.GetCell(0).GetPointId(0)
         point = curves.GetPoint(first)
         curves.GetPoints().SetPoint(first, point[0], point[1], point[2] + 10.0)
         self.assertTrue(editor.SetCurves(curves))
-        self.assertIn(self.editor.GetCurveName(0), editor.GetMessage())
-        self.assertIn("from the surface", editor.GetMessage())
+        self.assert_words((self.editor.GetCurveName(0), "from the surface"), editor.GetMessage())
 
     def test_damaged_control_points_are_refused(self):
         curves = curves_of(self.editor)

@@ -5,13 +5,12 @@ import math
 import unittest
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import (
-    vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection,
-    vtkPolyData)
+    vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection, vtkPolyData)
 
 import surfaceflattening as sf
-from surfaces import grid, lengths_of, points_of, read
+from surfaces import command, grid, lengths_of, points_of, read, vtk_points
 
 
 def cylinder(columns=40, rows=20):
@@ -21,8 +20,7 @@ def cylinder(columns=40, rows=20):
 
 
 def tube(sides=24, rows=10, radius=lambda j: 1.0):
-    return sf.make_surface(*grid(sides, rows, lambda i, j: (
-        radius(j) * math.cos(2 * math.pi * i / sides), radius(j) * math.sin(2 * math.pi * i / sides), 0.3 * j), closed=True))
+    return sf.make_surface(*command.tube(sides, rows, lambda j: (radius(j), 0.3 * j)))
 
 
 def drawn(surface, points, **properties):
@@ -47,9 +45,8 @@ def through(first, second, name):
     return curve
 
 
-class Quiet(unittest.TestCase):
+class Quiet(command.WordsTest):
     def setUp(self):
-        from vtkmodules.vtkCommonCore import vtkObject
         vtkObject.GlobalWarningDisplayOff()
         self.addCleanup(vtkObject.GlobalWarningDisplayOn)
 
@@ -107,27 +104,18 @@ class Curves(Quiet):
         out = drawn(surface, points, SegmentKind=3, Offset=0.2, Mirror=True).GetOutput()
         editor = sf.vtkFeatureCurveEditor()
         editor.SetSurface(surface)
-        nodes = vtkPoints()
-        nodes.SetDataTypeToDouble()
-        for point in points:
-            nodes.InsertNextPoint(point)
-        self.assertTrue(editor.AddCurve(nodes, editor.SPLINE))
+        self.assertTrue(editor.AddCurve(vtk_points(points), editor.SPLINE))
         self.assertTrue(editor.AddOffset(0, 0.2))
-        line = vtkPolyData()
-        editor.GetCurve(1, line)
         self.assertAlmostEqual(lengths_of(out)[0], editor.GetCurveLength(1), 12)
         self.assertEqual(out.GetCellData().GetArray("CurveImageOf").GetValue(1), 0)
 
     def test_what_is_wrong_is_said(self):
-        for points, status in (((), "CurveTooShort"), (((1, 0, 0), (1, 0, 0)), "CurveTooShort"),
-                               (((1, 0, 0), (math.nan, 0, 0)), "NonFinitePoint")):
-            curve = drawn(cylinder(), points)
-            self.assertEqual(curve.GetStatusName(), status)
-            self.assertEqual(curve.GetOutput().GetNumberOfCells(), 0)
-
-    def test_a_refusal_names_the_curve(self):
-        named = drawn(cylinder(), ((1, 0, 0), (1, 0, 0)), CurveName="waist")
-        self.assertIn('curve "waist": 1 different control point', named.GetStatusMessage())
+        for points, status, words in (
+                ((), "CurveTooShort", ""), (((1, 0, 0), (math.nan, 0, 0)), "NonFinitePoint", ""),
+                (((1, 0, 0), (1, 0, 0)), "CurveTooShort", 'curve "waist": 1 different control point')):
+            curve = drawn(cylinder(), points, CurveName="waist")
+            self.assertEqual((curve.GetStatusName(), curve.GetOutput().GetNumberOfCells()), (status, 0))
+            self.assertIn(words, curve.GetStatusMessage())
         for name, told in (("", "curve 2: "), ("hem", 'curve "hem 2": ')):
             curve = through(((1, 0, 0), (0, 1, 1)), ((0, 1, 0), (0, 1, 0)), name)
             self.assertEqual(curve.GetStatusName(), "CurveTooShort")
@@ -154,16 +142,9 @@ class IntoTheFilters(Quiet):
             if isinstance(data, sf.vtkSurfaceCurve):
                 flatten.AddCurvesConnection(data.GetOutputPort())
             else:
-                flatten.SetInputDataObject(1, data)
+                flatten.AddInputDataObject(1, data)
         flatten.Update()
         return flatten
-
-    def test_several_sources_go_into_one_list(self):
-        flatten = self.flat(*self.curves())
-        self.assertFalse(flatten.IsRefused(), flatten.GetStatusMessage())
-        names = flatten.GetOutput(1).GetCellData().GetAbstractArray("CurveName")
-        told = {names.GetValue(k) for k in range(names.GetNumberOfValues())}
-        self.assertLessEqual({"across", "along"}, told)
 
     def test_a_group_of_curves_is_all_of_its_leaves(self):
         first, second = self.curves()
@@ -175,51 +156,31 @@ class IntoTheFilters(Quiet):
         self.assertFalse(grouped.IsRefused(), grouped.GetStatusMessage())
         self.assertIsInstance(grouped.GetOutputDataObject(0), vtkPolyData)  # nothing was iterated
         listed = self.flat(first, second)
-        np.testing.assert_array_equal(points_of(grouped.GetOutput(0)),
-                                      points_of(listed.GetOutput(0)))
+        np.testing.assert_array_equal(points_of(grouped.GetOutput(0)), points_of(listed.GetOutput(0)))
 
     def test_a_refusal_names_the_connection_and_the_value(self):
         first, second = self.curves()
         moved = vtkPolyData()
         moved.DeepCopy(second.GetOutput())
         box = self.surface.GetBounds()
-        diagonal = math.dist(box[::2], box[1::2])
-        points = vtkPoints()
-        points.SetDataTypeToDouble()
-        for point in points_of(moved):
-            points.InsertNextPoint(point + np.array((0, 0, 0.05 * diagonal)))
-        moved.SetPoints(points)
-        flatten = sf.vtkWireWarpingFilter()
-        flatten.SetInputData(self.surface)
-        flatten.AddCurvesConnection(first.GetOutputPort())
-        flatten.AddInputDataObject(1, moved)
-        flatten.Update()
-        self.assertEqual(flatten.GetStatusName(), "CurvePointOffSurface")
-        self.assertEqual(flatten.GetStatusConnection(), 1)
-        self.assertIn("connection 1", flatten.GetStatusMessage())
-        self.assertIn('"along"', flatten.GetStatusMessage())
+        moved.SetPoints(vtk_points(points_of(moved) + (0, 0, 0.05 * math.dist(box[::2], box[1::2]))))
+        flatten = self.flat(first, moved)
+        self.assertEqual((flatten.GetStatusName(), flatten.GetStatusConnection()), ("CurvePointOffSurface", 1))
+        self.assert_words(("connection 1", '"along"'), flatten.GetStatusMessage())
         group = vtkMultiBlockDataSet()
         group.SetBlock(0, first.GetOutput())
         group.SetBlock(1, moved)
         for data, place in ((group, "block 2 of the curves: "), (None, 'block "front" of the')):
             if not data:
                 group.GetMetaData(1).Set(group.NAME(), "front")
-            self.assertTrue(self.flat(group).GetStatusMessage().startswith(place),
-                            self.flat(group).GetStatusMessage())
-        both = sf.vtkWireWarpingFilter()
-        both.SetInputData(self.surface)
-        both.AddCurvesConnection(first.GetOutputPort())
-        both.AddInputDataObject(1, group)
-        both.Update()
-        self.assertIn('connection 1, block "front" of the curves: curve "along"',
-                      both.GetStatusMessage())
+            self.assertRegex(self.flat(group).GetStatusMessage(), "^" + place)
+        self.assertIn('connection 1, block "front" of the curves: curve "along"', self.flat(first, group).GetStatusMessage())
         # The partitions of a surface in a collection are named by it, as ParaView groups sources.
         parts, collection = vtkPartitionedDataSet(), vtkPartitionedDataSetCollection()
         parts.SetPartition(0, moved)
         collection.SetPartitionedDataSet(0, parts)
         collection.GetMetaData(0).Set(group.NAME(), "sleeve")
-        self.assertTrue(self.flat(collection).GetStatusMessage().startswith(
-            'block "sleeve" of the curves: '), self.flat(collection).GetStatusMessage())
+        self.assertRegex(self.flat(collection).GetStatusMessage(), '^block "sleeve" of the curves: ')
         value = flatten.GetStatusRemedySubjects().GetValue(1)
         self.assertIn("raise ImprintTolerance to " + value, flatten.GetStatusMessage())
         flatten.SetImprintTolerance(float(value))

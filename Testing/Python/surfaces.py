@@ -8,6 +8,7 @@ import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "Command"))
@@ -41,6 +42,14 @@ def read_file(path):
 def read(name):
     """A vtkPolyData of Data/."""
     return read_file(os.path.join(DATA, name + ".vtp"))
+
+
+def vtk_points(places):
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    for place in places:
+        points.InsertNextPoint(place)
+    return points
 
 
 def flattened(name, **options):
