@@ -1,22 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every program of Examples/Python runs from a command line and gives what it promises."""
 
-import glob
 import importlib.util
 import os
+import pathlib
 import subprocess
 import sys
 import unittest
 from xml.etree import ElementTree
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader
 
 import surfaceflattening as sf
-from pattern_files import bezier_length, curves_of
-from surfaces import DATA, SOURCE, command, points_of, polylines_of, read, triangles_of
+from pattern_files import SVG, bezier_length, curves_of
+from surfaces import DATA, SOURCE, command, flattened, points_of, polylines_of, read, triangles_of
 
 EXAMPLES = os.path.join(SOURCE, "Examples", "Python")
 
@@ -25,16 +23,9 @@ def data(name):
     return os.path.join(DATA, name + ".vtp")
 
 
-def colors_of(path):
-    reader = vtkPNGReader()
-    reader.SetFileName(path)
-    reader.Update()
-    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)
-
-
 def share(colors, lowest, highest):
     """Share of the pixels between two colors."""
-    return ((colors[:, :3] >= lowest) & (colors[:, :3] <= highest)).all(axis=1).mean()
+    return ((colors >= lowest) & (colors <= highest)).all(axis=2).mean()
 
 
 def write_obj(path, name):
@@ -59,9 +50,8 @@ def write_obj(path, name):
 
 class Examples(command.CommandTest):
     def run_example(self, name, *arguments, code=0):
-        run = subprocess.run(
-            [sys.executable, os.path.join(EXAMPLES, name), *arguments],
-            cwd=self.folder, capture_output=True, text=True, check=False)
+        run = subprocess.run([sys.executable, os.path.join(EXAMPLES, name), *arguments], cwd=self.folder,
+                             capture_output=True, text=True, check=False)
         self.assertEqual(run.returncode, code, run.stdout + run.stderr)
         return run.stdout
 
@@ -72,7 +62,7 @@ class Examples(command.CommandTest):
         self.write("a.txt", "key middle 3 5\n")
         output = self.run_example("flatten_without_vtk.py", "a.obj", "a.png", "--curves", "a.txt")
         self.assertRegex(output, r"^piece 1: Ok, area error \d")
-        self.assertGreater(len(colors_of(os.path.join(self.folder, "a.png"))), 10000)
+        self.assertGreater(command.read_png(self.path("a.png")).size, 30000)
 
     def test_flatten_and_plot(self):
         output = self.run_example("flatten_and_plot.py", data("wetsuit_upper_front"),
@@ -80,8 +70,8 @@ class Examples(command.CommandTest):
         lengths = [float(line.split("E_len")[1].split()[0]) for line in output.splitlines()]
         self.assertLess(max(lengths[:2]), 1e-9)
         self.assertGreater(lengths[2], 1e-3)
-        colors = colors_of(os.path.join(self.folder, "map.png"))
-        self.assertEqual(len(colors), 1200 * 600)
+        colors = command.read_png(self.path("map.png"))
+        self.assertEqual(colors.shape, (600, 1200, 3))
         self.assertGreater(share(colors, (0, 0, 0), (40, 40, 40)), 0.002)  # outlines
         self.assertGreater(share(colors, (250, 250, 250), (255, 255, 255)), 0.2)  # ground
 
@@ -96,11 +86,10 @@ class Examples(command.CommandTest):
             self.assertLess(float(row.split()[-1]), 1e-11)
 
     def test_obj_to_pattern(self):
-        lengths = write_obj(os.path.join(self.folder, "pants.obj"), "pants_front")
+        lengths = write_obj(self.path("pants.obj"), "pants_front")
         self.run_example("obj_to_pattern.py", "pants.obj", "pants.svg", "--unit", "cm")
-        root = ElementTree.parse(os.path.join(self.folder, "pants.svg")).getroot()
         drawn = {}
-        for path in root.iter("{http://www.w3.org/2000/svg}path"):
+        for path in ElementTree.parse(self.path("pants.svg")).getroot().iter(SVG + "path"):
             if path.get("data-curve") and path.get("data-length"):  # no notches, no outline
                 length = sum(map(bezier_length, curves_of(path)))
                 drawn.setdefault(path.get("data-curve"), []).append(length)
@@ -117,33 +106,28 @@ class Examples(command.CommandTest):
         self.run_example("make_collection.py", "pieces.vtm",
                          *(f"{data(name)},{data(name + '_curves')}" for name in names))
         reader = vtkXMLMultiBlockDataReader()
-        reader.SetFileName(os.path.join(self.folder, "pieces.vtm"))
+        reader.SetFileName(self.path("pieces.vtm"))
         filter_ = sf.vtkWireWarpingFilter()
         filter_.SetInputConnection(reader.GetOutputPort())
         filter_.Update()
         for block, name in enumerate(names):
             flat = filter_.GetOutputDataObject(0).GetBlock(block)
-            alone = sf.flatten_polydata(read(name), read(name + "_curves"))
-            np.testing.assert_allclose(vtk_to_numpy(flat.GetPoints().GetData())[:, :2],
-                                       alone.positions, atol=1e-9)
+            np.testing.assert_allclose(points_of(flat)[:, :2], flattened(name).positions, atol=1e-9)
 
     @unittest.skipIf(importlib.util.find_spec("pyvista") is None, "PyVista is not installed")
     def test_flatten_with_pyvista(self):
         output = self.run_example("flatten_with_pyvista.py", data("tshirt"), data("tshirt_curves"), "areas.png")
         self.assertEqual([line.split(",")[0] for line in output.splitlines()],
                          [f"piece {number}: Ok" for number in (1, 2, 3, 4)])
-        colors = colors_of(os.path.join(self.folder, "areas.png"))
-        self.assertEqual(len(colors), 1200 * 600)
+        colors = command.read_png(self.path("areas.png"))
+        self.assertEqual(colors.shape, (600, 1200, 3))
         self.assertGreater(share(colors, (0, 0, 0), (40, 40, 40)), 0.002)  # curves and wires
 
     def test_every_example_is_tried(self):
-        with open(__file__, encoding="utf-8") as file:
-            tests = file.read()
-        for path in glob.glob(os.path.join(EXAMPLES, "*.py")):
-            with open(path, encoding="utf-8") as file:
-                program = "__main__" in file.read()
-            if program:
-                self.assertIn(f'"{os.path.basename(path)}"', tests)
+        tests = pathlib.Path(__file__).read_text("utf-8")
+        for path in pathlib.Path(EXAMPLES).glob("*.py"):
+            if "__main__" in path.read_text("utf-8"):
+                self.assertIn(f'"{path.name}"', tests)
 
 
 if __name__ == "__main__":

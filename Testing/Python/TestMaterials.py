@@ -13,7 +13,7 @@ import warnings
 import numpy as np
 
 import surfaceflattening as sf
-from surfaces import SOURCE, grid, quiet
+from surfaces import SOURCE, command, grid, quiet
 
 
 def shell(columns=10, rows=12, height=0.25):
@@ -21,9 +21,9 @@ def shell(columns=10, rows=12, height=0.25):
         i / columns, j / columns, height * np.sin(np.pi * i / columns) * np.sin(np.pi * j / rows)))
 
 
+@quiet()
 def flatten(*arguments, **options):
-    with quiet():
-        return sf.flatten(*arguments, **options)
+    return sf.flatten(*arguments, **options)
 
 
 def threads_of(points, result):
@@ -42,7 +42,7 @@ def threads_of(points, result):
     return lengths[0] - 1, lengths[1] - 1, angle - 90, area / area.sum()
 
 
-class Materials(unittest.TestCase):
+class Materials(command.WordsTest):
     def test_strains_are_those_of_the_geometry(self):
         points, triangles = shell()
         for scheme in ("isometric", "global"):
@@ -72,9 +72,8 @@ class Materials(unittest.TestCase):
         result = flatten(points, triangles, material="jersey")
         cells = result.cell_arrays
         strain = cells["DominantStretch"] / 100 - 1
-        self.assertTrue((np.abs(strain) >= np.abs(cells["StrainWarp"]) - 1e-12).all())
-        self.assertTrue((np.abs(strain) >= np.abs(cells["StrainWeft"]) - 1e-12).all())
         for thread, name in ((0, "StrainWarp"), (1, "StrainWeft")):
+            self.assertTrue((np.abs(strain) >= np.abs(cells[name]) - 1e-12).all())
             rows = cells["DominantThread"] == thread
             np.testing.assert_allclose(strain[rows], cells[name][rows], atol=1e-12)
 
@@ -98,9 +97,9 @@ class Materials(unittest.TestCase):
         surface, lines = sf.make_surface(points, triangles), sf.make_curves(curves, points)
         inputs = {"points": points, "triangles": triangles, "curves": curves, "surface": surface,
                   "flattening": flatten(points, triangles)}
-        takers = {name: inspect.signature(getattr(sf, name)).parameters for name in sf.__all__
-                  if inspect.isfunction(getattr(sf, name))}
-        takers = {name: parameters for name, parameters in takers.items() if "material" in parameters}
+        functions = {name: getattr(sf, name) for name in sf.__all__ if inspect.isfunction(getattr(sf, name))}
+        takers = {name: inspect.signature(function).parameters for name, function in functions.items()
+                  if "material" in inspect.signature(function).parameters}
         self.assertEqual(takers.keys(), {
             "flatten", "flatten_polydata", "make_flattenable", "make_flattenable_polydata", "price_keys", "resew",
             "suggest", "suggest_polydata"})
@@ -112,11 +111,10 @@ class Materials(unittest.TestCase):
             for name, near in unknown:
                 with self.subTest(function, material=name), warnings.catch_warnings():
                     warnings.simplefilter("error")  # raised, not said
-                    with self.assertRaises(sf.ArgumentError) as caught:
-                        getattr(sf, function)(**needed, material=name)
-                    self.assertIn(f"material is {name!r}; it must be one of isotropic, plain", str(caught.exception))
-                    self.assertIn(f"did you mean '{near}'?" if near else "JSON file", str(caught.exception))
-                    self.assertEqual("did you mean" in str(caught.exception), near is not None)
+                    error = self.assert_raises(sf.ArgumentError, (
+                        f"material is {name!r}; it must be one of isotropic, plain",
+                        f"did you mean '{near}'?" if near else "JSON file"), functions[function], **needed, material=name)
+                    self.assertEqual("did you mean" in str(error), near is not None)
         for scheme in ("lscm", "global", "progressive"):
             with self.assertRaisesRegex(sf.ArgumentError, "material is 'felt'"):
                 sf.flatten(points, triangles, scheme=scheme, material="felt")

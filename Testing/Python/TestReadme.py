@@ -5,6 +5,7 @@ import contextlib
 import inspect
 import io
 import os
+import pathlib
 import pydoc
 import re
 import shutil
@@ -23,11 +24,17 @@ import surfaceflattening as sf
 from surfaces import SOURCE
 
 
-def python_block():
-    with open(os.path.join(SOURCE, "README.md"), encoding="utf-8") as file:
-        section = re.search(r"^### Python\n(.*?)^##", file.read(), re.DOTALL | re.MULTILINE).group(1)
-    blocks = re.findall(r"(?:^(?: {4}.*)?\n)+", section, re.MULTILINE)
-    return textwrap.dedent(next(block for block in blocks if "import" in block))
+README = pathlib.Path(SOURCE, "README.md").read_text("utf-8")
+
+
+def run_program():
+    """What its program in Python prints, and the names that it has then."""
+    section = re.search(r"^### Python\n(.*?)^##", README, re.DOTALL | re.MULTILINE).group(1)
+    block = next(block for block in re.findall(r"(?:^(?: {4}.*)?\n)+", section, re.MULTILINE) if "import" in block)
+    names = {}
+    with contextlib.redirect_stdout(io.StringIO()) as printed:
+        exec(compile(textwrap.dedent(block), "README.md", "exec"), names)  # pylint: disable=exec-used
+    return printed.getvalue(), names
 
 
 os.environ["MPLBACKEND"] = "Agg"  # for what it plots
@@ -35,15 +42,13 @@ os.environ["MPLBACKEND"] = "Agg"  # for what it plots
 
 class Readme(unittest.TestCase):
     def test_its_program_keeps_the_lengths_that_it_prints(self):
-        names = {}
-        with contextlib.redirect_stdout(io.StringIO()) as printed:
-            exec(compile(python_block(), "README.md", "exec"), names)  # pylint: disable=exec-used
+        printed, names = run_program()
         report = names["result"].report
         self.assertEqual(report["status"], "Ok")
         (curve,) = report["curves"]
         self.assertEqual(curve["name"], "middle")
         self.assertAlmostEqual(curve["length_2d"], curve["length_3d"], delta=1e-12)
-        self.assertIn("middle", printed.getvalue())
+        self.assertIn("middle", printed)
 
     def run_copy(self, leave_out, before=""):
         """What `import surfaceflattening` says of a copy of the package without a file."""
@@ -58,7 +63,7 @@ class Readme(unittest.TestCase):
 
     def test_a_package_that_is_not_built_says_what_to_build(self):
         said = self.run_copy("*.so")
-        self.assertIn("--target surfaceflattening-python", self.readme())
+        self.assertIn("--target surfaceflattening-python", README)
         self.assertIn("target surfaceflattening-python", said)
 
     def test_a_python_without_its_vtk_is_told_which_one_it_needs(self):
@@ -77,30 +82,20 @@ class Readme(unittest.TestCase):
         self.assertNotIn("ParaView", said)
 
     def test_what_it_says_of_results_works(self):
-        names = {}
-        with contextlib.redirect_stdout(io.StringIO()):
-            exec(compile(python_block(), "README.md", "exec"), names)  # pylint: disable=exec-used
-        calls = re.findall(r"`(result\.\w+\(.*?\))`", self.readme())
+        _, names = run_program()
+        calls = re.findall(r"`(result\.\w+\(.*?\))`", README)
         self.assertEqual(len(calls), 4)
-        here = os.getcwd()
-        with tempfile.TemporaryDirectory() as folder:
+        self.addCleanup(os.chdir, os.getcwd())
+        with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():
             os.chdir(folder)
-            try:
-                with warnings.catch_warnings():
-                    warnings.simplefilter("error", sf.FlatteningWarning)
-                    for call in calls:
-                        eval(call, names)  # pylint: disable=eval-used
-                self.assertEqual(sorted(os.listdir()), ["sheet.pdf", "sheet.png"])
-            finally:
-                os.chdir(here)
+            warnings.simplefilter("error", sf.FlatteningWarning)
+            for call in calls:
+                eval(call, names)  # pylint: disable=eval-used
+            self.assertEqual(sorted(os.listdir()), ["sheet.pdf", "sheet.png"])
         millimetres = {"mm": 1, "cm": 10, "m": 1000}[re.search(r'unit="(\w+)"', calls[0]).group(1)]
         self.assertGreater(np.ptp(names["result"].positions, axis=0).min() * millimetres, 100)  # of allowances of 10 mm
-        for name in re.findall(r"`help\((sf[.\w]*)\)`", self.readme()):
+        for name in re.findall(r"`help\((sf[.\w]*)\)`", README):
             self.assertTrue(eval(name, names).__doc__, name)  # pylint: disable=eval-used
-
-    def readme(self):
-        with open(os.path.join(SOURCE, "README.md"), encoding="utf-8") as file:
-            return file.read()
 
     def test_help_of_the_package_names_the_calls_first_and_can_be_read(self):
         text = pydoc.plain(pydoc.render_doc(sf))

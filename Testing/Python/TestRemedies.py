@@ -60,10 +60,8 @@ class Words(unittest.TestCase):
 
 class Reports(unittest.TestCase):
     def test_an_error_carries_kind_and_remedies(self):
-        points, triangles = grid()
         with self.assertRaises(sf.FlatteningError) as caught:
-            sf.flatten(points, triangles, [[[0.0, 0.5, 0.0], [4.0, 0.5, 0.0]]],
-                       split_triangles=False)
+            sf.flatten(*grid(), [[[0.0, 0.5, 0.0], [4.0, 0.5, 0.0]]], split_triangles=False)
         error = caught.exception
         self.assertEqual(error.kind, "curve points")
         self.assertEqual(error.remedies[0], ("SplitTriangles", ""))
