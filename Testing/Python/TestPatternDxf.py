@@ -31,16 +31,12 @@ def contrast(one, other):
 
 
 class Layers(pattern.PatternTest):
-    def blocks(self):
-        document, audit = pattern.read_dxf(self.path("out", "pattern.dxf"))
-        self.assertEqual(audit, [])
-        inserts = document.modelspace().query("INSERT")
-        return document, [document.blocks.get(insert.dxf.name) for insert in inserts]
+    def draw(self, piece, *options, **more):
+        self.make(piece, "-o", "out/pattern.dxf", *options, **more)
+        return self.dxf()
 
     def test_for_a_cutter_each_line_is_there_once_in_model_space(self):
-        self.make("tshirt", "-o", "out/pattern.dxf", "--style", "cutter", "--allowance", "0")
-        document, audit = pattern.read_dxf(self.path("out", "pattern.dxf"))
-        self.assertEqual(audit, [])
+        document, _ = self.draw("tshirt", "--style", "cutter", "--allowance", "0")
         self.assertEqual((document.header["$INSUNITS"], document.header["$MEASUREMENT"]), (4, 1))
         space = document.modelspace()
         self.assertEqual({entity.dxf.layer for entity in space}, {"CUT", "MARK", "TEXT"})
@@ -57,9 +53,7 @@ class Layers(pattern.PatternTest):
                 self.assertGreater(len({tuple(v.dxf.location) for v in line.vertices} - outlines), 0)
 
     def test_corners_are_turn_points_and_all_other_vertices_curve_points(self):
-        self.make("tshirt", "-o", "out/pattern.dxf")
-        _, blocks = self.blocks()
-        for block in blocks:
+        for block in self.draw("tshirt")[1]:
             turns, curves = set(marks(block, "2")), set(marks(block, "3"))
             ((cut, _),) = pattern.block_lines(block, "1")
             for before, point, after in zip(cut[-1:] + cut[:-1], cut, cut[1:] + cut[:1]):
@@ -73,9 +67,8 @@ class Layers(pattern.PatternTest):
                     self.assertIn(point, curves)
 
     def test_notches_lie_on_the_boundary_as_many_as_the_svg_has(self):
-        self.make_raw("tshirt", "-o", "out/pattern.dxf", "-o", "out/pattern.svg")
-        _, blocks = self.blocks()
-        drawn = pattern.svg_paths(pattern.svg_root(self.path("out", "pattern.svg")), "notch")
+        _, blocks = self.draw("tshirt", "-o", "out/pattern.svg", "--smooth", "0")
+        drawn = pattern.svg_paths(self.svg(), "notch")
         for number, block in enumerate(blocks):
             ((cut, _),) = pattern.block_lines(block, "1")
             notches = marks(block, "4")
@@ -85,8 +78,7 @@ class Layers(pattern.PatternTest):
                 self.assertLess(pattern.distance_to(notch, cut), 0.01)
 
     def test_who_knows_no_notches_and_drill_holes_sees_lines_and_circles(self):
-        self.make("shirt_front", "-o", "out/pattern.dxf")
-        _, (block,) = self.blocks()
+        _, (block,) = self.draw("shirt_front")
         lines = [line for line in block.query("LINE") if line.dxf.layer == "4"]
         starts = {tuple(line.dxf.start)[:2] for line in lines}
         self.assertEqual(starts, set(marks(block, "4")))
@@ -97,8 +89,7 @@ class Layers(pattern.PatternTest):
         self.assertEqual(len(circles), 2)
 
     def test_colors_of_layers_can_be_read_on_black_and_on_white(self):
-        self.make("tshirt", "-o", "out/pattern.dxf")
-        document, _ = self.blocks()
+        document, _ = self.draw("tshirt")
         read = 0
         for layer in document.layers:
             if layer.dxf.color == 7:  # black on white, white on black
@@ -110,7 +101,7 @@ class Layers(pattern.PatternTest):
         self.assertEqual(read, 9)
 
     def test_layers_blocks_and_entities_have_handles_of_their_own(self):
-        self.make("tshirt", "-o", "out/pattern.dxf")
+        self.draw("tshirt")
         pairs = records(self.content("pattern.dxf").decode("ascii"))
         handles = []
         for at, (code, value) in enumerate(pairs):
@@ -124,9 +115,7 @@ class Layers(pattern.PatternTest):
         self.assertEqual(seed, (5, f"{max(handles) + 1:08X}"))
 
     def test_blocks_bear_the_names_of_their_pieces(self):
-        self.make("tshirt", "-o", "out/pattern.dxf", "--piece", "front", "--piece", "front",
-                  "--piece", "Ärmel", "--piece", "x" * 40)
-        _, blocks = self.blocks()
+        _, blocks = self.draw("tshirt", "--piece", "front", "--piece", "front", "--piece", "Ärmel", "--piece", "x" * 40)
         names = [block.name for block in blocks]
         self.assertEqual(names[:2], ["FRONT", "FRONT_2"])
         self.assertRegex(names[2], "^_+RMEL$")
@@ -134,8 +123,7 @@ class Layers(pattern.PatternTest):
 
     def test_sew_lines_are_dashed_and_their_dashes_run_on_over_the_points(self):
         for unit, scale in (("cm", 1.0), ("in", 1 / 25.4)):
-            self.make("shirt_front", "-o", "out/pattern.dxf", unit=unit)
-            document, blocks = self.blocks()
+            document, blocks = self.draw("shirt_front", unit=unit)
             self.assertEqual(document.layers.get("14").dxf.linetype, "DASHEDTINY")
             self.assertEqual({document.layers.get(layer).dxf.linetype for layer in ("1", "4", "7", "8", "11")},
                              {"CONTINUOUS"})
@@ -151,8 +139,7 @@ class Layers(pattern.PatternTest):
 
     def test_the_grain_has_a_head_at_its_upper_end_or_at_both_where_none_is_known(self):
         for piece, known in (("shirt_front", True), ("quarter_sphere", False)):
-            self.make(piece, "-o", "out/pattern.dxf", "--up", "none")
-            _, (block,) = self.blocks()
+            _, (block,) = self.draw(piece, "--up", "none")
             (grain,) = [line for line in block.query("LINE") if line.dxf.layer == "7"]
             heads = [[tuple(head.dxf.get(f"vtx{k}"))[:2] for k in range(4)]
                      for head in block.query("SOLID") if head.dxf.layer == "7"]
@@ -164,19 +151,14 @@ class Layers(pattern.PatternTest):
                 self.assertGreater(math.dist(left, tip), min(4, 0.1 * math.dist(*grain_ends)))
 
     def test_texts_say_what_the_one_who_cuts_must_know(self):
-        self.make("tshirt", "-o", "out/pattern.dxf", "--name", "Ärmel 1", "--size", "M", "--quantity", "3",
-                  "--piece", "front")
-        document, blocks = self.blocks()
-        texts = [text.dxf.text for text in document.modelspace().query("TEXT")]
-        self.assertIn("Style Name: \\U+00C4rmel 1", texts)
-        self.assertIn("Sample Size: M", texts)
+        document, blocks = self.draw("tshirt", "--name", "Ärmel 1", "--size", "M", "--quantity", "3", "--piece", "front")
+        self.assert_words(("Style Name: \\U+00C4rmel 1", "Sample Size: M"),
+                          [text.dxf.text for text in document.modelspace().query("TEXT")])
         for number, block in enumerate(blocks):
             said = {text.dxf.text: text.dxf.layer for text in block.query("TEXT")}
             name = "front" if number == 0 else f"\\U+00C4rmel 1 {number + 1}"
-            self.assertEqual(said.get(f"Piece Name: {name}"), "1")
-            self.assertEqual(said.get("Size: M"), "1")
-            self.assertEqual(said.get("Quantity: 3"), "1")
-            self.assertEqual(said.get(f"piece {number + 1} of 4"), "15")
+            self.assertLessEqual({f"Piece Name: {name}": "1", "Size: M": "1", "Quantity: 3": "1",
+                                  f"piece {number + 1} of 4": "15"}.items(), said.items())
 
 
 if __name__ == "__main__":

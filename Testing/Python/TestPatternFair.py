@@ -42,14 +42,9 @@ def first_part(curve, share):
 
 class Fair(pattern.PatternTest):
     def paths(self):
-        root = pattern.svg_root(self.path("out", "pattern.svg"))
-        found = []
-        for number, group in enumerate(pattern.pieces_of(root)):
-            for layer in group:
-                for element in layer.findall(pattern.SVG + "path"):
-                    if element.get("data-length"):
-                        found.append((number, element))
-        return root, found
+        root = self.svg()
+        return root, [(number, element) for number, group in enumerate(pattern.pieces_of(root)) for layer in group
+                      for element in layer.findall(pattern.SVG + "path") if element.get("data-length")]
 
     def test_borders_of_fifty_metres_with_hundreds_of_notches_take_a_bounded_time(self):
         def seconds():
@@ -103,14 +98,11 @@ class Fair(pattern.PatternTest):
         raw = self.curve_points()
         self.make("tshirt", "-o", "out/pattern.dxf", "-o", "out/pattern.svg", "--smooth", str(TOLERANCE))
         self.assertLess(2 * self.curve_points(), raw)
-        document, audit = pattern.read_dxf(self.path("out", "pattern.dxf"))
-        self.assertEqual(audit, [])
         _, paths = self.paths()
-        for number, insert in enumerate(document.modelspace().query("INSERT")):
-            lines = pattern.block_lines(document.blocks.get(insert.dxf.name), "8", "14")
+        for number, block in enumerate(self.dxf()[1]):
+            lines = pattern.block_lines(block, "8", "14")
             found = sorted(sum(pattern.edge_lengths(points, closed)) for points, closed in lines)
-            wanted = sorted(float(element.get("data-length")) for piece, element in paths
-                            if piece == number)
+            wanted = sorted(float(element.get("data-length")) for piece, element in paths if piece == number)
             self.assertEqual(len(found), len(wanted))
             for a, b in zip(found, wanted):
                 self.assertLess(abs(a - b), 0.05 * max(1.0, b / 100.0))  # of each 100 mm
@@ -119,7 +111,7 @@ class Fair(pattern.PatternTest):
         """By pieces, how far control points of sew lines and legs are from the image of others of them, at the
         axis of their second moments, which is one of symmetry if there is any."""
         control = {}
-        root = pattern.svg_root(self.path("out", "pattern.svg"))
+        root = self.svg()
         for kind in ("sew-line", "dart-leg"):
             for piece, element in pattern.svg_elements(root, kind):
                 control.setdefault(piece, []).extend(pattern.curves_of(element))
@@ -174,32 +166,23 @@ class Fair(pattern.PatternTest):
     def test_a_symmetric_piece_strained_by_too_much_is_nearer_to_its_points_and_stays_symmetric(self):
         self.make("shirt_shoulder", "-o", "out/pattern.svg", "--smooth", "0.5", "--symmetrize")
         self.assertLess(max(self.misses()), 1e-3)
-        notes = self.notes()
-        self.assertTrue(any(re.search(r"kept within [5-9]\d(\.\d)? % of the tolerance", note) for note in notes), notes)
+        self.assertRegex("\n".join(self.notes()), r"kept within [5-9]\d(\.\d)? % of the tolerance")
 
     def test_what_was_made_symmetric_is_told_piece_by_piece(self):
         self.make("tshirt", "-o", "out/pattern.svg", "--symmetrize")
-        notes = self.notes()
-        told = [note for note in notes if "its own mirror image" in note]
+        told = [note for note in self.notes() if "its own mirror image" in note]
         self.assertEqual(len(told), 4)
-        for piece in (1, 2):
-            self.assertTrue(any(note.startswith(f"piece tshirt {piece}: its outline is drawn as its own mirror image")
-                                for note in told), told)
-        for piece in (3, 4):  # sleeves, whose caps are not symmetric
-            self.assertTrue(any(re.match(f"piece tshirt {piece}: its outline is not drawn as its own mirror image: "
-                                         r"mirrored, it misses itself by \d\.\d+ mm", note) for note in told), told)
-
-    def test_a_piece_that_symmetry_would_strain_keeps_its_own_outline(self):
+        for piece, words in ((1, "drawn as its own mirror image"), (2, "drawn as its own mirror image"),
+                             # Sleeves, whose caps are not symmetric.
+                             *((k, r"not drawn as its own mirror image: mirrored, it misses itself by \d\.\d+ mm") for k in (3, 4))):
+            self.assertRegex("\n".join(told), f"(?m)^piece tshirt {piece}: its outline is {words}")
         self.make("quarter_sphere", "-o", "out/pattern.svg", "--symmetrize")
-        notes = self.notes()
-        self.assertTrue(any("not drawn as its own mirror image: it would strain" in note for note in notes), notes)
+        self.assertIn("not drawn as its own mirror image: it would strain", "\n".join(self.notes()))
 
     def curve_points(self):
         """On sew lines and feature curves; the cut line is another line."""
-        document, _ = pattern.read_dxf(self.path("out", "pattern.dxf"))
         count = 0
-        for insert in document.modelspace().query("INSERT"):
-            block = document.blocks.get(insert.dxf.name)
+        for block in self.dxf()[1]:
             ((cut, _),) = pattern.block_lines(block, "1")
             corners = set(cut)
             count += sum(1 for point in block.query("POINT") if point.dxf.layer == "3"

@@ -51,8 +51,7 @@ class Svg(pattern.PatternTest):
 
     def test_pieces_are_layers_and_each_role_is_one_layer_in_them(self):
         self.make("shirt_front", "-o", "out/pattern.svg", "--piece", "front & facing")
-        root = pattern.svg_root(self.path("out", "pattern.svg"))
-        layers = self.layers(root)
+        layers = self.layers(self.svg())
         self.assertEqual([layer.get(INKSCAPE + "label") for layer in layers],
                          ["scale check", "front & facing"])
         roles = self.layers(layers[1])
@@ -61,13 +60,11 @@ class Svg(pattern.PatternTest):
         self.assertEqual(len(labels), len(set(labels)), labels)
         self.assertEqual([label.replace(" ", "-") for label in labels],
                          [role.get("class") for role in roles])
-        for label in ("cut line", "sew line", "dart leg", "dart fold", "notch", "drill hole", "text"):
-            self.assertIn(label, labels)
+        self.assert_words(("cut line", "sew line", "dart leg", "dart fold", "notch", "drill hole", "text"), labels)
 
     def test_a_laser_gets_thin_whole_lines_in_a_color_a_role(self):
         self.make("shirt_front", "-o", "out/pattern.svg", "--style", "laser")
-        root = pattern.svg_root(self.path("out", "pattern.svg"))
-        (piece,) = pattern.pieces_of(root)
+        (piece,) = pattern.pieces_of(self.svg())
         colors = {}
         for role in self.layers(piece):
             if role.get("class") == "text":
@@ -83,7 +80,7 @@ class Svg(pattern.PatternTest):
     def test_heads_of_the_grain_are_filled_but_for_a_laser_which_would_engrave_them(self):
         for options, fill in (((), "#000000"), (("--style", "laser",), None)):
             self.make("shirt_front", "-o", "out/pattern.svg", *options)
-            (piece,) = pattern.pieces_of(pattern.svg_root(self.path("out", "pattern.svg")))
+            (piece,) = pattern.pieces_of(self.svg())
             (grain,) = [role for role in self.layers(piece) if role.get("class") == "grain"]
             heads = [path for path in grain if path.get("d").endswith("Z")]
             self.assertTrue(heads)
@@ -97,20 +94,15 @@ class BordersWithoutAllowance(pattern.PatternTest):
     def outlines(self, root, kind):
         """(piece, points) along all paths of a class, curves sampled."""
         for piece, element in pattern.svg_elements(root, kind):
-            points = []
-            for curve in pattern.curves_of(element):
-                for k in range(9):
-                    u, v = k / 8, 1 - k / 8
-                    points.append(tuple(v**3 * curve[0] + 3 * u * v**2 * curve[1]
-                                        + 3 * u**2 * v * curve[2] + u**3 * curve[3]))
-            yield piece, points
+            yield piece, [tuple(point) for curve in pattern.curves_of(element) for point in pattern.bezier_points(curve, 8)]
 
     def test_a_cutter_cuts_them_once_and_they_keep_their_lengths(self):
         for piece, unit in (("quarter_sphere", "m"), ("tshirt", "cm"), ("tshirt", "inch"), ("shoe_upper", "mm")):
             for fair in ("0", "0.2"):
                 with self.subTest(piece, unit=unit, fair=fair):
-                    self.make(piece, "-o", "out/pattern.svg", "-o", "out/pattern.dxf", "-o", "out/pattern.plt", "--allowance", "0", "--smooth", fair, unit=unit)
-                    root = pattern.svg_root(self.path("out", "pattern.svg"))
+                    self.make(piece, "-o", "out/pattern.svg", "-o", "out/pattern.dxf", "-o", "out/pattern.plt",
+                              "--allowance", "0", "--smooth", fair, unit=unit)
+                    root = self.svg()
                     self.assertEqual(pattern.svg_elements(root, "sew-line"), [])
                     wires = [wire for wire in pattern.wires_in_space(self.path("out"), unit)
                              if wire.kind in (pattern.BOUNDARY, pattern.SEAM)]
@@ -121,10 +113,7 @@ class BordersWithoutAllowance(pattern.PatternTest):
                     for number, length in enumerate(drawn):
                         wanted = sum(sum(wire.edges) for wire in wires if wire.piece == number)
                         self.assertLess(abs(length - wanted), 1e-5 * wanted)
-                    document, audit = pattern.read_dxf(self.path("out", "pattern.dxf"))
-                    self.assertEqual(audit, [])
-                    for insert in document.modelspace().query("INSERT"):
-                        block = document.blocks.get(insert.dxf.name)
+                    for block in self.dxf()[1]:
                         self.assertEqual(pattern.block_lines(block, "14"), [])
                         ((_, closed),) = pattern.block_lines(block, "1")
                         self.assertTrue(closed)
@@ -134,25 +123,22 @@ class BordersWithoutAllowance(pattern.PatternTest):
                         self.assertFalse(pen == 1 and len(points) > 2 and set(points) <= cut)
 
     def test_one_border_without_allowance_among_others_is_drawn_once(self):
-        seams = {wire.name for wire in self.wires("tshirt") if wire.kind == pattern.SEAM}
+        self.make("tshirt")
+        seams = {wire.name for wire in pattern.wires_in_space(self.path("out"), "cm") if wire.kind == pattern.SEAM}
         for bare in sorted(seams)[:3]:
             self.make("tshirt", "-o", "out/pattern.svg", "--allowance", "8", "--allowance", bare + "=0")
-            root = pattern.svg_root(self.path("out", "pattern.svg"))
-            cut = {number: points for number, points in self.outlines(root, "cut-line")}
+            root = self.svg()
+            cut = dict(self.outlines(root, "cut-line"))
             names = {element.get("data-curve") for _, element in pattern.svg_elements(root, "sew-line")}
             self.assertEqual(seams - names, {bare})
             for number, points in self.outlines(root, "sew-line"):
                 self.assertGreater(max(pattern.distance_to(point, cut[number]) for point in points[4::9]), 1.0)
 
-    def wires(self, piece):
-        self.make(piece)
-        return pattern.wires_in_space(self.path("out"), "cm")
-
 
 class Hpgl(pattern.PatternTest):
     def test_every_line_of_the_svg_is_drawn_at_its_place_and_cut_lines_are_cut_last(self):
         self.make_raw("tshirt", "-o", "out/pattern.svg", "-o", "out/pattern.plt")
-        root = pattern.svg_root(self.path("out", "pattern.svg"))
+        root = self.svg()
         lines, _ = read_hpgl(self.content("pattern.plt").decode("ascii"))
         roles = {group.get("class") for piece in pattern.pieces_of(root) for group in piece} - {"text"}
         paths = [(role in ("cut-line", "cut-out"), element, points + points[:1] if closed else points)

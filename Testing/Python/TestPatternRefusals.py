@@ -31,9 +31,8 @@ class Refusals(pattern.PatternTest):
 
     def test_absurd_scales_are_refused_in_no_time(self):
         for paper in ("A4", "A0", "sheet"):
-            run = self.run_command(*self.arguments(
-                "-o", "out/pattern.pdf", "--unit", "m", "--paper", paper, "--allowance", "1e6"), code=3)
-            self.assertTrue(run.stderr.startswith("wirewarp: error: "), run.stderr)
+            self.fails("wirewarp: error: ", *self.arguments(
+                "-o", "out/pattern.pdf", "--unit", "m", "--paper", paper, "--allowance", "1e6"))
             self.assertFalse([name for name in os.listdir(self.path("out"))
                               if "pattern" in name or name.endswith(".part")])
 
@@ -98,11 +97,9 @@ class Refusals(pattern.PatternTest):
                     run = self.run_command("pattern", "c.obj", "-o", "out/pattern.svg", "-o", "out/pattern.dxf", "--unit", unit, "--allowance", allowance,
                                            "--output", "out", code=0)
                     self.assertEqual("allowances meet" in run.stderr, met, run.stderr)
-                    root = pattern.svg_root(self.path("out", "pattern.svg"))
-                    holes = len(pattern.svg_paths(root, "cut-out"))
+                    holes = len(pattern.svg_paths(self.svg(), "cut-out"))
                     self.assertEqual(holes, 1 if met and allowance != "40" else 0)
-                    document, _ = pattern.read_dxf(self.path("out", "pattern.dxf"))
-                    block = document.blocks.get(document.modelspace().query("INSERT")[0].dxf.name)
+                    _, (block,) = self.dxf()
                     self.assertEqual(len(pattern.block_lines(block, "11")), holes)
 
     def test_a_pattern_never_replaces_what_keeps_a_result(self):
@@ -111,8 +108,7 @@ class Refusals(pattern.PatternTest):
         kept = self.report("out")
         for source, words, says in ((["out"], ["-o", "out/report.json"], "is an input"),
                                     ([surface], ["-o", "other", "-o", "./other/report.json"], "is a file of the result itself")):
-            run = self.run_command("pattern", *source, *words, "--unit", "cm", code=3)
-            self.assertIn("report.json: " + says, run.stderr)
+            self.fails("report.json: " + says, "pattern", *source, *words, "--unit", "cm")
         self.assertEqual(self.report("out"), kept)
         self.assertFalse(os.path.exists(self.path("other")))
 
@@ -133,13 +129,11 @@ class Refusals(pattern.PatternTest):
                     *self.arguments("-o", "out/pattern.svg", "-o", "out/pattern.pdf", "-o", "out/pattern.dxf", "--unit", "m", "--paper", "A0",
                                     "--name", name, "--size", name, "--piece", name), code=0)
                 shown = name.replace("\t", " ").replace("\n", " ")
-                root = pattern.svg_root(self.path("out", "pattern.svg"))
+                root = self.svg()
                 self.assertEqual(pattern.pieces_of(root)[0].get("data-name"), shown)
                 self.assertEqual(root.find(pattern.SVG + "title").text, shown)
                 self.assertLess(max(self.content("pattern.dxf")), 128)
-                document, audit = pattern.read_dxf(self.path("out", "pattern.dxf"))
-                self.assertEqual(audit, [])
-                block = document.blocks.get(document.modelspace().query("INSERT")[0].dxf.name)
+                _, (block,) = self.dxf()
                 said = [decode_dxf_unicode(text.dxf.text) for text in block.query("TEXT")]
                 wanted = "Piece Name: " + "".join(c if ord(c) < 0x10000 else "?" for c in shown)
                 # Texts of DXF end at 250 characters.
@@ -156,8 +150,7 @@ class Refusals(pattern.PatternTest):
         self.run_command(*self.arguments(
             "-o", "out/pattern.svg", "-o", "out/pattern.pdf", "-o", "out/pattern.dxf", "--unit", "cm", "--name", b"caf\xe9 \xff\xc3".decode(
                 "utf-8", "surrogateescape")), code=0)
-        root = pattern.svg_root(self.path("out", "pattern.svg"))
-        self.assertEqual(root.find(pattern.SVG + "title").text, "caf\ufffd \ufffd\ufffd")
+        self.assertEqual(self.svg().find(pattern.SVG + "title").text, "caf\ufffd \ufffd\ufffd")
 
     def test_names_of_curves_that_are_no_text_are_replaced_in_every_format(self):
         self.write("curves.txt", b"seam \xc4rmel 16 17 18 19 20\n")
@@ -165,7 +158,7 @@ class Refusals(pattern.PatternTest):
             "pattern", os.path.join(pattern.DATA, "quarter_sphere.vtp"), "curves.txt", "--output", "out",
             "-o", "out/pattern.svg", "-o", "out/pattern.pdf", "-o", "out/pattern.dxf", "--unit", "m", "--paper", "A0", "--allowance", "10")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
-        pattern.svg_root(self.path("out", "pattern.svg"))
+        self.svg()
         self.assertIn("\ufffd", pattern.run_tool(
             "pdftotext", self.path("out", "pattern.pdf"), "-").decode())
 

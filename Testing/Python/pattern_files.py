@@ -17,7 +17,7 @@ MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
 SVG = "{http://www.w3.org/2000/svg}"
 
 # edges: lengths on the surface in millimetres, in the order of the polyline
-Wire = namedtuple("Wire", "name kind piece edges points")
+Wire = namedtuple("Wire", "name kind piece edges")
 ACCESSORY, KEY, DART, SEAM, BOUNDARY = 0, 1, 2, 3, -1
 
 
@@ -36,6 +36,16 @@ class PatternTest(command.CommandTest):
             "pattern" if "-o" in options else "flatten", os.path.join(DATA, piece + ".vtp"),
             os.path.join(DATA, (curves or piece + "_curves") + ".vtp"),
             "--unit", unit, "--output", "out", "--quiet", *options, code=(0, 4))
+
+    def svg(self):
+        """The root of pattern.svg."""
+        return svg_root(self.path("out", "pattern.svg"))
+
+    def dxf(self):
+        """The document of pattern.dxf, in which the audit finds nothing, and the blocks of the pieces."""
+        document, audit = read_dxf(self.path("out", "pattern.dxf"))
+        self.assertEqual(audit, [])
+        return document, [document.blocks.get(insert.dxf.name) for insert in document.modelspace().query("INSERT")]
 
     def notes(self):
         """What report.json says of the pieces of the pattern."""
@@ -59,6 +69,13 @@ def bezier_length(control):
     return total
 
 
+def bezier_points(control, count):
+    """At the ends of equal parts of its parameter."""
+    u = np.linspace(0.0, 1.0, count + 1)[:, None]
+    v = 1 - u
+    return v**3 * control[0] + 3 * u * v**2 * control[1] + 3 * u**2 * v * control[2] + u**3 * control[3]
+
+
 def wires_in_space(folder, unit):
     """The wires of wires.vtp, measured on the cut surface of cut.vtp."""
     wires = read_file(os.path.join(folder, "wires.vtp"))
@@ -69,18 +86,9 @@ def wires_in_space(folder, unit):
         if data.GetArray("Connector").GetValue(cell):
             continue
         ids = wires.GetCell(cell).GetPointIds()
-        points = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
-        places = [surface.GetPoint(p) for p in points]
-        edges = [MILLIMETRES[unit] * math.dist(a, b) for a, b in zip(places, places[1:])]
-        result.append(
-            Wire(
-                data.GetAbstractArray("CurveName").GetValue(cell),
-                data.GetArray("CurveType").GetValue(cell),
-                data.GetArray("PieceId").GetValue(cell),
-                edges,
-                points,
-            )
-        )
+        places = [surface.GetPoint(ids.GetId(k)) for k in range(ids.GetNumberOfIds())]
+        result.append(Wire(*(data.GetAbstractArray(name).GetValue(cell) for name in ("CurveName", "CurveType", "PieceId")),
+                           [MILLIMETRES[unit] * math.dist(a, b) for a, b in zip(places, places[1:])]))
     return result
 
 
@@ -166,12 +174,8 @@ def read_dxf(path):
 
 def block_lines(block, *layers):
     """Points and closedness of the polylines of a block on the given layers."""
-    lines = []
-    for line in block.query("POLYLINE"):
-        if line.dxf.layer in layers:
-            points = [(v.dxf.location.x, v.dxf.location.y) for v in line.vertices]
-            lines.append((points, line.is_closed))
-    return lines
+    return [([(v.dxf.location.x, v.dxf.location.y) for v in line.vertices], line.is_closed)
+            for line in block.query("POLYLINE") if line.dxf.layer in layers]
 
 
 def run_tool(*command):
