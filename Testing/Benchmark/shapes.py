@@ -19,6 +19,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "Command"))
+import command  # noqa: E402  - it lies in another folder
+
 # Each family maps (u, v) in [-1, 1]^2 to space by a parameter; seven or eight values each.
 
 
@@ -84,21 +87,14 @@ FAMILIES = [
 def mesh(family, parameter, n, irregular):
     """Points and triangles of (n + 1)^2 grid points, n even."""
     chance = random.Random(n)
-    points, triangles = [], []
-    for j in range(n + 1):
-        for i in range(n + 1):
-            u, v = 2 * i / n - 1, 2 * j / n - 1
-            if irregular and 0 < i < n and 0 < j < n:
-                u += 0.5 / n * chance.uniform(-1, 1)
-                v += 0.5 / n * chance.uniform(-1, 1)
-            points.append(family(u, v, parameter))
-    for j in range(n):
-        for i in range(n):
-            a = j * (n + 1) + i
-            b, c, d = a + 1, a + n + 2, a + n + 1
-            turned = chance.random() < 0.5 if irregular else (i + j) % 2
-            triangles += [(a, b, d), (b, c, d)] if turned else [(a, b, c), (a, c, d)]
-    return points, triangles
+
+    def place(i, j):
+        u, v = 2 * i / n - 1, 2 * j / n - 1
+        if irregular and 0 < i < n and 0 < j < n:
+            u += 0.5 / n * chance.uniform(-1, 1)
+            v += 0.5 / n * chance.uniform(-1, 1)
+        return family(u, v, parameter)
+    return command.grid(n, n, place, other=lambda i, j: chance.random() < 0.5 if irregular else (i + j) % 2)
 
 
 def curves(n, count):
@@ -114,11 +110,9 @@ def allowed(triangles):
 
 def run(wirewarp, folder, points, triangles, text):
     surface, lines = os.path.join(folder, "surface.obj"), os.path.join(folder, "curves.txt")
-    with open(surface, "w", encoding="ascii") as file:
-        file.writelines(f"v {x!r} {y!r} {z!r}\n" for x, y, z in points)
-        file.writelines(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in triangles)
-    with open(lines, "w", encoding="ascii") as file:
-        file.write(text)
+    for path, content in ((surface, command.obj(points, triangles)), (lines, text)):
+        with open(path, "w", encoding="ascii") as file:
+            file.write(content)
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     result = subprocess.run([wirewarp, surface] + ([lines] if text else []) + ["-o", folder], check=False,
                             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)

@@ -75,7 +75,7 @@ class CommandTest(WordsTest):
         return self.report("out")
 
     def report(self, folder, name="report.json"):
-        return json.loads(self.read(folder, name), parse_constant=refuse_constant)
+        return read_json(self.path(folder, name))
 
     def array(self, file, name, within="Piece"):
         return read_array(self.path(file), name, within)
@@ -87,8 +87,13 @@ class CommandTest(WordsTest):
         self.write("arc.txt", "accessory arc " + " ".join(map(str, self.arc)) + "\n")
 
 
-def refuse_constant(name):
-    raise AssertionError("a number in report.json is " + name)
+def read_json(path):
+    """A file that holds numbers alone: neither NaN nor infinity."""
+    def refuse_constant(name):
+        raise AssertionError(f"a number in {path} is {name}")
+
+    with open(path, encoding="utf-8") as file:
+        return json.load(file, parse_constant=refuse_constant)
 
 
 def main():

@@ -6,7 +6,6 @@ Usage: TestBrokenResults.py COUNT [FIRST]; a case is made from its number alone.
 
 import collections
 import concurrent.futures
-import json
 import math
 import os
 import random
@@ -95,8 +94,7 @@ def commands_of(chance, operands):
 def what_is_wrong(folder, drawn, run, told):
     """Of the first run and, where patterns are drawn by the second, of that one."""
     names = set(os.listdir(os.path.join(folder, "out")))
-    with open(os.path.join(folder, "out", "report.json"), encoding="utf-8") as file:
-        report = json.load(file, parse_constant=command.refuse_constant)
+    report = command.read_json(os.path.join(folder, "out", "report.json"))
     if report["exit_code"] != run.returncode:
         return f"report.json says {report['exit_code']}, the command {run.returncode}"
     if run.returncode == 3 and not report["unwritten"]:

@@ -7,7 +7,6 @@ Usage: TestMutatedFiles.py COUNT [FIRST]; a case is made from its number alone, 
 import collections
 import concurrent.futures
 import functools
-import json
 import math
 import os
 import shutil
@@ -49,15 +48,10 @@ def run(folder, *arguments):
     return result.returncode
 
 
-def read_json(path):
-    with open(path, encoding="utf-8") as file:
-        return json.load(file, parse_constant=command.refuse_constant)
-
-
 def check_result(folder, code):
     """All files of a result or, after a refusal, none but the report; no number that is none."""
     names = sorted(os.listdir(folder))
-    report = read_json(os.path.join(folder, "report.json"))
+    report = command.read_json(os.path.join(folder, "report.json"))
     expect(report["exit_code"] == code, f"report.json says {report['exit_code']}, the command {code}")
     if code == 3:
         expect(names == ["report.json"], f"files of a refusal: {names}")
@@ -74,13 +68,19 @@ def arguments_of(name, path):
     return ("sound.obj", path) if name.startswith("curves") else (path,)
 
 
+def write(folder, stem, name, data):
+    """A file with the ending of `name`."""
+    path = stem + os.path.splitext(name)[1]
+    with open(os.path.join(folder, path), "wb") as file:
+        file.write(data)
+    return path
+
+
 def run_many(folder, cases, seen):
     """Cases in one batch; names those that are wrong."""
     lines = []
     for number, (name, _, data) in cases.items():
-        path = f"{number:06d}" + os.path.splitext(name)[1]
-        with open(os.path.join(folder, path), "wb") as file:
-            file.write(data)
+        path = write(folder, f"{number:06d}", name, data)
         arguments = arguments_of(name, path)
         if len(arguments) == 2:  # so that its folder has its number
             shutil.copyfile(os.path.join(folder, "sound.obj"), os.path.join(folder, f"{number:06d}.obj"))
@@ -89,7 +89,7 @@ def run_many(folder, cases, seen):
     with open(os.path.join(folder, "batch.txt"), "w", encoding="utf-8") as file:
         file.write("\n".join(lines) + "\n")
     worst = run(folder, "batch", "batch.txt", "--output", "out", "--quiet")
-    rows = read_json(os.path.join(folder, "out", "batch.json"))["surfaces"]
+    rows = command.read_json(os.path.join(folder, "out", "batch.json"))["surfaces"]
     expect(len(rows) == len(cases), "rows of batch.json")
     codes = {row["exit_code"] for row in rows}
     expect(worst == (3 if 3 in codes else max(codes)), f"exit code {worst} of {codes}")
@@ -102,14 +102,12 @@ def run_many(folder, cases, seen):
 
 
 def run_alone(folder, name, data, seen):
-    path = "alone" + os.path.splitext(name)[1]
-    with open(os.path.join(folder, path), "wb") as file:
-        file.write(data)
+    path = write(folder, "alone", name, data)
     if name == "list.txt":
         code = run(folder, "batch", path, "--output", "out")
         expect(code != 2, "bad usage")
         if os.path.exists(os.path.join(folder, "out", "batch.json")):
-            rows = read_json(os.path.join(folder, "out", "batch.json"))["surfaces"]
+            rows = command.read_json(os.path.join(folder, "out", "batch.json"))["surfaces"]
             expect(all(row["status"] != "Crashed" for row in rows), "a process died")
             seen["list of %d" % len(rows)] += 1
         else:
@@ -138,16 +136,13 @@ def specimens_are_sound(parent):
             run_alone(folder, name, data, collections.Counter())
             folders = ("out/sound", "out/sound_2", "out/sound_3") if name == "list.txt" else ("out",)
             for out in folders:
-                expect(read_json(os.path.join(folder, out, "report.json"))["status"] == "Ok", "not Ok")
+                expect(command.read_json(os.path.join(folder, out, "report.json"))["status"] == "Ok", "not Ok")
         except Wrong as error:
             raise SystemExit(f"the specimen {name} is not sound: {error}") from None
 
 
 def keep(number, name, data):
-    path = os.path.join(tempfile.gettempdir(), f"mutated_{number}_{name}")
-    with open(path, "wb") as file:
-        file.write(data)
-    return path
+    return os.path.join(tempfile.gettempdir(), write(tempfile.gettempdir(), f"mutated_{number}_{name}", name, data))
 
 
 def attempt(parent, first, tried):

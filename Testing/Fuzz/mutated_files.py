@@ -34,62 +34,31 @@ def run_at(data, place, members):
     return first, last
 
 
-def change_byte(data, place, kind, rng):
-    return data[:place] + byte_of(rng, kind) + data[place + 1:]
+def in_run(change):
+    """Changes the run around a place, between what stands before and behind it."""
+    def changed(data, place, kind, rng):
+        first, last = run_at(data, place, CLASSES[kind])
+        return data[:first] + change(data[first:last], kind, rng) + data[last:]
+    return changed
 
 
-def change_class(data, place, _, rng):
-    return data[:place] + byte_of(rng, rng.choice(list(CLASSES))) + data[place + 1:]
+def in_lines(change):
+    """Changes the list of lines, and knows the number of that of a place."""
+    def changed(data, place, _, rng):
+        lines = data.split(b"\n")
+        change(lines, data.count(b"\n", 0, place), rng)
+        return b"\n".join(lines)
+    return changed
 
 
-def flip_bit(data, place, _, rng):
-    return data[:place] + bytes([data[place] ^ (1 << rng.randrange(8))]) + data[place + 1:]
-
-
-def remove_byte(data, place, *_):
-    return data[:place] + data[place + 1:]
-
-
-def remove_run(data, place, kind, _):
-    first, last = run_at(data, place, CLASSES[kind])
-    return data[:first] + data[last:]
-
-
-def double_run(data, place, kind, rng):
-    first, last = run_at(data, place, CLASSES[kind])
-    return data[:last] + data[first:last] * rng.choice((1, 2, 40)) + data[last:]
-
-
-def replace_run(data, place, kind, rng):
-    first, last = run_at(data, place, CLASSES[kind])
-    other = rng.choice(WORDS if kind == "binary" else NUMBERS)
-    return data[:first] + other + data[last:]
+def at_place(size, change):
+    """Puts other bytes where so many stand."""
+    return lambda data, place, kind, rng: data[:place] + change(data[place:place + size], kind, rng) + data[place + size:]
 
 
 def overwrite(data, place, _, rng):
     word = rng.choice(WORDS)
     return data[:place] + word + data[place + len(word):]
-
-
-def insert(data, place, _, rng):
-    return data[:place] + byte_of(rng, rng.choice(list(CLASSES))) * rng.choice((1, 1, 3, 500)) + data[place:]
-
-
-def end_here(data, place, *_):
-    return data[:place]
-
-
-def move_line(data, place, _, rng):
-    lines = data.split(b"\n")
-    line = lines.pop(data.count(b"\n", 0, place))
-    lines.insert(rng.randrange(len(lines) + 1), line)
-    return b"\n".join(lines)
-
-
-def remove_line(data, place, *_):
-    lines = data.split(b"\n")
-    del lines[data.count(b"\n", 0, place)]
-    return b"\n".join(lines)
 
 
 def swap_blocks(data, place, _, rng):
@@ -100,8 +69,24 @@ def swap_blocks(data, place, _, rng):
             + data[first:first + size] + data[second + size:])
 
 
-CHANGES = (change_byte, change_class, flip_bit, remove_byte, remove_run, double_run, replace_run, replace_run,
-           overwrite, insert, end_here, move_line, remove_line, swap_blocks)
+def any_byte(rng):
+    return byte_of(rng, rng.choice(list(CLASSES)))
+
+
+replace_run = in_run(lambda _, kind, rng: rng.choice(WORDS if kind == "binary" else NUMBERS))
+CHANGES = (
+    at_place(1, lambda _, kind, rng: byte_of(rng, kind)),
+    at_place(1, lambda _, kind, rng: any_byte(rng)),
+    at_place(1, lambda old, kind, rng: bytes([old[0] ^ (1 << rng.randrange(8))])),
+    at_place(1, lambda _, kind, rng: b""),
+    in_run(lambda run, kind, rng: b""),
+    in_run(lambda run, kind, rng: run + run * rng.choice((1, 2, 40))),
+    replace_run, replace_run, overwrite,
+    at_place(0, lambda _, kind, rng: any_byte(rng) * rng.choice((1, 1, 3, 500))),
+    lambda data, place, *_: data[:place],
+    in_lines(lambda lines, at, rng: lines.insert(rng.randrange(len(lines)), lines.pop(at))),
+    in_lines(lambda lines, at, rng: lines.pop(at)),
+    swap_blocks)
 
 
 def mutated(number):

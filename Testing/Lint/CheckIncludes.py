@@ -9,10 +9,9 @@ A file that passed is not compiled again until it, a header of ours that it incl
 import concurrent.futures
 import os
 import pathlib
-import subprocess
 import sys
 
-from CompileCommands import Passed, commands_of, compiler_of, options_of
+from CompileCommands import Passed, commands_of, compiled
 from Sources import ROOT
 
 BUILD = pathlib.Path(sys.argv[1])
@@ -21,9 +20,7 @@ FOLDERS = ("Filters/", "IO/", "Figures/", "Applications/")
 
 def check(name):
     stamp = known.stamp(name, commands[name])
-    result = subprocess.run(
-        [compiler_of(commands[name]), *options_of(commands[name]), "-fsyntax-only", str(ROOT / name)],
-        cwd=BUILD, capture_output=True, text=True, check=False)
+    result = compiled(ROOT / name, commands[name], BUILD)
     if result.returncode == 0:
         stamp.touch()
     return name, result.returncode == 0, result.stderr

@@ -10,10 +10,9 @@ import concurrent.futures
 import hashlib
 import os
 import pathlib
-import subprocess
 import sys
 
-from CompileCommands import Passed, commands_of, compiler_of, options_of
+from CompileCommands import Passed, commands_of, compiled, options_of
 from Sources import ROOT
 
 BUILD = pathlib.Path(sys.argv[1]).resolve()
@@ -31,10 +30,7 @@ def check(members):
         return members, ""
     source = known.folder / (digest[:16] + ".cxx")
     source.write_text("".join(f'#include "{ROOT / name}"\n' for name in members), encoding="utf-8")
-    command = commands[members[0]]
-    result = subprocess.run(
-        [compiler_of(command), *options_of(command), "-fsyntax-only", str(source)],
-        cwd=BUILD, capture_output=True, text=True, check=False)
+    result = compiled(source, commands[members[0]], BUILD)
     source.unlink()
     if result.returncode == 0:
         stamp.touch()
@@ -44,10 +40,10 @@ def check(members):
 known = Passed(BUILD / "united", "", FOLDERS)
 commands = commands_of(BUILD, *FOLDERS)
 united = {}
-for file_name, compiled in commands.items():
+for file_name, command in commands.items():
     path = pathlib.PurePath(file_name)
     if path.name not in ALONE:
-        united.setdefault((path.parent, options_of(compiled)), []).append(file_name)
+        united.setdefault((path.parent, options_of(command)), []).append(file_name)
 united = [members for members in united.values() if len(members) > 1]
 if not united:
     sys.exit("No source found in compile_commands.json: the check would be empty.")

@@ -7,6 +7,7 @@ import json
 import pathlib
 import re
 import shlex
+import subprocess
 
 from Sources import ROOT, cxx_files, read
 
@@ -27,6 +28,12 @@ def options_of(command):
     left_out |= {k + 1 for k in left_out} | set(precompiled) | {k - 1 for k in precompiled}
     return tuple(word for k, word in enumerate(words) if k not in left_out and
                  word not in ("-Winvalid-pch", "-MD", "-Wno-subobject-linkage") and not word.startswith("--param=ggc-"))
+
+
+def compiled(source, command, build):
+    """What the compiler of a command finds in a source without making its object."""
+    return subprocess.run([compiler_of(command), *options_of(command), "-fsyntax-only", str(source)], cwd=build,
+                          capture_output=True, text=True, check=False)
 
 
 def sources_of(path):
