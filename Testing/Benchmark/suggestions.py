@@ -21,11 +21,11 @@ import sys
 import tempfile
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkIdList
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "Testing" / "Python"))
+from surfaces import points_of, polylines_of, read, triangles_of  # noqa: E402  - it lies in another folder
+
 PAGES = ROOT / "Documentation"
 DATA = ROOT / "Data"
 DART = 2
@@ -33,13 +33,6 @@ DART = 2
 PEAK = 0.15
 PATHS = 6
 SHOWN = ("pants_front", "shirt_front", "wetsuit_upper_front", "pants_back", "wetsuit_upper_back", "wetsuit_pants_back")
-
-
-def read(path):
-    reader = vtkXMLPolyDataReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    return reader.GetOutput()
 
 
 def write_darts(chains, path):
@@ -52,21 +45,15 @@ def designed_darts(surface, curves):
     """By the ids of the surface's points."""
     ids = {surface.GetPoint(k): k for k in range(surface.GetNumberOfPoints())}
     types = curves.GetCellData().GetArray("CurveType")
-    points = vtkIdList()
-    chains = []
-    for cell in range(curves.GetNumberOfCells()):
-        if types.GetTuple1(cell) == DART:
-            curves.GetCellPoints(cell, points)
-            chains.append([ids[curves.GetPoint(points.GetId(k))] for k in range(points.GetNumberOfIds())])
-    return chains
+    return [[ids[curves.GetPoint(point)] for point in chain] for cell, chain in enumerate(polylines_of(curves))
+            if types.GetTuple1(cell) == DART]
 
 
 class Paths:
     """Shortest ways along edges."""
 
     def __init__(self, surface):
-        self.points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
-        self.triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        self.points, self.triangles = points_of(surface), triangles_of(surface)
         a, b, c = (self.points[self.triangles[:, k]] for k in range(3))
         self.size = np.sqrt(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2 / np.pi)
         self.defects = np.full(len(self.points), 2 * np.pi)
@@ -137,8 +124,8 @@ def measures(command, *arguments, picture=None):
 def measure(command, name, folder):
     """Designed, proposed and the series of the plot: (length / sqrt(area / pi), strain, energy)."""
     surface = DATA / f"{name}.vtp"
-    paths = Paths(read(surface))
-    darts = designed_darts(read(surface), read(DATA / f"{name}_curves.vtp"))
+    paths = Paths(read(name))
+    darts = designed_darts(read(name), read(f"{name}_curves"))
     if not darts:
         return None
     text = folder / "darts.txt"

@@ -59,26 +59,21 @@ class SeamsFrom(command.CommandTest):
         """A bent sheet of rows x rows patches of side x side squares each, told apart by `kind`; `doubled`: each
         corner of a face has a texture of its own, many of them alike."""
         count = side * rows
-        text, textures = "", {}
-        for j in range(count + 1):
-            for i in range(count + 1):
-                text += f"v {scale * math.sin(i / count)} {scale * j / count} {scale * math.cos(i / count)}\n"
-        faces, lines = [], []
+        text = "".join(f"v {scale * math.sin(i / count)} {scale * j / count} {scale * math.cos(i / count)}\n"
+                       for j in range(count + 1) for i in range(count + 1))
+        textures, faces = {}, ""
         for patch in range(rows * rows):
-            faces.append({"uv": "", "material": f"usemtl m{patch}\n", "group": f"g patch {patch}\n"}[kind])
+            faces += {"uv": "", "material": f"usemtl m{patch}\n", "group": f"g patch {patch}\n"}[kind]
+            shift = 2 * patch if kind == "uv" else 0
             for square in range(side * side):
                 i = patch % rows * side + square % side
                 j = patch // rows * side + square // side
-                corners = []
+                faces += "f"
                 for a, b in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
-                    key = (len(lines) if doubled else 0, patch if kind == "uv" else 0, a, b)
-                    if key not in textures:
-                        textures[key] = len(lines) + 1
-                        shift = 2 * (patch if kind == "uv" else 0)
-                        lines.append(f"vt {a / count + shift:.6f} {b / count:.6f}\n")
-                    corners.append(f"{b * (count + 1) + a + 1}/{textures[key]}")
-                faces.append("f " + " ".join(corners) + "\n")
-        return self.write("patches.obj", text + "".join(lines) + "".join(faces))
+                    place = len(textures) if doubled else 0, f"vt {a / count + shift:.6f} {b / count:.6f}\n"
+                    faces += f" {b * (count + 1) + a + 1}/{textures.setdefault(place, len(textures) + 1)}"
+                faces += "\n"
+        return self.write("patches.obj", text + "".join(line for _, line in textures) + faces)
 
     def test_each_patch_becomes_a_piece(self):
         for kind in ("uv", "material", "group"):

@@ -65,14 +65,14 @@ class Suggestions(command.CommandTest):
         self.assertEqual(self.report("out")["suggestions"], [])
 
     def test_what_mirrors_the_surface_is_named(self):
-        bumps = [(x, y, 0.2 * math.exp(-9 * (abs(x) - 0.5) ** 2 - 6 * (y - 0.3) ** 2)) for x, y, _ in self.points]
-        self.write("bumps.obj", command.obj(bumps, self.triangles))
-        out = [max(0.0, x - 5 / 7) for x, _, _ in bumps]  # beyond two columns from the edge, made flat
-        hills = [max(0.0, 1 - ((abs(x) - 0.35) ** 2 + (y - 0.3) ** 2) / 0.12) ** 2 for x, y, _ in bumps]
-        self.write("bent.obj", command.obj([(x + o * (math.cos(1.0) - 1), y, 0.2 * hill + o * math.sin(1.0))
-                                            for (x, y, _), o, hill in zip(bumps, out, hills)], self.triangles))
+        def bent(x, y):
+            out = max(0.0, x - 5 / 7)  # beyond two columns from the edge, made flat
+            hill = max(0.0, 1 - ((abs(x) - 0.35) ** 2 + (y - 0.3) ** 2) / 0.12) ** 2
+            return x + out * (math.cos(1.0) - 1), y, 0.2 * hill + out * math.sin(1.0)
+
+        self.write("bent.obj", command.obj([bent(x, y) for x, y, _ in self.points], self.triangles))
         for surface, kind, words in (
-                ("bumps.obj", "plane", "mirrored across the plane with normal ("),
+                ("dome.obj", "plane", "mirrored across the plane with normal ("),
                 ("bent.obj", "axis", "mirrored, by lengths and angles, across the axis from (")):
             run = self.run_command("cut", surface, "--kind", "darts", "--max-strain", "0", "--max-cuts", "2",
                                    "--output", "out", code=(0, 4))

@@ -37,61 +37,51 @@ def legacy_curves():
     return (text + "LengthTolerance 1 2 double\n0 0.01\n").encode()
 
 
-def xml(store, head="", tail=""):
-    """XML polydata with points, triangles and arrays; `store` makes the element of an array."""
+def xml(form, content, head=""):
+    """XML polydata with points, triangles and arrays; `content` makes what follows the attributes of an array's element of
+    its values and of these as bytes."""
+    def array(kind, code, values, attributes):
+        data = struct.pack("<%d%s" % (len(values), code), *values)
+        return ('<DataArray type="%s" %s format="%s"' % (kind, attributes, form)).encode() + content(values, data)
+
     flat = [x for point in POINTS for x in point]
     ids = [v for triangle in TRIANGLES for v in triangle]
     return (
         ('<?xml version="1.0"?>\n<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" '
          'header_type="UInt32"%s>\n<PolyData>\n<Piece NumberOfPoints="9" NumberOfPolys="8">\n' % head).encode()
-        + b'<PointData Scalars="heat">\n' + store("Float32", "f", range(9), 'Name="heat"') + b"</PointData>\n"
-        + b"<Points>\n" + store("Float64", "d", flat, 'NumberOfComponents="3"') + b"</Points>\n<Polys>\n"
-        + store("Int64", "q", ids, 'Name="connectivity"')
-        + store("Int64", "q", [3 * k + 3 for k in range(8)], 'Name="offsets"')
-        + b"</Polys>\n</Piece>\n</PolyData>\n" + tail.encode() + b"</VTKFile>\n"
+        + b'<PointData Scalars="heat">\n' + array("Float32", "f", range(9), 'Name="heat"') + b"</PointData>\n"
+        + b"<Points>\n" + array("Float64", "d", flat, 'NumberOfComponents="3"') + b"</Points>\n<Polys>\n"
+        + array("Int64", "q", ids, 'Name="connectivity"')
+        + array("Int64", "q", [3 * k + 3 for k in range(8)], 'Name="offsets"')
+        + b"</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n"
     )
 
 
-def element(kind, attributes, form, content):
-    return b'<DataArray type="%s" %s format="%s"' % (kind.encode(), attributes.encode(), form) + content
+def within(data):
+    """In the element of an array."""
+    return b">" + data + b"</DataArray>\n"
 
 
-def xml_ascii():
-    def store(kind, _, values, attributes):
-        text = " ".join(repr(value) for value in values).encode()
-        return element(kind, attributes, b"ascii", b">" + text + b"</DataArray>\n")
-
-    return xml(store)
+def with_size(data):
+    return struct.pack("<I", len(data)) + data
 
 
-def xml_binary(compressed):
-    def store(kind, code, values, attributes):
-        data = struct.pack("<%d%s" % (len(values), code), *values)
-        if compressed:
-            packed = zlib.compress(data)
-            head = struct.pack("<4I", 1, len(data), len(data), len(packed))
-            text = base64.b64encode(head) + base64.b64encode(packed)
-        else:
-            text = base64.b64encode(struct.pack("<I", len(data)) + data)
-        return element(kind, attributes, b"binary", b">" + text + b"</DataArray>\n")
-
-    return xml(store, ' compressor="vtkZLibDataCompressor"' if compressed else "")
+def zipped(_, data):
+    packed = zlib.compress(data)
+    return within(base64.b64encode(struct.pack("<4I", 1, len(data), len(data), len(packed))) + base64.b64encode(packed))
 
 
 def xml_appended(encoding):
     blocks = []
 
-    def store(kind, code, values, attributes):
-        data = struct.pack("<%d%s" % (len(values), code), *values)
-        block = struct.pack("<I", len(data)) + data
+    def content(_, data):
         place = sum(map(len, blocks))
-        blocks.append(block if encoding == "raw" else base64.b64encode(block))
-        return element(kind, attributes, b"appended", b' offset="%d"/>\n' % place)
+        blocks.append(with_size(data) if encoding == "raw" else base64.b64encode(with_size(data)))
+        return b' offset="%d"/>\n' % place
 
-    text = xml(store)
-    end = text.index(b"</VTKFile>")
-    return (text[:end] + b'<AppendedData encoding="%s">\n_' % encoding.encode() + b"".join(blocks)
-            + b"\n</AppendedData>\n" + text[end:])
+    text, end = xml("appended", content), b"</VTKFile>\n"
+    return (text.removesuffix(end) + b'<AppendedData encoding="%s">\n_' % encoding.encode() + b"".join(blocks)
+            + b"\n</AppendedData>\n" + end)
 
 
 def xml_curves():
@@ -155,9 +145,9 @@ def dxf_curves():
 
 
 SPECIMENS = {
-    "ascii.vtp": xml_ascii(),
-    "binary.vtp": xml_binary(compressed=False),
-    "zipped.vtp": xml_binary(compressed=True),
+    "ascii.vtp": xml("ascii", lambda values, _: within(" ".join(map(repr, values)).encode())),
+    "binary.vtp": xml("binary", lambda _, data: within(base64.b64encode(with_size(data)))),
+    "zipped.vtp": xml("binary", zipped, ' compressor="vtkZLibDataCompressor"'),
     "raw.vtp": xml_appended("raw"),
     "base64.vtp": xml_appended("base64"),
     "plain.vtk": command.legacy(POINTS, TRIANGLES, cell_data="CELL_DATA 8\nSCALARS s int\nLOOKUP_TABLE d\n"

@@ -25,14 +25,10 @@ def setUpModule():
     ctypes.CDLL(None).mallopt(M_MMAP_THRESHOLD, 1 << 16)
 
 
-def held():
+def used():
+    """Bytes of addresses, and of memory."""
     with open("/proc/self/statm", encoding="ascii") as file:
-        return int(file.read().split()[0]) * resource.getpagesize()
-
-
-def resident():
-    with open("/proc/self/statm", encoding="ascii") as file:
-        return int(file.read().split()[1]) * resource.getpagesize()
+        return [int(pages) * resource.getpagesize() for pages in file.read().split()[:2]]
 
 
 def take_what_is_free():
@@ -56,7 +52,7 @@ def run_with(bytes_, run, full):
         code = OTHER
         try:
             ctypes.CDLL(None).malloc_trim(0)  # what earlier tests have given back to the process goes to the system
-            limit = held()
+            limit, _ = used()
             resource.setrlimit(resource.RLIMIT_AS, (limit, resource.RLIM_INFINITY))
             taken = take_what_is_free() if full else []
             resource.setrlimit(resource.RLIMIT_AS, (limit + bytes_, resource.RLIM_INFINITY))
@@ -108,10 +104,10 @@ class Memory(unittest.TestCase):
         points, triangles = grid(6, 4)
         points[:, 2] = 0.1 * points[:, 0] * points[:, 1]
         for calls in (200, 1000):  # what is kept for later calls is taken in the first ones
-            before = resident()
+            before = used()[1]
             for _ in range(calls):
                 sf.flatten(points, triangles, [sf.Curve([0, 1, 2], "key", "hem")])
-        self.assertLess(resident() - before, 1 << 20)
+        self.assertLess(used()[1] - before, 1 << 20)
 
     def test_the_pattern_of_a_result_as_well(self):
         result = sf.flatten(self.points, self.triangles, scheme="global")

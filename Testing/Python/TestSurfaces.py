@@ -62,15 +62,6 @@ class Curves(unittest.TestCase):
 
 
 class Measures(unittest.TestCase):
-    def test_a_stretched_square_has_the_measures_of_its_map(self):
-        points, triangles = grid(4, 4)
-        flat = np.asarray(points)[:, :2] * (1.1, 0.9)
-        quality = sf.measure(points, triangles, flat)
-        self.assertAlmostEqual(quality.measures["E_area"], 0.01, 12)
-        self.assertAlmostEqual(quality.measures["strain_p95"], -np.log(0.9), 12)
-        np.testing.assert_allclose(quality.cell_arrays["AreaRatio"], 0.99, atol=1e-12)
-        self.assertEqual(len(quality.overlap_edges), 0)
-
     def test_they_are_those_of_the_report(self):
         points, triangles, _ = quarter_sphere()
         result = sf.flatten(points, triangles)
@@ -79,6 +70,8 @@ class Measures(unittest.TestCase):
         for key, value in quality.measures.items():
             self.assertAlmostEqual(value, piece[key], 12, key)
         self.assertGreater(len(quality.measures), 12)
+        np.testing.assert_allclose(quality.cell_arrays["AreaRatio"], result.cell_arrays["AreaRatio"], rtol=1e-12)
+        self.assertEqual(len(quality.overlap_edges), 0)
 
     def test_wrong_positions_are_refused(self):
         points, triangles = grid(2, 2)
@@ -86,11 +79,6 @@ class Measures(unittest.TestCase):
             sf.measure(points, triangles, points)
         with self.assertRaises(sf.FlatteningError):
             sf.measure(points, triangles, np.full((9, 2), np.nan))
-
-    def test_a_pyramid_has_the_defect_of_its_tip(self):
-        points = [[0, 0, 1], [1, 1, 0], [-1, 1, 0], [-1, -1, 0], [1, -1, 0]]
-        defect = sf.developability(points, [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]])
-        np.testing.assert_allclose(defect, [2 * np.pi - 4 * np.arccos(1 / 3), 0, 0, 0, 0], atol=1e-12)
 
     def test_it_is_that_of_the_filter(self):
         points, triangles, _ = quarter_sphere()
