@@ -102,10 +102,11 @@ class Mending(command.CommandTest):
         self.assertEqual([piece["triangles"] for piece in healed["pieces"]], [count, 1])
 
     def area(self):
-        """Of the surface as it was flattened."""
+        """Of the flat surface as it was flattened."""
         x = self.array("out/cut.vtp", "Points")
         ids = self.array("out/cut.vtp", "connectivity", "Polys")
-        return sum(command.area(x, ids[k:k + 3]) for k in range(0, len(ids), 3))
+        corners = [[(x[3 * v], x[3 * v + 1]) for v in ids[k:k + 3]] for k in range(0, len(ids), 3)]
+        return sum(abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) for a, b, c in corners) / 2
 
     def strip(self, wedge):
         """Quads of 10 x 10 in rows, with a column of no width, or of quads that open like wedges."""

@@ -4,7 +4,6 @@ import math
 import os
 
 import command
-from command import area
 
 
 def plate(columns, rows, height=lambda x, y: 0.0):
@@ -87,35 +86,16 @@ class Sizes(command.CommandTest):
         self.run_command("plate.obj", "line.txt", "--output", "bare")
         self.assertFalse(self.flatten(os.path.join("bare", "cut.vtp"))["unit_stated"])
 
-    def test_what_must_be_eased_and_stretched_is_that_of_the_triangles(self):
+    def test_what_must_be_eased_and_stretched_is_said(self):
+        """By numbers that TestEveryNumber.py checks."""
         self.write("bump.obj", command.obj(*plate(
             12, 12, lambda x, y: 1.5 * math.exp(-((x - 9.5) ** 2 + (y - 10.0) ** 2) / 3.0))))
         self.write("arc.txt", "accessory arc " + " ".join(str(13 * 6 + i) for i in range(13)) + "\n")
-        run = self.run_command("bump.obj", "arc.txt", "--unit", "cm", "--output", "out", "--no-arrange", code=0)
-        flat, cut = (self.array(f"out/{name}.vtp", "Points") for name in ("flat", "cut"))
-        cells = self.array("out/flat.vtp", "connectivity", "Polys")
-        triangles = [cells[k:k + 3] for k in range(0, len(cells), 3)]
-        whole = sum(area(cut, t) for t in triangles)
-        changes = [area(flat, t) - area(cut, t) for t in triangles]
-        size = self.report("out")["sizes"][0]
-        more, less = sum(c for c in changes if c > 0), -sum(c for c in changes if c < 0)
-        self.assertAlmostEqual(size["eased_in"], more / whole, delta=1e-12)
-        self.assertAlmostEqual(size["stretched"], less / whole, delta=1e-12)
-        self.assertGreater(less, 0.01 * whole)
-        # The worst place is on the bump, where cloth is missing.
-        around = {}
-        for triangle, change in zip(triangles, changes):
-            for v in triangle:
-                entry = around.setdefault(v, [0.0, 0.0])
-                entry[0] += change
-                entry[1] += area(cut, triangle)
-        worst = max(around, key=lambda v: abs(around[v][0] / around[v][1]))
-        self.assertAlmostEqual(size["worst_change"], around[worst][0] / around[worst][1], delta=1e-9)
-        self.assertLess(math.dist(cut[3 * worst:3 * worst + 2], (9.5, 10.0)), 2.0)
+        run = self.run_command("bump.obj", "arc.txt", "--unit", "cm", "--output", "out", code=0)
+        size, piece = (self.report("out")[key][0] for key in ("sizes", "pieces"))
+        self.assertGreater(size["stretched"], 0.01)
         line = next(row for row in run.stdout.splitlines() if row.startswith("piece 1: "))
-        self.assertIn("%.1f %% of the area must be stretched, worst" % (100 * less / whole), line)
-        self.assertIn(size["worst_place"], line)
-        piece = self.report("out")["pieces"][0]
+        self.assert_words(("%.1f %% of the area must be stretched, worst" % (100 * size["stretched"]), size["worst_place"]), line)
         self.assertEqual(line, f"piece 1: {piece['size']}; {piece['ease']}; strain "
                                f"{100 * piece['strain_p95']:.2g} %, for material that gives")
 

@@ -65,16 +65,15 @@ class Suggestions(command.CommandTest):
         self.assertEqual(self.report("out")["suggestions"], [])
 
     def test_what_mirrors_the_surface_is_named(self):
-        def bent(x, y):
-            out = max(0.0, x - 5 / 7)  # beyond two columns from the edge, made flat
+        def hills(x, y, turn):
+            out = max(0.0, x - 5 / 7)  # beyond two columns from the edge, where it is flat and turned up
             hill = max(0.0, 1 - ((abs(x) - 0.35) ** 2 + (y - 0.3) ** 2) / 0.12) ** 2
-            return x + out * (math.cos(1.0) - 1), y, 0.2 * hill + out * math.sin(1.0)
+            return x + out * (math.cos(turn) - 1), y, 0.2 * hill + out * math.sin(turn)
 
-        self.write("bent.obj", command.obj([bent(x, y) for x, y, _ in self.points], self.triangles))
-        for surface, kind, words in (
-                ("dome.obj", "plane", "mirrored across the plane with normal ("),
-                ("bent.obj", "axis", "mirrored, by lengths and angles, across the axis from (")):
-            run = self.run_command("cut", surface, "--kind", "darts", "--max-strain", "0", "--max-cuts", "2",
+        for turn, kind, words in ((0.0, "plane", "mirrored across the plane with normal ("),
+                                  (1.0, "axis", "mirrored, by lengths and angles, across the axis from (")):
+            self.write("hills.obj", command.obj([hills(x, y, turn) for x, y, _ in self.points], self.triangles))
+            run = self.run_command("cut", "hills.obj", "--kind", "darts", "--max-strain", "0", "--max-cuts", "2",
                                    "--output", "out", code=(0, 4))
             self.assertEqual(self.report("out")["suggestions_mirror"]["type"], kind)
             self.assertIn(words, run.stdout)

@@ -314,13 +314,6 @@ def read_png(path):
     return vtk_to_numpy(image.GetPointData().GetScalars()).astype(int).reshape(height, width, -1)[:, :, :3]
 
 
-def area(points, corners):
-    """Of a triangle, the points being coordinates one after the other."""
-    a, b, c = (points[3 * v:3 * v + 3] for v in corners)
-    u, v = ([q - p for p, q in zip(a, end)] for end in (b, c))
-    return 0.5 * math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
-
-
 def error_lines(run):
     """What the command complained of; every line of stderr must be its own."""
     lines = run.stderr.splitlines()

@@ -294,6 +294,12 @@ class EveryNumber(command.CommandTest):
             ("cut_length", output.cut_length(piece), 1e-10),
         ):
             self.near(key, report[key], found, tolerance)
+        size, change = output.report["sizes"][piece], area * (np.abs(ratio) - 1)
+        self.near("eased_in", size["eased_in"], change[change > 0].sum() / area.sum(), 1e-10)
+        self.near("stretched", size["stretched"], -change[change < 0].sum() / area.sum(), 1e-10)
+        corners = output.triangles[inside].ravel()
+        around = np.bincount(corners, np.repeat(change, 3)) / np.maximum(np.bincount(corners, np.repeat(area, 3)), 1e-300)
+        self.near("worst_change", size["worst_change"], around[np.argmax(np.abs(around))])
         if output.report["scheme"] == "isometric" and not self.dirichlet:
             self.near("energy_sheet", report["energy_sheet"], inside.sum() * energy, 1e-7)
 
