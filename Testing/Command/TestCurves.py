@@ -8,17 +8,14 @@ import command
 import ezdxf
 
 SIZE = 8
+at = command.grid_ids(SIZE)
 
 
 def dome():
-    """A dome of SIZE x SIZE squares, whose cuts gape everywhere; vertex (i, j) is at(i, j)."""
+    """A dome of SIZE x SIZE squares, whose cuts gape everywhere."""
     return command.grid(
         SIZE, SIZE, lambda i, j: (i / SIZE, j / SIZE, -0.4 * ((i / SIZE - 0.5) ** 2 + (j / SIZE - 0.5) ** 2)),
         other=lambda i, j: (i + j) % 2 == 1)
-
-
-def at(i, j):
-    return j * (SIZE + 1) + i
 
 
 def chain(*places):

@@ -6,14 +6,11 @@ import os
 import command
 
 SIZE = 8
-
-
-def at(i, j):
-    return j * (SIZE + 1) + i
+at = command.grid_ids(SIZE)
 
 
 def sheet(height):
-    """A sheet of 800 mm x 800 mm, bulged by a height; vertex (i, j) is at(i, j)."""
+    """A sheet of 800 mm x 800 mm, bulged by a height."""
     return command.grid(
         SIZE, SIZE, lambda i, j: (100.0 * i, 100.0 * j,
                                   height * math.sin(math.pi * i / SIZE) * math.sin(math.pi * j / SIZE)),

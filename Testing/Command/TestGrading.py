@@ -3,18 +3,13 @@
 import glob
 import math
 import os
-from xml.etree import ElementTree
 
 import command
 import ezdxf
 
-SVG = "{http://www.w3.org/2000/svg}"
 COLUMNS, ROWS = 6, 10
+at = command.grid_ids(COLUMNS)
 FACTORS = {"36": 0.95, "38": 1.0, "40": 1.04}
-
-
-def at(i, j):
-    return j * (COLUMNS + 1) + i
 
 
 def plate(width, height, bulge=0.0, factor=1.0, turn=0.3):
@@ -45,15 +40,6 @@ class Grading(command.CommandTest):
 
     def grade_scaled(self, *more):
         return self.grade("36=36.obj", "38=38.obj", "40=40.obj", "curves.txt", "--base", "38", "--unit", "cm", *more)
-
-    def layers(self):
-        root = ElementTree.parse(self.path("out/nest.svg")).getroot()
-        layers = {}
-        for group in root.findall(SVG + "g"):
-            layers[group.get("data-size")] = [
-                (path.get("data-curve"), [tuple(map(float, pair.split(","))) for pair in path.get("d")[1:].split(" L")])
-                for path in group.findall(SVG + "path")]
-        return layers
 
     def test_the_rule_table_moves_the_points_of_the_dxf(self):
         for unit, word in (("cm", "METRIC"), ("inch", "ENGLISH")):
@@ -91,7 +77,7 @@ class Grading(command.CommandTest):
         self.write("centre.csv", "name,x,y,z\n" + "".join(
             "key centre,%r,%r,%r\n" % points[at(COLUMNS // 2, j)] for j in range(ROWS + 1)))
         self.grade("38=38.obj", "40=40.obj", "centre.csv", "--unit", "cm")
-        layers = self.layers()
+        layers = command.nest_layers(self.path("out/nest.svg"))
         self.assertEqual(list(layers), ["38", "40"])
         for (name, small), (other, large) in zip(*layers.values()):
             self.assertEqual(name, other)

@@ -8,10 +8,7 @@ import re
 import command
 
 SIZE = 10
-
-
-def at(i, j):
-    return j * (SIZE + 1) + i
+at = command.grid_ids(SIZE)
 
 
 def dome():

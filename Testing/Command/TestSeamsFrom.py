@@ -6,14 +6,12 @@ from xml.etree import ElementTree
 
 import command
 
-LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
-
 
 class SeamsFrom(command.CommandTest):
     def names(self, *arguments):
         self.run_command("pattern", *arguments, "--unit", "cm", "-o", "out/pattern.svg", "--smooth", "0",
                          "--output", "out", code=0)
-        layers = [group.get(LABEL) for group in ElementTree.parse(self.path("out/pattern.svg")).getroot()]
+        layers = [group.get(command.INKSCAPE + "label") for group in ElementTree.parse(self.path("out/pattern.svg")).getroot()]
         return [layer for layer in layers if layer and layer != "scale check"]
 
     def sheets(self, *heads):

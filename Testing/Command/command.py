@@ -11,10 +11,13 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 EXECUTABLE = os.environ.get("WIREWARP")
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 DATA = os.path.join(SOURCE, "Data")
+SVG = "{http://www.w3.org/2000/svg}"
+INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 
 
 class WordsTest(unittest.TestCase):
@@ -124,8 +127,8 @@ def quarter_sphere():
 
 
 def grid(columns, rows, place, closed=False, other=lambda i, j: False):
-    """Squares between the points place(i, j), vertex (i, j) is j * (columns + 1) + i, or a tube where it is closed,
-    split into triangles by one diagonal, or the other one."""
+    """Squares between the points place(i, j), which are vertices by grid_ids(), or a tube where it is closed, split into
+    triangles by one diagonal, or the other one."""
     wide = columns if closed else columns + 1
     points = [place(i, j) for j in range(rows + 1) for i in range(wide)]
     triangles = []
@@ -135,6 +138,11 @@ def grid(columns, rows, place, closed=False, other=lambda i, j: False):
             c, d = b + wide, a + wide
             triangles += [(a, b, d), (b, c, d)] if other(i, j) else [(a, b, c), (a, c, d)]
     return points, triangles
+
+
+def grid_ids(columns):
+    """The vertex (i, j) of a grid, as a function."""
+    return lambda i, j: j * (columns + 1) + i
 
 
 def tube(columns, rows, ring, deep=1.0):
@@ -299,6 +307,13 @@ def read_array(path, name, within="Piece"):
     if not array:
         raise KeyError(name)
     return vtk_to_numpy(array).ravel().tolist()
+
+
+def nest_layers(path):
+    """Names and points of the lines of each size of a nest in SVG, by the names of the sizes."""
+    return {group.get("data-size"): [
+        (path.get("data-curve"), [tuple(map(float, pair.split(","))) for pair in path.get("d")[1:].split(" L")])
+        for path in group.findall(SVG + "path")] for group in ElementTree.parse(path).getroot().findall(SVG + "g")}
 
 
 def read_png(path):

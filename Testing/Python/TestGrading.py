@@ -4,7 +4,6 @@
 import csv
 import os
 import unittest
-from xml.etree import ElementTree
 
 import numpy as np
 import surfaceflattening as sf
@@ -13,12 +12,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from surfaces import command, grid
 
-SVG = "{http://www.w3.org/2000/svg}"
 COLUMNS, ROWS = 6, 10
-
-
-def at(i, j):
-    return j * (COLUMNS + 1) + i
+at = command.grid_ids(COLUMNS)
 
 
 def plate(width, height, turn=0.3):
@@ -50,14 +45,10 @@ class Grading(command.CommandTest):
         for row, rule in zip(rows[1:], grading.rules):
             self.assertEqual((row[0], int(row[1]), row[2]), ("1", rule.point, rule.name))
             self.assertLess(np.abs(np.array(row[3:], float) - np.ravel(rule.deltas)).max(), 6e-5)
-        root = ElementTree.parse(self.path("nest.svg")).getroot()
-        layers = {group.get("data-size"): group for group in root.findall(SVG + "g")}
+        layers = command.nest_layers(self.path("nest.svg"))
         self.assertEqual(list(layers), ["S", "M", "L"])
-        for size, group in layers.items():
-            total = 0.0
-            for path in group.findall(SVG + "path"):
-                line = np.array([pair.split(",") for pair in path.get("d")[1:].split(" L")], float)
-                total += np.linalg.norm(np.diff(line, axis=0), axis=1).sum()
+        for size, lines in layers.items():
+            total = sum(np.linalg.norm(np.diff(line, axis=0), axis=1).sum() for _, line in lines)
             wanted = 10 * sum(wire.flat_length for wire in self.sizes[size].wires if wire.type != "connector")
             self.assertAlmostEqual(total, wanted, delta=1e-5)
         self.assertEqual(sorted(os.listdir(self.folder)), ["nest.svg", "rules.csv"])

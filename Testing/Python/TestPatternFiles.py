@@ -7,7 +7,6 @@ import unittest
 
 import pattern_files as pattern
 
-INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 
 
 def read_hpgl(text):
@@ -47,16 +46,16 @@ def read_hpgl(text):
 class Svg(pattern.PatternTest):
     def layers(self, group):
         return [child for child in group.findall(pattern.SVG + "g")
-                if child.get(INKSCAPE + "groupmode") == "layer"]
+                if child.get(pattern.INKSCAPE + "groupmode") == "layer"]
 
     def test_pieces_are_layers_and_each_role_is_one_layer_in_them(self):
         self.make("shirt_front", "-o", "out/pattern.svg", "--piece", "front & facing")
         layers = self.layers(self.svg())
-        self.assertEqual([layer.get(INKSCAPE + "label") for layer in layers],
+        self.assertEqual([layer.get(pattern.INKSCAPE + "label") for layer in layers],
                          ["scale check", "front & facing"])
         roles = self.layers(layers[1])
         self.assertEqual(len(roles), len(layers[1]))
-        labels = [role.get(INKSCAPE + "label") for role in roles]
+        labels = [role.get(pattern.INKSCAPE + "label") for role in roles]
         self.assertEqual(len(labels), len(set(labels)), labels)
         self.assertEqual([label.replace(" ", "-") for label in labels],
                          [role.get("class") for role in roles])

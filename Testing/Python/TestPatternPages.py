@@ -118,8 +118,7 @@ class Pages(pattern.PatternTest):
         path = self.path("out", "pattern.pdf")
         content = self.content("pattern.pdf")
         groups = dict(re.findall(rb"(?s)\n(\d+) 0 obj\n<< /Name \(([^)]*)\) /Type /OCG >>", content))
-        label = "{http://www.inkscape.org/namespaces/inkscape}label"
-        roles = {element.get(label) for element in self.svg().iter() if element.get("class")}
+        roles = {element.get(pattern.INKSCAPE + "label") for element in self.svg().iter() if element.get("class")}
         self.assertEqual({name.decode() for name in groups.values()}, roles | {"page marks"})
         ((shown, listed),) = re.findall(rb"(/ON \[ ([^]]*))\]", content)
         self.assertEqual(re.findall(rb"(\d+) 0 R", listed), sorted(groups, key=int))

@@ -18,8 +18,6 @@ import surfaceflattening as sf
 from page import Page
 from surfaces import DATA, command, flattened, grid, points_of, polylines_of, quarter_sphere, quiet, read, triangles_of, warned
 
-SVG = "{http://www.w3.org/2000/svg}"
-
 
 def pants(**options):
     return flattened("pants_front", **options)
@@ -99,13 +97,13 @@ class Shown(command.WordsTest):
         result = flattened("tshirt")
         text = result._repr_html_()
         picture = ElementTree.fromstring(re.search("<svg.*</svg>", text, re.DOTALL).group(0))
-        paths = picture.findall(SVG + "path")
+        paths = picture.findall(command.SVG + "path")
         triangles = sum(path.get("d").count("M") for path in paths if path.get("fill") != "none")
         self.assertEqual(triangles, len(result.triangles))
-        wires = [path.find(SVG + "title").text for path in paths if path.get("fill") == "none"]
+        wires = [path.find(command.SVG + "title").text for path in paths if path.get("fill") == "none"]
         self.assertEqual(wires, [f"{wire.name} ({wire.type})" for wire in result.wires])
         # Each piece has its number in the table on it.
-        for number in picture.findall(SVG + "text"):
+        for number in picture.findall(command.SVG + "text"):
             low, high = (bound(result.positions[result.triangles[
                 result.cell_arrays["PieceId"] == int(number.text) - 1]].reshape(-1, 2), axis=0)
                 for bound in (np.min, np.max))
@@ -114,7 +112,7 @@ class Shown(command.WordsTest):
             middle = ((low + high) / 2 - result.positions.min(axis=0)) * scale
             self.assertAlmostEqual(float(number.get("x")), middle[0], delta=0.06)
             self.assertAlmostEqual(float(number.get("y")), whole[1] * scale - middle[1], delta=0.06)
-        self.assertEqual([number.text for number in picture.findall(SVG + "text")], ["1", "2", "3", "4"])
+        self.assertEqual([number.text for number in picture.findall(command.SVG + "text")], ["1", "2", "3", "4"])
         page = Page(text)
         self.assertEqual(page.open, [])
         for piece in result.report["pieces"]:

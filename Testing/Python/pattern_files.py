@@ -13,8 +13,9 @@ import numpy as np
 
 from surfaces import DATA, command, read_file
 
+SVG, INKSCAPE = command.SVG, command.INKSCAPE
+
 MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
-SVG = "{http://www.w3.org/2000/svg}"
 
 # edges: lengths on the surface in millimetres, in the order of the polyline
 Wire = namedtuple("Wire", "name kind piece edges")
