@@ -9,9 +9,8 @@ import unittest
 
 import paraview.simple as pv
 
-from plugin import DATA, fetch, read, values
+from plugin import COMMAND, DATA, fetch, read, values
 
-COMMAND = os.environ["WIREWARP"]
 SCHEMES = {"progressive": "Progressive", "global": "Global", "isometric": "Isometric"}
 INTERIORS = {"laplacian": "Laplacian", "arap": "As rigid as possible"}
 COLUMNS = {"E_len": "EdgeLengthError", "E_ang": "AngleErrorMean", "E_h": "GlobalHomogeneity",

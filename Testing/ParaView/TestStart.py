@@ -15,15 +15,20 @@ print("made", pv.FlattenSurfaceWireWarping().GetXMLName())
 """
 
 
+def write(folder, name, text):
+    path = os.path.join(folder, name)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+    return path
+
+
 class Start(unittest.TestCase):
     def test_python_finds_the_plugin(self):
         # As a user's shell is, which knows of no ParaView.
         environment = {name: value for name, value in os.environ.items()
                        if name not in ("PYTHONPATH", "PV_PLUGIN_CONFIG_FILE")}
         with tempfile.TemporaryDirectory() as folder:
-            script = os.path.join(folder, "script.py")
-            with open(script, "w", encoding="utf-8") as file:
-                file.write(PROGRAM)
+            script = write(folder, "script.py", PROGRAM)
             for program in ("pvpython", "pvbatch"):
                 run = subprocess.run([os.path.join(BIN, program), script], env=environment, cwd=folder,
                                      capture_output=True, text=True, check=False)
@@ -53,11 +58,8 @@ class Start(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             copy = os.path.join(folder, "surfaceflattening")
             shutil.copytree(package, copy)
-            with open(os.path.join(copy, "_version.py"), "w", encoding="utf-8") as file:
-                file.write('__version__, BUILT_FOR, BUILT_WITH_VTK = "1", "Python 3 with VTK 8.90", "8.90.0"\n')
-            script = os.path.join(folder, "script.py")
-            with open(script, "w", encoding="utf-8") as file:
-                file.write("import surfaceflattening\n")
+            write(copy, "_version.py", '__version__, BUILT_FOR, BUILT_WITH_VTK = "1", "Python 3 with VTK 8.90", "8.90.0"\n')
+            script = write(folder, "script.py", "import surfaceflattening\n")
             said = self.run_without_plugin(os.environ["PVPYTHON"], script, folder=folder)
         self.assertIn("this is VTK 9.", said)
         self.assertIn("paraview.simple", said)
@@ -84,10 +86,7 @@ class Start(unittest.TestCase):
             programs, settings = (os.path.join(prefix, name) for name in ("programs", "settings"))
             os.makedirs(programs)
             for program in ("paraview", "pvpython"):
-                path = os.path.join(programs, program)
-                with open(path, "w", encoding="utf-8") as file:
-                    file.write("#!/bin/sh\necho started\n")
-                os.chmod(path, 0o755)
+                os.chmod(write(programs, program, "#!/bin/sh\necho started\n"), 0o755)
                 run = subprocess.run([os.path.join(prefix, "bin", "surfaceflattening-paraview"), program],
                                      env={**os.environ, "XDG_CONFIG_HOME": settings,
                                           "PATH": programs + ":" + os.environ["PATH"]},
@@ -98,9 +97,7 @@ class Start(unittest.TestCase):
     def test_what_is_installed_starts_with_one_command(self):
         with tempfile.TemporaryDirectory() as prefix:
             self.install(prefix)
-            script = os.path.join(prefix, "script.py")
-            with open(script, "w", encoding="utf-8") as file:
-                file.write(PROGRAM)
+            script = write(prefix, "script.py", PROGRAM)
             # ParaView itself is where the tests have it.
             path = os.path.dirname(os.environ["PVPYTHON"]) + ":" + os.environ["PATH"]
             run = subprocess.run(

@@ -3,9 +3,8 @@
 ranges and words of the table of options."""
 
 import ast
-import glob
 import inspect
-import os
+import pathlib
 import re
 import unittest
 
@@ -47,9 +46,7 @@ def number(option, value):
 
 def documented(path):
     """(properties, text after "Default:") of the set macros of a header."""
-    with open(path, encoding="utf-8") as file:
-        text = file.read()
-    for part in text.split("///@{")[1:]:
+    for part in path.read_text("utf-8").split("///@{")[1:]:
         comment, _, macros = part.partition("*/")
         names = re.findall(r"vtk(?:Set(?:Clamp|Vector2)?|Flattening(?:Number|Word|Flag))Macro\((\w+)", macros.partition("///@}")[0])
         words = " ".join(line.strip(" *") for line in comment.splitlines())
@@ -71,39 +68,29 @@ def same(text, value, filter_):
 
 
 class Options(unittest.TestCase):
-    def test_the_filters_have_the_defaults_of_the_table(self):
+    def test_the_filters_have_the_defaults_ranges_and_words_of_the_table(self):
         for option in TABLE:
             with self.subTest(option.cls, property=option.property):
-                filter_ = filter_of(option)
+                filter_, set_ = filter_of(option), "Set" + option.property
                 if option.type == "list":
                     self.assertTrue(callable(getattr(filter_, ADDERS[option.property])))
-                else:
-                    self.assertEqual(get(filter_, option), default_of(option))
-
-    def test_the_filters_have_its_ranges(self):
-        for option in TABLE:
-            if option.type not in ("integer", "number") or option.open:
-                continue
-            with self.subTest(option.cls, property=option.property):
-                filter_ = filter_of(option)
-                kind = int if option.type == "integer" else float
-                least = min(option.minimum, default_of(option))
-                for value, clamped in ((least - 1, least), (option.maximum * 2, option.maximum)):
-                    if abs(value) < (2**31 if option.type == "integer" else 1e300):
-                        getattr(filter_, "Set" + option.property)(kind(value))
-                        self.assertEqual(get(filter_, option), clamped)
-
-    def test_the_filters_have_its_words(self):
-        for option in TABLE:
-            filter_ = filter_of(option)
-            names = [name for _, name in option.words if name]  # one without is a filter of its own
-            for place, name in enumerate(names):
-                getattr(filter_, f"Set{option.property}To{name}")()
-                self.assertEqual(get(filter_, option), place)
-                self.assertEqual(getattr(filter_, f"Get{option.property}AsString")(), name)
-            if names:
-                getattr(filter_, "Set" + option.property)(len(option.words))
-                self.assertEqual(get(filter_, option), len(names) - 1, option.property)
+                    continue
+                self.assertEqual(get(filter_, option), default_of(option))
+                if option.type in ("integer", "number") and not option.open:
+                    kind, largest = (int, 2**31) if option.type == "integer" else (float, 1e300)
+                    least = min(option.minimum, default_of(option))
+                    for value, clamped in ((least - 1, least), (option.maximum * 2, option.maximum)):
+                        if abs(value) < largest:
+                            getattr(filter_, set_)(kind(value))
+                            self.assertEqual(get(filter_, option), clamped)
+                names = [name for _, name in option.words if name]  # one without is a filter of its own
+                for place, name in enumerate(names):
+                    getattr(filter_, f"{set_}To{name}")()
+                    self.assertEqual(get(filter_, option), place)
+                    self.assertEqual(getattr(filter_, f"Get{option.property}AsString")(), name)
+                if names:
+                    getattr(filter_, set_)(len(option.words))
+                    self.assertEqual(get(filter_, option), len(names) - 1)
 
     def test_every_property_is_in_the_table(self):
         listed = {(option.cls, option.property) for option in TABLE}
@@ -121,9 +108,8 @@ class Options(unittest.TestCase):
                          (filter_.GLOBAL, filter_.LAPLACIAN, filter_.SEQUENTIAL))
 
     def test_type_checkers_see_the_same_keywords_and_defaults(self):
-        stub = os.path.join(os.path.dirname(sf.__file__), "_calls.pyi")
-        with open(stub, encoding="utf-8") as file:
-            functions = [node for node in ast.parse(file.read()).body if isinstance(node, ast.FunctionDef)]
+        stub = pathlib.Path(sf.__file__).with_name("_calls.pyi").read_text("utf-8")
+        functions = [node for node in ast.parse(stub).body if isinstance(node, ast.FunctionDef)]
         self.assertEqual(len(functions), 7)
         for node in functions:
             seen = {argument.arg: ast.literal_eval(default)
@@ -150,15 +136,13 @@ class Options(unittest.TestCase):
 
     def test_the_headers_document_the_defaults(self):
         count = 0
-        for path in sorted(glob.glob(os.path.join(SOURCE, "Filters", "vtk*.h"))
-                           + [os.path.join(SOURCE, "IO", "vtkPatternWriter.h")]):
-            name = os.path.splitext(os.path.basename(path))[0]
-            class_ = getattr(sf, MADE.get(name, name), None)
-            if class_ is None or name == "vtkFlatteningAlgorithm":
+        for path in (*pathlib.Path(SOURCE, "Filters").glob("vtk*.h"), pathlib.Path(SOURCE, "IO", "vtkPatternWriter.h")):
+            class_ = getattr(sf, MADE.get(path.stem, path.stem), None)
+            if class_ is None or path.stem == "vtkFlatteningAlgorithm":
                 continue
             filter_ = class_()
             for names, text in documented(path):
-                with self.subTest(header=os.path.basename(path), names=names):
+                with self.subTest(header=path.name, names=names):
                     self.assertIsNotNone(text, "no default is documented")
                     values = [getattr(filter_, "Get" + name)() for name in names]
                     texts = text.split(" and ") if len(values) > 1 else [text]

@@ -58,10 +58,9 @@ class Description(unittest.TestCase):
             path = os.path.join(folder, "plugin.xml")
             subprocess.run([os.environ["WRITE_OPTIONS"], TEMPLATE, path], check=True)
             root = ElementTree.parse(path).getroot()
-        cls.proxies = [with_inherited(proxy, root) for group in ("sources", "filters")
-                       for proxy in root.findall(f"./ProxyGroup[@name='{group}']/SourceProxy")]
-        cls.writers = [with_inherited(proxy, root)
-                       for proxy in root.findall("./ProxyGroup[@name='writers']/WriterProxy")]
+        cls.proxies, cls.writers = ([with_inherited(proxy, root) for group in groups
+                                     for proxy in root.findall(f"./ProxyGroup[@name='{group}']/{tag}")]
+                                    for groups, tag in ((("sources", "filters"), "SourceProxy"), (("writers",), "WriterProxy")))
 
     def properties(self):
         for proxy in (*self.proxies, *self.writers):
@@ -103,10 +102,9 @@ class Description(unittest.TestCase):
         for extension, writer in factories.items():
             self.assertEqual(writer.get("class"), "vtkPatternWriter")
             commands = {element.get("command") for element in writer if element.get("command")}
-            expected = own_set_methods(sf.vtkPatternWriter) - BY_NAME
             others = set().union(*OF_FORMATS.values()) - OF_FORMATS.get(extension, set())
             self.assertEqual(commands - {"SetFileName", "SetInputConnection"},
-                             expected - others)
+                             own_set_methods(sf.vtkPatternWriter) - BY_NAME - others)
 
     def test_every_property_is_documented_and_in_one_group(self):
         for _, element, name in self.properties():

@@ -69,8 +69,7 @@ class Reports(unittest.TestCase):
 
     def test_the_run_agrees_with_its_worst_piece(self):
         # The four sides of a pyramid with their ridges as curves have no flat shape.
-        points = [[0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0]]
-        points += [[x + 10, y, z] for x, y, z in ((0, 0, 0), (1, 0, 0), (0, 1, 0))]
+        points = [[0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0], [10, 0, 0], [11, 0, 0], [10, 1, 0]]
         triangles = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1], [5, 6, 7]]
         ridges = [sf.Curve([0, v], name=f"ridge {v}") for v in range(1, 5)]
         with warned() as caught:

@@ -5,6 +5,7 @@ import contextlib
 import os
 import sys
 import warnings
+from xml.etree import ElementTree
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -56,6 +57,12 @@ def flattened(name, **options):
     """A piece of Data/ with its curves."""
     import surfaceflattening as sf
     return sf.flatten_polydata(read(name), read(name + "_curves"), **options)
+
+
+def table_rows(html):
+    """The texts of the cells of tables, row by row, of HTML whose tags fit."""
+    page = ElementTree.fromstring(f"<div>{html}</div>")
+    return [["".join(cell.itertext()) for cell in row] for row in page.iter("tr")]
 
 
 def points_of(polydata):
