@@ -38,65 +38,47 @@ class Curves(command.CommandTest):
         """A tube of radius 1, from z = 0 to a height, wider at its upper end."""
         self.write("tube.obj", command.obj(*command.tube(16, 8, lambda j: (1 + 0.05 * j, height * j / 8))))
 
-    def lengths(self, text, *arguments, code=0):
+    def lengths(self, text):
         """Lengths on the surface of the curves of a text file, by their names."""
-        self.write("words.txt", text)
-        report = self.flatten("tube.obj", "words.txt", "--unit", "cm", *arguments, code=code)
+        report = self.flatten("tube.obj", self.write("words.txt", text), "--unit", "cm")
         self.assertLess(report["curve_distance_mm"], 1e-6)
         lengths = {}
         for curve in report["curves"]:
             lengths.setdefault(curve["name"], []).append(curve["length_3d"])
         return lengths
 
-    def test_a_plane_cuts_where_it_meets_the_surface(self):
+    def test_planes_boundaries_and_points_are_curves_of_their_lengths(self):
+        side, rim, half = math.hypot(2.0, 0.4), 32 * math.sin(math.pi / 16), "seam side plane y=0 x>0\n"
+        for height, text, wanted in (
+                (2, "seam side plane y=0\n", {"side": 2 * side}), (2, half, {"side": side}),
+                (2, half + "edge top opening 1\nedge hem opening 2\naccessory line -1,0,0 -1.2,0,1\n",
+                 {"side": side, "top": 1.4 * rim, "hem": rim, "line": math.hypot(1.0, 0.2)}),
+                (4, half + "edge neck boundary top\nedge hem boundary bottom\naccessory same boundary hem\n",
+                 {"side": math.hypot(4.0, 0.4), "neck": 1.4 * rim, "hem": rim, "same": rim}),
+                # The shortest way between two of them.
+                (4, "seam side between boundary top and boundary bottom\n", {"side": math.hypot(4.0, 0.4)}),
+                *((2, f'edge hem opening 2\nedge "the top" opening 1\nseam side between {ends}\n',
+                   {"hem": rim, "the top": 1.4 * rim, "side": side})
+                  for ends in ("opening 1 and hem", "opening 2 and opening 1", 'hem and "the top"'))):
+            with self.subTest(text):
+                self.tube(height)
+                lengths = self.lengths(text)
+                self.assertEqual(set(lengths), set(wanted))
+                for name, length in wanted.items():
+                    self.assertAlmostEqual(sum(lengths[name]), length, delta=1e-9)
         self.tube()
-        side = math.hypot(2.0, 0.4)
-        both = self.lengths("seam side plane y=0\n")
-        self.assertEqual(sorted(both), ["side"])
-        self.assertAlmostEqual(sum(both["side"]), 2 * side, delta=1e-9)
-        one = self.lengths("seam side plane y=0 x>0\naccessory waist plane z=0.9\n")
-        self.assertAlmostEqual(sum(one["side"]), side, delta=1e-9)
-        # The waist is a polygon of 16 corners and of points on the diagonals of its quads.
-        around = sum(one["waist"])
-        radius = 1 + 0.05 * 0.9 / 0.25
-        self.assertTrue(0.98 * 2 * math.pi * radius < around < 2 * math.pi * radius, around)
-
-    def test_openings_and_points_need_no_ids(self):
-        self.tube()
-        rim = 32 * math.sin(math.pi / 16)
-        lengths = self.lengths("seam side plane y=0 x>0\nedge top opening 1\nedge hem opening 2\n"
-                               "accessory line -1,0,0 -1.2,0,1\n")
-        self.assertAlmostEqual(sum(lengths["top"]), 1.4 * rim, delta=1e-9)
-        self.assertAlmostEqual(sum(lengths["hem"]), rim, delta=1e-9)
-        self.assertAlmostEqual(sum(lengths["line"]), math.hypot(1.0, 0.2), delta=1e-9)
-        listed = self.run_command("check", "tube.obj", "--unit", "cm").stdout
-        self.assertIn("openings: 2", listed)
-        self.assertIn("opening 1: %.4g cm long, around 0, 0, 2" % (1.4 * rim), listed.replace("-0,", "0,"))
-
-    def test_boundaries_are_named_by_their_side_or_by_an_earlier_curve(self):
-        self.tube(4.0)
-        rim = 32 * math.sin(math.pi / 16)
-        lengths = self.lengths("seam side plane y=0 x>0\nedge neck boundary top\nedge hem boundary bottom\n"
-                               "accessory same boundary hem\n")
-        for name, length in (("neck", 1.4 * rim), ("hem", rim), ("same", rim)):
-            self.assertAlmostEqual(sum(lengths[name]), length, delta=1e-9)
-        lengths = self.lengths("seam side between boundary top and boundary bottom\n")
-        self.assertAlmostEqual(sum(lengths["side"]), math.hypot(4.0, 0.4), delta=1e-9)
-
-    def test_a_line_between_openings_is_the_shortest_way(self):
-        self.tube()
-        side = math.hypot(2.0, 0.4)
-        for ends in ("opening 1 and hem", "opening 2 and opening 1", "hem and \"the top\""):
-            lengths = self.lengths("edge hem opening 2\nedge \"the top\" opening 1\nseam side between " + ends + "\n")
-            self.assertAlmostEqual(sum(lengths["side"]), side, delta=1e-9)
-        lengths = self.lengths("edge hem opening 2\nseam side plane y=0 x>0\naccessory waist plane z=0.9\n"
-                               "accessory line between waist and hem\n")
+        lengths = self.lengths(half + "edge hem opening 2\naccessory waist plane z=0.9\naccessory line between waist and hem\n")
         self.assertAlmostEqual(sum(lengths["line"]), side * 0.45, delta=1e-9)
+        # The waist is a polygon of 16 corners and of points on the diagonals of its quads.
+        around = 2 * math.pi * (1 + 0.05 * 0.9 / 0.25)
+        self.assertTrue(0.98 * around < sum(lengths["waist"]) < around, lengths)
+        listed = self.run_command("check", "tube.obj", "--unit", "cm").stdout.replace("-0,", "0,")
+        self.assert_words(("openings: 2", "opening 1: %.4g cm long, around 0, 0, 2" % (1.4 * rim)), listed)
 
     def test_a_table_names_planes_and_openings_too(self):
         self.tube()
         rows = (("side", "seam", "plane y=0 x>0"), ("top", "edge", "opening 1"), ("the hem", "edge", "opening 2"))
-        text = "".join("%s %s %s\n" % (kind, '"%s"' % name, form) for name, kind, form in rows)
+        text = "".join('%s "%s" %s\n' % (kind, name, form) for name, kind, form in rows)
         self.write("words.csv", "name,type,x,y,z\n" + "".join('%s,%s,"%s",,\n' % row for row in rows) +
                    "line,accessory,-1,0,0\nline,,-1.2,0,1\n")
         wanted = self.lengths(text + "accessory line -1,0,0 -1.2,0,1\n")

@@ -69,7 +69,7 @@ class Refusals(command.CommandTest):
         self.run_command("flatten", "good.obj", "--unit", "cm", "--output", "flat")
         self.fails("is in cm", "pattern", "flat", "--unit", "mm", "--output", "flat.svg")
         self.assertFalse(os.path.exists(self.path("flat.svg")))
-        self.assertEqual(self.run_command("pattern", "flat", "--unit", "cm", "--output", "flat.svg").returncode, 0)
+        self.run_command("pattern", "flat", "--unit", "cm", "--output", "flat.svg", code=0)
 
     def test_files_that_are_not_there_or_cannot_be_read(self):
         os.mkdir(self.path("folder.vtp"))
@@ -123,13 +123,10 @@ class Refusals(command.CommandTest):
 
     def test_cell_ids_out_of_range_are_refused_in_every_format(self):
         triangles = [*self.triangles, (0, 1, 999)]
-        for name, content in (
-            ("a.vtk", command.legacy(self.points, triangles)),
-            ("a.vtp", command.xml_polydata(self.points, triangles)),
-            ("a.ply", command.ply(self.points, triangles, "<")),
-        ):
-            with self.subTest(name):
-                self.refuse(self.write(name, content), says=(name, "999"))
+        for name, content in (("a.vtk", command.legacy(self.points, triangles)),
+                              ("a.vtp", command.xml_polydata(self.points, triangles)),
+                              ("a.ply", command.ply(self.points, triangles, "<"))):
+            self.refuse(self.write(name, content), says=(name, "999"))
 
     def test_curve_text_tells_file_line_and_way_out(self):
         for text, line, *says in (

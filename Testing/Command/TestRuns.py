@@ -62,11 +62,8 @@ class Runs(command.CommandTest):
         return process
 
     def are_busy(self, processes):
-        """Whether each one reads the slow file or waits for one that does.
-
-        One that has just been forked has not yet tied its life to its parent's: stopped there, it
-        could not end itself.
-        """
+        """Whether each one reads the slow file or waits for one that does. Stopped before that, one that has just been forked
+        has not yet tied its life to its parent's."""
         slow = os.path.realpath(self.path("slow.vtk"))
         return all(children(process) or has_open(process, slow) for process in processes)
 
@@ -89,17 +86,14 @@ class Runs(command.CommandTest):
             os.kill(child, signal.SIGKILL)
         self.assertTrue(gone, "processes are left")
 
-    def test_a_batch_that_is_ended_ends_its_workers_and_their_readers(self):
+    def test_a_run_that_is_ended_ends_its_workers_and_readers(self):
         self.write("list.txt", "slow.vtk\nslow.vtk\n")
-        for signal_number in (signal.SIGTERM, signal.SIGKILL, signal.SIGINT, signal.SIGHUP):
-            with self.subTest(signal_number):
-                run = self.start("batch", "list.txt", "--output", "out", "--threads", "2")
-                self.end(run, signal_number, 4)
-
-    def test_a_run_that_is_ended_ends_its_reader(self):
-        for signal_number in (signal.SIGTERM, signal.SIGKILL):
-            with self.subTest(signal_number):
-                self.end(self.start("slow.vtk", "--output", "out"), signal_number, 1)
+        for signals, count, *arguments in (
+                ((signal.SIGTERM, signal.SIGKILL, signal.SIGINT, signal.SIGHUP), 4, "batch", "list.txt", "--threads", "2"),
+                ((signal.SIGTERM, signal.SIGKILL), 1, "slow.vtk")):
+            for signal_number in signals:
+                with self.subTest(signal_number, arguments=arguments):
+                    self.end(self.start(*arguments, "--output", "out"), signal_number, count)
 
     def test_a_reader_leaves_no_process_behind(self):
         self.write("fine.vtp", command.xml_polydata(*command.sheet()))
@@ -112,17 +106,14 @@ class Runs(command.CommandTest):
     def test_a_second_run_into_one_folder_is_refused_and_changes_nothing(self):
         self.write("list.txt", "good.obj\n")
         self.write("slow_list.txt", "slow.vtk\n")
-        for first, second, folder in (
-            (("slow.vtk",), ("good.obj",), "out"),
-            (("batch", "slow_list.txt"), ("batch", "list.txt"), "out"),
-            (("batch", "slow_list.txt"), ("good.obj",), "out"),
-        ):
+        for first, second in ((("slow.vtk",), ("good.obj",)), (("batch", "slow_list.txt"), ("batch", "list.txt")),
+                              (("batch", "slow_list.txt"), ("good.obj",))):
             with self.subTest(first=first, second=second):
-                run = self.start(*first, "--output", folder)
+                run = self.start(*first, "--output", "out")
                 reading = 1 if first[0] != "batch" else 2  # its reader; a worker and that one's reader
                 self.assertTrue(wait_until(lambda: len(children(run.pid)) >= reading))
                 before = sorted(os.listdir(self.path("out")))
-                self.fails(("out: another run is writing to this folder", "--output"), *second, "--output", folder)
+                self.fails(("out: another run is writing to this folder", "--output"), *second, "--output", "out")
                 self.assertEqual(sorted(os.listdir(self.path("out"))), before)
                 run.kill()
                 run.wait()
