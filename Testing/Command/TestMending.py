@@ -131,12 +131,10 @@ class Mending(command.CommandTest):
             with self.subTest(count=count, first=first):
                 loose = [tuple(len(self.points) + 3 * k + i for i in range(3)) for k in range(count)]
                 points = self.points + [(7.0 * k, 9.0, 0.0) for k in range(count) for _ in range(3)]
-                triangles = loose + self.triangles if first else self.triangles + loose
-                report, warnings = self.flattened(points, triangles)
+                report, warnings = self.flattened(points, loose + self.triangles if first else self.triangles + loose)
                 self.assertEqual([piece["triangles"] for piece in report["pieces"]], [2 * SIZE * SIZE])
-                at_cell = 0 if first else len(self.triangles)
-                self.assertRegex(warnings[0],
-                                 rf"^{count} triangles? without area w(as|ere) taken out \((first: )?{at_cell}\b")
+                cell = 0 if first else len(self.triangles)
+                self.assertRegex(warnings[0], rf"^{count} triangles? without area w(as|ere) taken out \((first: )?{cell}\b")
 
     def test_boundaries_that_run_beside_each_other_are_named_with_the_length_that_joins_them(self):
         points, triangles = self.split_by_a_texture_seam()

@@ -49,12 +49,11 @@ class Flattenable(unittest.TestCase):
         points, triangles = dome(4, 4, 0.3)
         with self.assertRaisesRegex(sf.FlatteningError, "no curve is named"):
             sf.make_flattenable(points, triangles, keep=["hem"])
-        for arguments in ({"bound": 0.0}, {"bound": 1.0}, {"thickness": -1.0}, {"outside_bias": 1.5},
-                          {"outside_bias": -0.5}, {"outside_bias": float("nan")}):
-            with self.assertRaises(ValueError):
-                sf.make_flattenable(points, triangles, **arguments)
-        with self.assertRaises(TypeError):
-            sf.make_flattenable(points, triangles, cuts="all")
+        for kind, name, *values in ((ValueError, "bound", 0.0, 1.0), (ValueError, "thickness", -1.0), (TypeError, "cuts", "all"),
+                                    (ValueError, "outside_bias", 1.5, -0.5, float("nan"))):
+            for value in values:
+                with self.assertRaises(kind):
+                    sf.make_flattenable(points, triangles, **{name: value})
         with self.assertRaises(TypeError):
             sf.make_flattenable_polydata(points)
 

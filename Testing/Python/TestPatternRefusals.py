@@ -44,15 +44,14 @@ class Refusals(pattern.PatternTest):
 
     def test_formats_that_fail_leave_the_others_and_are_named(self):
         every = [word for name in ("pattern.svg", "pattern.dxf", "pattern.plt", "walk.csv") for word in ("-o", "out/" + name)]
+        pdf = ("-o", "out/pattern.pdf", "--max-pages", "1")
         for unit in ("mm", "cm", "inch"):
             plate = self.write_plate(unit)
             for asked, failed, words in (
-                (("-o", "out/pattern.json",), {"pattern.json"}, "hole"),
-                (("-o", "out/pattern.pdf", "--max-pages", "1", "--paper", "A4", "--quantity", "3"), set(), ""),
-                (("-o", "out/pattern.pdf", "--max-pages", "1", "--allowance", "200"), {"pattern.pdf"}, "pages"),
-                (("-o", "out/pattern.pdf", "--paper", "sheet", "--allowance", "3000", "--max-pages", "1"),
-                 {"pattern.pdf"}, "5.08 m"),
-            ):
+                    (("-o", "out/pattern.json"), {"pattern.json"}, "hole"),
+                    ((*pdf, "--paper", "A4", "--quantity", "3"), set(), ""),
+                    ((*pdf, "--allowance", "200"), {"pattern.pdf"}, "pages"),
+                    ((*pdf, "--paper", "sheet", "--allowance", "3000"), {"pattern.pdf"}, "5.08 m")):
                 with self.subTest(unit=unit, asked=asked):
                     run = self.run_command("pattern", *plate, *every, *asked, "--unit", unit, "--output", "out",
                                            code=3 if failed else 0)
@@ -94,8 +93,8 @@ class Refusals(pattern.PatternTest):
                 with self.subTest(unit=unit, allowance=allowance):
                     size = pattern.MILLIMETRES[unit]
                     self.write("c.obj", command.obj([(x / size, y / size, 0.0) for x, y in corners], faces))
-                    run = self.run_command("pattern", "c.obj", "-o", "out/pattern.svg", "-o", "out/pattern.dxf", "--unit", unit, "--allowance", allowance,
-                                           "--output", "out", code=0)
+                    run = self.run_command("pattern", "c.obj", "-o", "out/pattern.svg", "-o", "out/pattern.dxf", "--unit", unit,
+                                           "--allowance", allowance, "-o", "out", code=0)
                     self.assertEqual("allowances meet" in run.stderr, met, run.stderr)
                     holes = len(pattern.svg_paths(self.svg(), "cut-out"))
                     self.assertEqual(holes, 1 if met and allowance != "40" else 0)
@@ -125,9 +124,9 @@ class Refusals(pattern.PatternTest):
     def test_names_of_any_characters_survive_in_every_format(self):
         for name in NAMES:
             with self.subTest(name):
-                self.run_command(
-                    *self.arguments("-o", "out/pattern.svg", "-o", "out/pattern.pdf", "-o", "out/pattern.dxf", "--unit", "m", "--paper", "A0",
-                                    "--name", name, "--size", name, "--piece", name), code=0)
+                self.run_command(*self.arguments(
+                    "-o", "out/pattern.svg", "-o", "out/pattern.pdf", "-o", "out/pattern.dxf", "--unit", "m", "--paper", "A0",
+                    "--name", name, "--size", name, "--piece", name), code=0)
                 shown = name.replace("\t", " ").replace("\n", " ")
                 root = self.svg()
                 self.assertEqual(pattern.pieces_of(root)[0].get("data-name"), shown)
@@ -146,21 +145,18 @@ class Refusals(pattern.PatternTest):
                 word = shown[:60] if shown.isascii() else shown.split()[0]
                 self.assertTrue(word in drawn or word[::-1] in drawn, drawn)
 
-    def test_bytes_that_are_no_text_are_replaced(self):
-        self.run_command(*self.arguments(
-            "-o", "out/pattern.svg", "-o", "out/pattern.pdf", "-o", "out/pattern.dxf", "--unit", "cm", "--name", b"caf\xe9 \xff\xc3".decode(
-                "utf-8", "surrogateescape")), code=0)
-        self.assertEqual(self.svg().find(pattern.SVG + "title").text, "caf\ufffd \ufffd\ufffd")
-
-    def test_names_of_curves_that_are_no_text_are_replaced_in_every_format(self):
+    def test_bytes_that_are_no_text_are_replaced_in_every_format(self):
         self.write("curves.txt", b"seam \xc4rmel 16 17 18 19 20\n")
         run = self.run_command(
-            "pattern", os.path.join(pattern.DATA, "quarter_sphere.vtp"), "curves.txt", "--output", "out",
-            "-o", "out/pattern.svg", "-o", "out/pattern.pdf", "-o", "out/pattern.dxf", "--unit", "m", "--paper", "A0", "--allowance", "10")
+            "pattern", os.path.join(pattern.DATA, "quarter_sphere.vtp"), "curves.txt", "-o", "out", "-o", "out/pattern.svg",
+            "-o", "out/pattern.pdf", "-o", "out/pattern.dxf", "--unit", "m", "--paper", "A0", "--allowance", "10", "--name",
+            b"caf\xe9 \xff\xc3".decode("utf-8", "surrogateescape"))
         self.assertEqual((run.returncode, run.stderr), (0, ""))
-        self.svg()
-        self.assertIn("\ufffd", pattern.run_tool(
-            "pdftotext", self.path("out", "pattern.pdf"), "-").decode())
+        root = self.svg()
+        self.assertEqual(root.find(pattern.SVG + "title").text, "caf\ufffd \ufffd\ufffd")
+        self.assertIn("\ufffdrmel", {element.get("data-curve") for element in root.iter()})
+        # The name of a curve is turned, and read in parts.
+        self.assertIn("\n\ufffd\n", pattern.run_tool("pdftotext", self.path("out", "pattern.pdf"), "-").decode())
 
 
 if __name__ == "__main__":
