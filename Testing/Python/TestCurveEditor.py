@@ -3,7 +3,6 @@
 
 import math
 import os
-import tempfile
 import unittest
 
 import numpy as np
@@ -61,7 +60,7 @@ def curves_of(editor):
     return curves
 
 
-class Editor(command.WordsTest):
+class Editor(command.CommandTest):
     @classmethod
     def setUpClass(cls):
         cls.surface = read("shirt_front")
@@ -83,13 +82,11 @@ class Editor(command.WordsTest):
                           flattened(self.surface, through_vertices(self.surface)))
 
     def test_curves_from_a_file_can_be_edited_again(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "curves.vtp")
-            writer = vtkXMLPolyDataWriter()
-            writer.SetFileName(path)
-            writer.SetInputData(curves_of(self.editor))
-            writer.Write()
-            again = self.edited(read_file(path))
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(self.path("curves.vtp"))
+        writer.SetInputData(curves_of(self.editor))
+        writer.Write()
+        again = self.edited(read_file(self.path("curves.vtp")))
         self.assertEqual(again.GetNumberOfCurves(), 5)
         self.assertFalse(again.CanUndo())
         for curve in range(5):

@@ -4,7 +4,6 @@
 import os
 import pathlib
 import re
-import tempfile
 import unittest
 import unittest.mock
 
@@ -13,10 +12,10 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 import surfaceflattening as sf
-from surfaces import SOURCE, quarter_sphere, warned
+from surfaces import SOURCE, command, quarter_sphere, warned
 
 
-class Filters(unittest.TestCase):
+class Filters(command.CommandTest):
     def test_every_public_header_has_its_class(self):
         names = [path.stem for folder in ("Filters", "IO", "IO/Flattening") for path in pathlib.Path(SOURCE, folder).glob("vtk*.h")]
         self.assertGreaterEqual(len(names), 7)
@@ -28,7 +27,7 @@ class Filters(unittest.TestCase):
     def test_the_unit_of_surface_or_curves_goes_with_the_pieces_into_a_pattern(self):
         points, triangles, arc = quarter_sphere()
 
-        def made(of_surface, of_curves, folder, **options):
+        def made(of_surface, of_curves, **options):
             surface, curves = sf.make_surface(points, triangles), sf.make_curves([sf.Curve(arc)], points)
             for data, unit in ((surface, of_surface), (curves, of_curves)):
                 word = vtkStringArray()
@@ -36,27 +35,25 @@ class Filters(unittest.TestCase):
                 word.InsertNextValue(unit)
                 data.GetFieldData().AddArray(word)
             result = sf.flatten_polydata(surface, curves)
-            path = os.path.join(folder, "piece.dxf")
-            result.write_pattern(path, **options)
-            with open(path, "rb") as file:
-                return result, file.read()
+            result.write_pattern(self.path("piece.dxf"), **options)
+            return result, self.read("piece.dxf")
 
         # The file says when it was made.
-        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.dict(os.environ, SOURCE_DATE_EPOCH="1000000000"):
+        with unittest.mock.patch.dict(os.environ, SOURCE_DATE_EPOCH="1000000000"):
             for unit in ("m", "inch"):
-                _, wanted = made("", "", folder, unit=unit)
+                _, wanted = made("", "", unit=unit)
                 for of_surface, of_curves in ((unit.upper(), ""), ("", unit), (unit, "cm")):
                     with self.subTest(unit, of_surface=of_surface):
-                        result, pattern = made(of_surface, of_curves, folder)
+                        result, pattern = made(of_surface, of_curves)
                         self.assertEqual(pattern, wanted)
                         for part in ("flat", "wires", "cut"):
                             self.assertEqual(sf.vtkFlatteningAlgorithm.GetLengthUnitOf(result.to_polydata(part)), unit)
             for word in ("", "furlong"):
                 with warned() as caught:
-                    result, pattern = made(word, "", folder)
-                    self.assertIn("taken as cm", str(caught[0].message))
-                    self.assertEqual(sf.vtkFlatteningAlgorithm.GetLengthUnitOf(result.to_polydata("flat")), "")
-                    self.assertEqual(pattern, made("", "", folder, unit="cm")[1])
+                    result, pattern = made(word, "")
+                self.assertIn("taken as cm", str(caught[0].message))
+                self.assertEqual(sf.vtkFlatteningAlgorithm.GetLengthUnitOf(result.to_polydata("flat")), "")
+                self.assertEqual(pattern, made("", "", unit="cm")[1])
 
     def test_eases_of_curves_are_listed_and_forgotten(self):
         filter_ = sf.vtkWireWarpingFilter()

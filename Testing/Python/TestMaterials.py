@@ -6,7 +6,6 @@ import json
 import os
 import pathlib
 import re
-import tempfile
 import unittest
 import warnings
 
@@ -42,7 +41,7 @@ def threads_of(points, result):
     return lengths[0] - 1, lengths[1] - 1, angle - 90, area / area.sum()
 
 
-class Materials(command.WordsTest):
+class Materials(command.CommandTest):
     def test_strains_are_those_of_the_geometry(self):
         points, triangles = shell()
         for scheme in ("isometric", "global"):
@@ -79,11 +78,8 @@ class Materials(command.WordsTest):
 
     def test_materials_are_names_or_files(self):
         points, triangles = shell()
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "cloth.json")
-            with open(path, "w", encoding="utf-8") as file:
-                json.dump({"warp": 2000, "weft": 1000, "shear": 20, "one_way": True}, file)
-            cloth = flatten(points, triangles, material=path).report["pieces"][0]["cloth"]
+        self.write("cloth.json", json.dumps({"warp": 2000, "weft": 1000, "shear": 20, "one_way": True}))
+        cloth = flatten(points, triangles, material=self.path("cloth.json")).report["pieces"][0]["cloth"]
         self.assertTrue(cloth["one_way"])
         self.assertEqual(cloth["share_out_of_limit"], 0)  # without limits
         with self.assertRaisesRegex(ValueError, r"grain is for a material; .*, or leave grain out$"):

@@ -5,7 +5,6 @@ import contextlib
 import ctypes
 import os
 import resource
-import tempfile
 import unittest
 import warnings
 
@@ -13,7 +12,7 @@ import numpy as np
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
 import surfaceflattening as sf
-from surfaces import grid
+from surfaces import command, grid
 
 ENOUGH, RAISED, OTHER = 0, 10, 11
 M_MMAP_THRESHOLD = -3
@@ -67,8 +66,9 @@ def run_with(bytes_, run, full):
     return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
 
 
-class Memory(unittest.TestCase):
+class Memory(command.CommandTest):
     def setUp(self):
+        super().setUp()
         # A thread for whose own data there is no memory ends the process in the C library.
         vtkSMPTools.SetBackend("Sequential")
         processors = os.sched_getaffinity(0)
@@ -112,12 +112,10 @@ class Memory(unittest.TestCase):
     def test_the_pattern_of_a_result_as_well(self):
         result = sf.flatten(self.points, self.triangles, scheme="global")
         # With smooth borders, as while flattening, Eigen's products may need the stack.
-        with tempfile.TemporaryDirectory() as folder:
-            for kind in ("svg", "pdf", "dxf"):
-                with self.subTest(kind):
-                    path = os.path.join(folder, "pattern." + kind)
-                    self.raised_up_to_enough(1 << 20, lambda: result.write_pattern(
-                        path, unit="mm", paper="A0", fair=0), full=True, least=3)
+        for kind in ("svg", "pdf", "dxf"):
+            with self.subTest(kind):
+                self.raised_up_to_enough(1 << 20, lambda: result.write_pattern(
+                    self.path("pattern." + kind), unit="mm", paper="A0", fair=0), full=True, least=3)
 
 
 if __name__ == "__main__":

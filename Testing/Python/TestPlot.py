@@ -4,7 +4,6 @@
 import os
 import subprocess
 import sys
-import tempfile
 import unittest
 
 os.environ["MPLBACKEND"] = "Agg"
@@ -14,10 +13,10 @@ import numpy as np  # noqa: E402
 from matplotlib import pyplot  # noqa: E402
 from matplotlib.collections import LineCollection  # noqa: E402
 
-from surfaces import flattened, quiet  # noqa: E402
+from surfaces import command, flattened, quiet  # noqa: E402
 
 
-class Plot(unittest.TestCase):
+class Plot(command.CommandTest):
     @classmethod
     def setUpClass(cls):
         cls.result = flattened("tshirt")
@@ -81,12 +80,8 @@ class Plot(unittest.TestCase):
         texts = [text.get_text() for text in self.result.plot().texts]
         self.assertEqual([text for text in texts if text.isdigit()], ["1", "2", "3", "4"])
         # As the pattern that is cut numbers them.
-        with tempfile.TemporaryDirectory() as folder:
-            self.result.write_pattern(os.path.join(folder, "a.svg"), unit="cm")
-            with open(os.path.join(folder, "a.svg"), encoding="utf-8") as file:
-                pattern = file.read()
-        for number in (1, 4):
-            self.assertIn(f">piece {number} of 4<", pattern)
+        self.result.write_pattern(self.path("a.svg"), unit="cm")
+        self.assert_words((">piece 1 of 4<", ">piece 4 of 4<"), self.read("a.svg"))
         for piece in self.result.report["pieces"]:
             self.assertTrue(any(f"E_area {piece['E_area']:.4f}" in text for text in texts))
         self.assertEqual(len(self.result.plot(measures=False).texts), 0)
@@ -96,9 +91,8 @@ class Plot(unittest.TestCase):
         self.assertIs(self.result.plot(ax=right, color_by=None), right)
         self.assertEqual(len(left.collections), 0)
         self.assertEqual(right.get_aspect(), 1.0)
-        with tempfile.TemporaryDirectory() as folder:
-            figure.savefig(os.path.join(folder, "pieces.png"))
-            picture = pyplot.imread(os.path.join(folder, "pieces.png"))
+        figure.savefig(self.path("pieces.png"))
+        picture = pyplot.imread(self.path("pieces.png"))
         half = picture.shape[1] // 2
         self.assertTrue((picture[:, half:, :3] < 0.95).any())
 

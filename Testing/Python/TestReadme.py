@@ -11,7 +11,6 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import textwrap
 import typing
 import unittest
@@ -21,7 +20,7 @@ import numpy as np
 from vtkmodules.vtkCommonCore import vtkVersion
 
 import surfaceflattening as sf
-from surfaces import SOURCE
+from surfaces import SOURCE, command
 
 
 README = pathlib.Path(SOURCE, "README.md").read_text("utf-8")
@@ -40,7 +39,7 @@ def run_program():
 os.environ["MPLBACKEND"] = "Agg"  # for what it plots
 
 
-class Readme(unittest.TestCase):
+class Readme(command.CommandTest):
     def test_its_program_keeps_the_lengths_that_it_prints(self):
         printed, names = run_program()
         report = names["result"].report
@@ -52,12 +51,10 @@ class Readme(unittest.TestCase):
 
     def run_copy(self, leave_out, before=""):
         """What `import surfaceflattening` says of a copy of the package without a file."""
-        with tempfile.TemporaryDirectory() as folder:
-            shutil.copytree(os.path.dirname(sf.__file__), os.path.join(folder, "surfaceflattening"),
-                            ignore=shutil.ignore_patterns(leave_out, "__pycache__"))
-            run = subprocess.run(
-                [sys.executable, "-c", before + "import surfaceflattening"], capture_output=True, text=True,
-                env={**os.environ, "PYTHONPATH": folder}, check=False)
+        shutil.copytree(os.path.dirname(sf.__file__), self.path("surfaceflattening"),
+                        ignore=shutil.ignore_patterns(leave_out, "__pycache__"))
+        run = subprocess.run([sys.executable, "-c", before + "import surfaceflattening"], capture_output=True, text=True,
+                             env={**os.environ, "PYTHONPATH": self.folder}, check=False)
         self.assertEqual(run.returncode, 1)
         return run.stderr
 
@@ -86,8 +83,8 @@ class Readme(unittest.TestCase):
         calls = re.findall(r"`(result\.\w+\(.*?\))`", README)
         self.assertEqual(len(calls), 4)
         self.addCleanup(os.chdir, os.getcwd())
-        with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():
-            os.chdir(folder)
+        with warnings.catch_warnings():
+            os.chdir(self.folder)
             warnings.simplefilter("error", sf.FlatteningWarning)
             for call in calls:
                 eval(call, names)  # pylint: disable=eval-used

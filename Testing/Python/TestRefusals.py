@@ -115,7 +115,7 @@ class Refused(unittest.TestCase):
                          (error.code, error.name, error.ids, error.message))
 
 
-class Arguments(command.WordsTest):
+class Arguments(command.CommandTest):
     def wrong(self, words, curves=(), **options):
         error = self.assert_raises(ValueError, words, sf.flatten, *grid(), curves, **options)
         self.assertIsInstance(error, sf.ArgumentError)
@@ -132,10 +132,8 @@ class Arguments(command.WordsTest):
                         for scheme, interior in (("global", "laplacian"), ("Global", "LAPLACIAN")))
         self.assertEqual(small.positions.tolist(), large.positions.tolist())
         self.wrong(["angle_weight", "isometric", "global"], scheme="Global", angle_weight=1.0)
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "a.pdf")
-            large.write_pattern(path, unit="CM", paper="a3")
-            self.assertTrue(os.path.exists(path))
+        large.write_pattern(self.path("a.pdf"), unit="CM", paper="a3")
+        self.assertTrue(os.path.exists(self.path("a.pdf")))
 
     def test_words_of_the_commands_text_files(self):
         points, _ = grid()
