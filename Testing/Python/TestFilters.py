@@ -17,7 +17,8 @@ from surfaces import SOURCE, command, quarter_sphere, warned
 
 class Filters(command.CommandTest):
     def test_every_public_header_has_its_class(self):
-        names = [path.stem for folder in ("Filters", "IO", "IO/Flattening") for path in pathlib.Path(SOURCE, folder).glob("vtk*.h")]
+        names = [path.stem for folder in ("Filters", "IO", "IO/Flattening")
+                 for path in pathlib.Path(SOURCE, folder).glob("vtk*.h")]
         self.assertGreaterEqual(len(names), 7)
         for name in names:
             self.assertTrue(hasattr(sf, name), name)

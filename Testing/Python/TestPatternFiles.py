@@ -8,7 +8,6 @@ import unittest
 import pattern_files as pattern
 
 
-
 def read_hpgl(text):
     """(pen, points in millimetres) of every line that is drawn, and the texts."""
     pen, down, at = 0, False, (0, 0)

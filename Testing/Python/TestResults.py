@@ -15,7 +15,8 @@ import numpy as np
 from vtkmodules.vtkCommonCore import vtkStringArray
 
 import surfaceflattening as sf
-from surfaces import DATA, command, flattened, grid, points_of, polylines_of, quarter_sphere, quiet, read, table_rows, triangles_of, warned
+from surfaces import (
+    DATA, command, flattened, grid, points_of, polylines_of, quarter_sphere, quiet, read, table_rows, triangles_of, warned)
 
 
 def pants(**options):
