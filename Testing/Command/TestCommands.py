@@ -70,10 +70,9 @@ class Commands(command.CommandTest):
             self.assertEqual(self.made(*surface), self.made(*surface, "--notch-spacing", spacing), scale)
 
     def test_legs_that_fold_tell_what_they_cost(self):
-        data = os.path.join(command.DATA, "shirt_back")
         pieces = {}
         for legs in ("mirrored", "free"):
-            self.run_well(data + ".vtp", data + "_curves.vtp", "-o", "out", "--dart-legs", legs)
+            self.run_well(*command.data_files("shirt_back"), "-o", "out", "--dart-legs", legs)
             (pieces[legs],) = self.report("out")["pieces"]
         numbers = re.search(r"leave a strain of ([\d.]+) %, free ones would leave ([\d.]+) %",
                             pieces["mirrored"]["fallbacks"]).groups()

@@ -2,7 +2,6 @@
 """Curves of every kind through the command: elastic ones, those to release, seams, darts, loose wires."""
 import csv
 import math
-import os
 
 import command
 import ezdxf
@@ -126,8 +125,8 @@ class Curves(command.CommandTest):
         self.assert_words(("fold", "mm", "straight NAME"), said["key"][0])
 
     def test_a_pattern_says_of_all_darts_in_one_sentence_how_far_their_legs_miss_each_other(self):
-        surface, curves = (os.path.join(command.DATA, name) for name in ("pants_back.vtp", "pants_back_curves.vtp"))
-        run = self.run_command("pattern", surface, curves, "-o", "a.svg", "--unit", "cm", "--dart-legs", "free", code=(0, 4))
+        run = self.run_command("pattern", *command.data_files("pants_back"), "-o", "a.svg", "--unit", "cm", "--dart-legs",
+                               "free", code=(0, 4))
         said, = [row for row in run.stderr.splitlines() if "miss each other" in row]
         for dart in ("waist_dart_inner", "waist_dart_outer"):
             self.assertEqual(said.count(dart), 1, said)
@@ -362,9 +361,7 @@ class Curves(command.CommandTest):
         self.assertNotIn("without the curve", self.run_command("lune.obj", "arc.txt").stdout)
 
     def test_the_walk_of_the_t_shirts_seams_adds_up_to_their_lengths_and_finds_no_difference(self):
-        data = command.DATA
-        report = self.flatten("pattern", os.path.join(data, "tshirt.vtp"), os.path.join(data, "tshirt_curves.vtp"),
-                              "-o", "out/walk.csv", "--unit", "cm", "--name", "shirt")
+        report = self.flatten("pattern", *command.data_files("tshirt"), "-o", "out/walk.csv", "--unit", "cm", "--name", "shirt")
         rows = self.table("out/walk.csv")
         walked = {}
         for row in rows:

@@ -7,10 +7,8 @@ import shutil
 from vtkmodules.vtkCommonCore import vtkVersion
 
 import command
-from command import CommandTest, DATA
 
-SURFACE = os.path.join(DATA, "shirt_front.vtp")
-CURVES = os.path.join(DATA, "shirt_front_curves.vtp")
+SURFACE, CURVES = command.data_files("shirt_front")
 WIRES = {"boundary": (0, 0, 0), "accessory": (0, 153, 26), "key": (217, 0, 0), "dart": (0, 51, 230)}
 
 
@@ -18,7 +16,7 @@ def count(pixels, color):
     return int((abs(pixels - color).max(axis=2) <= 2).sum())
 
 
-class Picture(CommandTest):
+class Picture(command.CommandTest):
     def draw(self, name, *arguments, source=(SURFACE, CURVES)):
         run = self.run_command("picture", *source, "--unit", "cm", "-o", name, *arguments, code=0)
         self.assertEqual(run.stderr, "")

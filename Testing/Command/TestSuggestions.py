@@ -113,8 +113,7 @@ class Suggestions(command.CommandTest):
         self.flatten("dome.obj", os.path.join("first", "curves.vtp"))
 
     def test_keys_are_priced_by_flattenings_without_them(self):
-        surface, curves = (os.path.join(command.DATA, f"pants_front{end}.vtp") for end in ("", "_curves_set3"))
-        run = self.run_command("prices", surface, curves, "--scheme", "global", "--output", "out")
+        run = self.run_command("prices", *command.data_files("pants_front", "_curves_set3"), "--scheme", "global", "-o", "out")
         rows = self.report("out")["key_prices"]
         self.assertEqual([rows[0]["trial"], rows[-1]["trial"]], ["all keys", "no key"])
         self.assertEqual(rows[0]["status"], "IncompatibleKeys")

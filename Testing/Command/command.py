@@ -20,6 +20,11 @@ SVG = "{http://www.w3.org/2000/svg}"
 INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 
 
+def data_files(name, curves="_curves"):
+    """Paths of a piece of Data/ and of its curves."""
+    return os.path.join(DATA, name + ".vtp"), os.path.join(DATA, name + curves + ".vtp")
+
+
 class WordsTest(unittest.TestCase):
     def assert_words(self, words, text):
         """One text, or each of several, is part of another."""

@@ -8,7 +8,7 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from surfaces import DATA, command, points_of, polylines_of, read_file, triangles_of
+from surfaces import command, points_of, polylines_of, read_file, triangles_of
 
 FLIPPED_STRAIN = 100.0
 # Surface, or surface+set of curves, and options.
@@ -163,8 +163,8 @@ class EveryNumber(command.CommandTest):
     def test_of_pieces_of_each_scheme(self):
         for name, *options in CASES:
             with self.subTest(name, options=options):
-                surface, _, curves = os.path.join(DATA, name).partition("+")
-                run = self.run_command(surface + ".vtp", f"{surface}_curves{curves}.vtp", *options, "--table", "-o", "out")
+                surface, _, curves = name.partition("+")
+                run = self.run_command(*command.data_files(surface, "_curves" + curves), *options, "--table", "-o", "out")
                 output = Output(self.report("out"), self.path("out"))
                 self.assertEqual(run.returncode, 0 if output.report["status"] == "Ok" else 4, run.stderr)
                 self.check_table(output.report, run.stdout)

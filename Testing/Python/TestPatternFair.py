@@ -207,8 +207,8 @@ class Fair(pattern.PatternTest):
 
     def test_what_was_done_is_said_and_what_could_not_be_is_named(self):
         def printed(*options):
-            arguments = [os.path.join(pattern.DATA, name) for name in ("tshirt.vtp", "tshirt_curves.vtp")]
-            run = self.run_command("pattern", *arguments, "--unit", "cm", "-o", "out", "-o", "out/pattern.svg", *options)
+            run = self.run_command("pattern", *pattern.command.data_files("tshirt"), "--unit", "cm", "-o", "out",
+                                   "-o", "out/pattern.svg", *options)
             mark = "wirewarp: note: "
             return [line[len(mark):] for line in run.stderr.splitlines() if line.startswith(mark)]
 

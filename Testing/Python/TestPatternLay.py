@@ -47,9 +47,8 @@ class Lay(pattern.PatternTest):
     def nest(self, piece, *options, formats):
         """Lays a piece of Data on cloth."""
         files = [word for ending in formats for word in ("-o", "out/lay." + ending)]
-        surface, curves = (os.path.join(pattern.DATA, piece + end + ".vtp") for end in ("", "_curves"))
-        self.run_command("nest", surface, curves, "--unit", "cm", "-o", "out", *files, "--quiet", *options,
-                         code=(0, 4))
+        self.run_command("nest", *pattern.command.data_files(piece), "--unit", "cm", "-o", "out", *files, "--quiet",
+                         *options, code=(0, 4))
 
     def lay(self, width, *options, copies=None):
         self.nest("tshirt", "--roll-width", str(width), *options, formats=("svg",))
@@ -142,7 +141,7 @@ class Lay(pattern.PatternTest):
         self.assertIn("PD", text)
 
     def test_cloth_that_is_narrower_than_a_piece_gives_no_lay_but_the_result(self):
-        arguments = [os.path.join(pattern.DATA, name) for name in ("tshirt.vtp", "tshirt_curves.vtp")]
+        arguments = pattern.command.data_files("tshirt")
         self.fails(("front", "300 mm", "wide"), "nest", *arguments, "--unit", "cm", "--roll-width", "300", "--output", "none",
                    "--piece", "front", "--quiet")
         self.assertFalse(os.path.exists(self.path("none", "lay.svg")))

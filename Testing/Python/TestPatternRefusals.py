@@ -26,8 +26,7 @@ NAMES = (
 
 class Refusals(pattern.PatternTest):
     def arguments(self, *options):
-        piece = os.path.join(pattern.DATA, "quarter_sphere")
-        return ("pattern", piece + ".vtp", piece + "_curves.vtp", "--output", "out", *options)
+        return ("pattern", *command.data_files("quarter_sphere"), "--output", "out", *options)
 
     def test_absurd_scales_are_refused_in_no_time(self):
         for paper in ("A4", "A0", "sheet"):

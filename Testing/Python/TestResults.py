@@ -16,7 +16,7 @@ from vtkmodules.vtkCommonCore import vtkStringArray
 
 import surfaceflattening as sf
 from surfaces import (
-    DATA, command, flattened, grid, points_of, polylines_of, quarter_sphere, quiet, read, table_rows, triangles_of, warned)
+    command, flattened, grid, points_of, polylines_of, quarter_sphere, quiet, read, table_rows, triangles_of, warned)
 
 
 def pants(**options):
@@ -269,8 +269,7 @@ class Patterns(command.CommandTest):
                  "--double-notch", "boundary", "--notch-corners", "--notch-curve-ends", "--dart-tip", "9",
                 "--dart-tip", "waist_dart=11", "--smooth", "boundary=0.4", "--symmetrize"]
         files = [word for kind in ("svg", "dxf", "pdf", "plt") for word in ("-o", f"out/pattern.{kind}")]
-        surface, curves = (os.path.join(DATA, f"pants_front{end}.vtp") for end in ("", "_curves"))
-        self.run_command("pattern", surface, curves, "--quiet", *files, *words, code=0)
+        self.run_command("pattern", *command.data_files("pants_front"), "--quiet", *files, *words, code=0)
         for kind in ("svg", "dxf", "pdf", "plt"):
             pants().write_pattern(
                 self.path("own." + kind), unit="inch", name="Trousers", size="40", quantity=2, piece_quantities=[4],
@@ -299,8 +298,8 @@ class Patterns(command.CommandTest):
                 (words if option == "allowance" else laying).extend(
                     ["--" + option.replace("fabric", "roll").replace("_", "-")] + ([] if value is True else [str(value)]))
             folder = f"{name} {material}"
-            self.run_command(*(os.path.join(DATA, name + end + ".vtp") for end in ("", "_curves")), "--quiet", "--output",
-                             folder, "--material", material, f"--grain={grain}", "--unit", unit)
+            self.run_command(*command.data_files(name), "--quiet", "--output", folder, "--material", material,
+                             f"--grain={grain}", "--unit", unit)
             self.run_command("pattern", folder, "-o", folder + "/pattern.svg", "-o", folder + "/pattern.dxf", *words)
             self.run_command("nest", folder, *words, *laying)
             with quiet():

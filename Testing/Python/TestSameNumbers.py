@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """flatten() from arrays gives what the C++ program wirewarp gives from files."""
 
-import os
 import unittest
 
-from surfaces import DATA, command, flattened, quiet
+from surfaces import command, flattened, quiet
 
 # Options, and the words of the command for them.
 OPTIONS = (
@@ -72,8 +71,8 @@ REFUSED = (
 
 class SameNumbers(command.CommandTest):
     def run_pants(self, words, code):
-        files = (os.path.join(DATA, f"pants_front{end}.vtp") for end in ("", "_curves"))
-        return self.run_command(*files, "--unit", "cm", *words.split(), "--quiet", "--output", "out", code=code)
+        return self.run_command(*command.data_files("pants_front"), "--unit", "cm", *words.split(), "--quiet", "-o", "out",
+                                code=code)
 
     def compare(self, mine, theirs, where):
         if isinstance(mine, dict):

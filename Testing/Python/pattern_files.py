@@ -31,12 +31,10 @@ class PatternTest(command.CommandTest):
     def run_command(self, *arguments, **options):
         return super().run_command(*arguments, env=dict(os.environ, SOURCE_DATE_EPOCH="1000000000"), **options)
 
-    def make(self, piece, *options, unit="cm", curves=None):
+    def make(self, piece, *options, unit="cm"):
         """Flattens a piece of Data into `out` with the given patterns."""
-        return self.run_command(
-            "pattern" if "-o" in options else "flatten", os.path.join(DATA, piece + ".vtp"),
-            os.path.join(DATA, (curves or piece + "_curves") + ".vtp"),
-            "--unit", unit, "--output", "out", "--quiet", *options, code=(0, 4))
+        return self.run_command("pattern" if "-o" in options else "flatten", *command.data_files(piece), "--unit", unit,
+                                "--output", "out", "--quiet", *options, code=(0, 4))
 
     def svg(self):
         """The root of pattern.svg."""
