@@ -84,7 +84,7 @@ class Batch(command.CommandTest):
     def test_a_list_without_surfaces_or_with_an_open_quote_is_refused(self):
         for text, word in (("# nothing\n", "no surface"), ('lune.obj "arc.txt\n', "list.txt:1")):
             self.write("list.txt", text)
-            self.fails(word, "batch", "list.txt", "--output", "out")
+            self.assert_stderr(word, "batch", "list.txt", "--output", "out")
             self.assertFalse(os.path.exists(self.path("out")))
 
     def test_no_input_is_replaced_and_no_folder_left(self):
@@ -92,13 +92,13 @@ class Batch(command.CommandTest):
         for name in ("lune/flat.vtp", "batch.json"):
             self.write("out/" + name, command.xml_polydata(self.points, self.triangles))
             self.write("list.txt", "lune.obj\nout/%s\n" % name)
-            self.fails("out/" + name, "batch", "list.txt", "--output", "out")
+            self.assert_stderr("out/" + name, "batch", "list.txt", "--output", "out")
             os.remove(self.path("out/" + name))
         self.assertEqual(os.listdir(self.path("out")), ["lune"])
         self.write("flat.vtp", "precious")
         for name in ("..", ".", "out/"):
             self.write("list.txt", "lune.obj\n" + name + "\n")
-            self.fails("list.txt:2", "batch", "list.txt", "--output", "out")
+            self.assert_stderr("list.txt:2", "batch", "list.txt", "--output", "out")
         self.assertIn("flat.vtp", os.listdir(self.folder))
 
     def test_what_concerns_one_surface_is_bad_usage(self):

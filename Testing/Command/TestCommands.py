@@ -164,14 +164,14 @@ class Commands(command.CommandTest):
                 ("two folders", "pattern a.obj -o one -o two"), ("two sizes", "grade M=a.obj a.txt"),
                 ("--roll-width is required", "nest out"), ("--allowance", "pattern out --allowance wide"),
                 ("--scale", "check a.obj --scale 2 --height 3mm"), ("not a length", "check a.obj --height tall")):
-            self.fails(words, *arguments.split(), code=2)
+            self.assert_stderr(words, *arguments.split(), code=2)
 
     def test_a_folder_without_a_result_is_refused(self):
         os.mkdir(self.path("empty"))
-        self.fails("empty: holds no result", "pattern", "empty")
+        self.assert_stderr("empty: holds no result", "pattern", "empty")
         self.run_well("a.obj", "-o", "out")
         self.write("out/report.json", "{}")
-        self.fails("report.json: is not a report", "pattern", "out")
+        self.assert_stderr("report.json: is not a report", "pattern", "out")
 
 
 command.main()

@@ -30,7 +30,7 @@ class Damaged(command.CommandTest):
 
     def refuse(self, *arguments, says=()):
         """Exit 3 with one line, in which these words are."""
-        line, = command.error_lines(self.fails(says, *arguments, "--output", "out"))
+        line, = command.error_lines(self.assert_stderr(says, *arguments, "--output", "out"))
         self.assertEqual(os.listdir(self.path("out")), ["report.json"])
         self.assertEqual(self.report("out")["status"], "UnreadableInput")
         return line
@@ -90,7 +90,7 @@ class Damaged(command.CommandTest):
                     self.refuse(*arguments, says=(arguments[-1], word))
                     self.assertLess(time.monotonic() - start, 20)
         for name, word in (("pipe.obj", "pipe"), ("zero.ply", "device"), ("folder.txt", "folder")):
-            self.fails(word, "batch", name, "--output", "out")
+            self.assert_stderr(word, "batch", name, "--output", "out")
 
     def test_a_file_larger_than_can_be_flattened_is_refused_before_it_is_read(self):
         for name in ("a.obj", "a.vtk", "a.vtp", "a.ply", "a.stl"):

@@ -47,7 +47,7 @@ class Edges(command.CommandTest):
             ("far.csv", "hem,edge,0,0,0\nhem,edge,800,800,0\n\n", ("far.csv:4:", "one length")),
         ):
             self.write(name, "name,type,x,y,z\n" + text)
-            self.fails((*words, "'hem'"), "flat.obj", name, "--output", "none")
+            self.assert_stderr((*words, "'hem'"), "flat.obj", name, "--output", "none")
 
     def test_points_of_an_edge_lie_on_the_boundary_whatever_the_format(self):
         for places, wanted in (((101, 2, 0, 598, -3, 1), 500.0), ((140, 0, 0, 560, 0, 0), 500.0), ((60, 0, 0, 640, 0, 0), 500.0),
@@ -60,7 +60,7 @@ class Edges(command.CommandTest):
                     curve, = self.flatten("flat.obj", name, "--unit", "mm")["curves"]
                     self.assertAlmostEqual(curve["length_3d"], wanted, delta=1e-9 * wanted)
                     continue
-                self.fails((name + ":", "edge 'hem'", wanted), "flat.obj", name, "--output", "none")
+                self.assert_stderr((name + ":", "edge 'hem'", wanted), "flat.obj", name, "--output", "none")
 
     def test_names_of_curves_in_text_may_be_in_quotes(self):
         names = ['"left # hem"', '"centre ""front"" x"', "it's\"here\""]
@@ -71,13 +71,14 @@ class Edges(command.CommandTest):
                          [("left # hem", "accessory"), ('centre "front" x', "key"), ("it's\"here\"", "accessory")])
         for text, word in ((f'key "centre front {at(4, 0)} {at(4, 4)}\n', "quotes"),
                            (f'key "" {at(4, 0)} {at(4, 4)}\n', "no name")):
-            self.fails(("curves.txt:1: ", word), "flat.obj", self.curves(text), "--output", "none")
+            self.assert_stderr(("curves.txt:1: ", word), "flat.obj", self.curves(text), "--output", "none")
 
     def test_an_edge_that_cannot_be_is_refused_by_line_and_name(self):
         for text, *words in ((f"edge hem {at(3, 3)} {at(3, 0)}\n", str(at(3, 3)), "not on the boundary"),
                              (f"edge hem {at(0, 0)} {at(8, 8)}\n", "one length", "between"),
                              (f"edge hem {at(0, 0)}\n", "two vertices")):
-            run = self.fails(("curves.txt:2:", "'hem'", *words), "flat.obj", self.curves("# edges\n" + text), "-o", "none")
+            run = self.assert_stderr(("curves.txt:2:", "'hem'", *words), "flat.obj", self.curves("# edges\n" + text),
+                                     "-o", "none")
             self.assertEqual(run.stdout, "")
 
     def walk(self):
@@ -112,18 +113,18 @@ class Edges(command.CommandTest):
             self.assertAlmostEqual(lengths[0] / lengths[1], 1.03, places=6)
         for fraction, piece, says in ((0.06, 0, ["6 %", "5 %"]), (0.03, 2, ["piece 3"]), (0.03, -1, ["1, 2"]),
                                       (1.0, 0, ["LengthEase", "(-1, 1)"]), (0.03, -2, ["EasedPiece"])):
-            self.fails(says, "pattern", "bulged.obj", ease(fraction, piece), *words, "--output", "none")
+            self.assert_stderr(says, "pattern", "bulged.obj", ease(fraction, piece), *words, "--output", "none")
 
     def test_an_ease_that_cannot_be_is_refused(self):
         seam = self.curves("seam side " + " ".join(str(at(4, j)) for j in range(SIZE + 1)) + "\n")
         for ease, code, says in (("side:1=3%", 3, ["side", "3 %", "tolerance"]), ("side:1=3", 2, ["--ease", "PERCENT%"]),
                                  ("side:0=3%", 2, ["--ease", "from 1"])):
-            self.fails(says, "bulged.obj", seam, "--ease", ease, "--output", "none", code=code)
+            self.assert_stderr(says, "bulged.obj", seam, "--ease", ease, "--output", "none", code=code)
 
     def test_a_fold_along_a_curve_about_which_its_piece_is_not_symmetric_leaves_no_pattern(self):
         beside = "straight beside " + " ".join(str(at(3, j)) for j in range(SIZE + 1)) + "\n"
-        self.fails(("front", "beside", "symmetric", "200 mm"), "pattern", "flat.obj", self.curves(beside), "--unit", "mm",
-                   "-o", "none/pattern.dxf", "--piece", "front", "--fold", "beside")
+        self.assert_stderr(("front", "beside", "symmetric", "200 mm"), "pattern", "flat.obj", self.curves(beside), "--unit", "mm",
+                           "-o", "none/pattern.dxf", "--piece", "front", "--fold", "beside")
         self.assertEqual(os.listdir(self.path("none")), [])
 
 

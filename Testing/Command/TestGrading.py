@@ -100,7 +100,8 @@ class Grading(command.CommandTest):
             (["L=large.obj", "--at", "waist"], 3, ["'waist'", "centre"]),
         ):
             with self.subTest(arguments=arguments):
-                self.fails(words, "grade", "M=medium.obj", "curves.txt", "--unit", "cm", "-o", "none", *arguments, code=code)
+                self.assert_stderr(words, "grade", "M=medium.obj", "curves.txt", "--unit", "cm", "-o", "none", *arguments,
+                                   code=code)
                 self.assertLessEqual(set(glob.glob("*", root_dir=self.path("none"))), {"report.json"})
 
     def test_a_run_without_sizes_takes_those_of_an_earlier_one_away(self):

@@ -88,9 +88,9 @@ class Make(command.CommandTest):
         self.assertEqual(len(self.report("out")["pieces"]), 7)
         for words, wanted in (("--template strips", "--max-width"), ("--template sleeves", "sleeves"),
                               ("--for boat", "garment")):
-            self.fails(wanted, "make", "ball.obj", *words.split(), code=2)
+            self.assert_stderr(wanted, "make", "ball.obj", *words.split(), code=2)
         self.write("belt.txt", "accessory belt plane z=0\n")
-        self.fails("front-back, strips, foam-shell", "make", "ball.obj", "belt.txt", "--template", "gores")
+        self.assert_stderr("front-back, strips, foam-shell", "make", "ball.obj", "belt.txt", "--template", "gores")
 
     def test_side_seams_lie_alike_on_a_body_that_stands_askew(self):
         """Its front is wavy: seams further ahead on one side than on the other differ by 0.4 %."""
@@ -113,7 +113,7 @@ class Make(command.CommandTest):
         self.assertRegex(run.stderr, r"at least \d+ pages A4, more than 200")
         self.assertIn("--paper", run.stderr)
         # As it was drawn: other files are not kept back.
-        self.fails("would need about", "make", "field.obj", "--unit", "m", "-o", "a.svg", "-o", "b.pdf")
+        self.assert_stderr("would need about", "make", "field.obj", "--unit", "m", "-o", "a.svg", "-o", "b.pdf")
         self.assertTrue(os.path.exists(self.path("a.svg")))
 
     def test_a_shell_lies_within_the_stated_height_and_keeps_sharp_edges(self):
@@ -177,8 +177,8 @@ class Make(command.CommandTest):
             pieces.append(len(self.report("out")["pieces"]))
         self.assertEqual(pieces, [2, 2, 2, 3, 2])
         strips = ("make", "tent.obj", "--unit", "m", "--template", "strips")
-        self.fails("'1furlong' is neither a length", *strips, "--max-width", "15", "--allowance", "1furlong", code=2)
-        self.fails("both allowances", *strips, "--max-width", "2cm")
+        self.assert_stderr("'1furlong' is neither a length", *strips, "--max-width", "15", "--allowance", "1furlong", code=2)
+        self.assert_stderr("both allowances", *strips, "--max-width", "2cm")
 
     def test_what_lies_over_itself_does_not_fit(self):
         """A ramp of 1.4 turns, which is strained by nothing."""

@@ -95,7 +95,7 @@ class Materials(command.CommandTest):
             self.assertIn(words, self.refused("--material", "bad.json"), change)
         self.write("bad.json", json.dumps({"warp": 2000, "weft": 2000}))
         self.assertIn('has no "shear"', self.refused("--material", "bad.json"))
-        self.fails("--material", "lune.obj", "--grain", "30", code=2)
+        self.assert_stderr("--material", "lune.obj", "--grain", "30", code=2)
 
     def test_files_that_are_no_material_are_named(self):
         numbers = '"warp": 2000, "weft": 1900, "shear": 25'
@@ -144,7 +144,7 @@ class Materials(command.CommandTest):
         self.assertIsNotNone(sewn[0])
         self.assertEqual(sewn[1:], sewn[:1] * 2)
         self.write("Denim", "no material")
-        self.fails('the material file "Denim"', "lune.obj", "--unit", "cm", "--material", "Denim", "--output", "file")
+        self.assert_stderr('the material file "Denim"', "lune.obj", "--unit", "cm", "--material", "Denim", "--output", "file")
 
     def test_the_list_has_every_material_with_its_source(self):
         run = self.run_command("materials")

@@ -43,7 +43,7 @@ class Picture(command.CommandTest):
         self.assertTrue((default == strain).all())
         for other in (same, wide):
             self.assertGreater((other != strain).any(axis=2).mean(), 0.1)
-        self.fails("--color-range", "picture", SURFACE, "-o", "a.png", "--color-range", "2", "1", code=2)
+        self.assert_stderr("--color-range", "picture", SURFACE, "-o", "a.png", "--color-range", "2", "1", code=2)
 
     def test_its_size_may_be_chosen(self):
         self.assertEqual(self.draw("shirt.png", "--size", "800", "500").shape, (500, 800, 3))
@@ -89,12 +89,12 @@ class Picture(command.CommandTest):
 
     def test_a_folder_that_cannot_be_written_to_is_refused(self):
         self.write("file", "in the way")
-        self.fails("cannot make", "picture", SURFACE, "-o", "out", "-o", os.path.join("file", "a.png"))
+        self.assert_stderr("cannot make", "picture", SURFACE, "-o", "out", "-o", os.path.join("file", "a.png"))
         self.assertFalse(os.path.exists(self.path("out/flat.vtp")))
 
     def test_a_folder_in_its_place_is_refused_before_anything_is_written(self):
         os.mkdir(self.path("a.png"))
-        self.fails("--output", "picture", SURFACE, "-o", "out", "-o", "a.png")
+        self.assert_stderr("--output", "picture", SURFACE, "-o", "out", "-o", "a.png")
         self.assertEqual(os.listdir(self.folder), ["a.png"])
 
     def test_the_sewn_surface_is_drawn_over_its_design_by_its_distance(self):
@@ -107,12 +107,12 @@ class Picture(command.CommandTest):
 
     def test_colorings_need_what_they_show(self):
         for coloring, remedy in (("distance", "wirewarp sew"), ("stretch", "--material"), ("shear", "--material")):
-            self.fails(remedy, "picture", SURFACE, "-o", "a.png", "--color", coloring)
+            self.assert_stderr(remedy, "picture", SURFACE, "-o", "a.png", "--color", coloring)
             self.assertEqual(os.listdir(self.folder), [])
 
     def test_other_endings_and_colorings_are_bad_usage(self):
         for arguments in (("-o", "a.pdf"), ("-o", "a.png", "--color", "taste")):
-            self.fails(arguments[-1], "picture", SURFACE, *arguments, code=2)
+            self.assert_stderr(arguments[-1], "picture", SURFACE, *arguments, code=2)
 
 
 command.main()

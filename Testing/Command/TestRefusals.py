@@ -17,7 +17,7 @@ class Refusals(command.CommandTest):
 
     def refuse(self, *arguments, says=(), status=None):
         """Exit 3, one message in plain words, and a report that tells it."""
-        run = self.fails(says, *arguments, "--output", "out")
+        run = self.assert_stderr(says, *arguments, "--output", "out")
         self.assertEqual(os.listdir(self.path("out")), ["report.json"])
         report = self.report("out")
         self.assertEqual((report["exit_code"], report["pieces"], report["curves"]), (3, [], []))
@@ -28,8 +28,8 @@ class Refusals(command.CommandTest):
         for name, output, says in (("check", "k.stl", ".obj, .vtp"), ("check", "folder", ".obj, .vtp"),
                                    ("pattern", "shirt.pfd", ".pdf"), ("flatten", "flat.text", "a folder")):
             with self.subTest(name, output=output):
-                self.fails(("does not write '%s'; it writes " % output, says), name, "good.obj", "--unit", "cm", "--output",
-                           output, code=(2, 3))
+                self.assert_stderr(("does not write '%s'; it writes " % output, says), name, "good.obj", "--unit", "cm",
+                                   "--output", output, code=(2, 3))
                 self.assertFalse(os.path.exists(self.path(output)))
 
     def test_a_check_exits_alike_where_it_says_nothing(self):
@@ -44,7 +44,7 @@ class Refusals(command.CommandTest):
         self.run_command("check", "unused.obj", "--unit", "cm", code=0)
         self.points[3] = (float("nan"), 0.0, 0.0)
         self.write("nan.obj", "# a comment\n" + command.obj(self.points, self.triangles))
-        self.fails("nan.obj:5: a coordinate is not a finite number", "check", "nan.obj")
+        self.assert_stderr("nan.obj:5: a coordinate is not a finite number", "check", "nan.obj")
 
     def test_other_formats_name_the_line_or_the_facet(self):
         ply = ("ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
@@ -55,7 +55,7 @@ class Refusals(command.CommandTest):
         binary = b"\0" * 80 + struct.pack("<I12fH", 1, *(0.0,) * 5, float("nan"), *(0.0,) * 6, 0)
         for name, text, place in (("a.ply", ply.format(points, 2), ":12: "), ("a.off", off.format(points, 2), ":5: "),
                                   ("a.stl", stl, ":4: "), ("b.stl", binary, "facet 0 ")):
-            self.fails((place, "not a finite number"), "check", self.write(name, text))
+            self.assert_stderr((place, "not a finite number"), "check", self.write(name, text))
         for name, text in (("u.ply", ply.format(points, 3)), ("u.off", off.format(points, 3))):
             self.run_command("check", self.write(name, text), "--unit", "cm", code=0)
 
@@ -67,7 +67,7 @@ class Refusals(command.CommandTest):
 
     def test_a_result_in_another_unit_than_it_was_made_in(self):
         self.run_command("flatten", "good.obj", "--unit", "cm", "--output", "flat")
-        self.fails("is in cm", "pattern", "flat", "--unit", "mm", "--output", "flat.svg")
+        self.assert_stderr("is in cm", "pattern", "flat", "--unit", "mm", "--output", "flat.svg")
         self.assertFalse(os.path.exists(self.path("flat.svg")))
         self.run_command("pattern", "flat", "--unit", "cm", "--output", "flat.svg", code=0)
 
@@ -154,14 +154,14 @@ class Refusals(command.CommandTest):
     def test_a_file_in_the_way_of_the_output_folder(self):
         self.write("out", "precious")
         for folder in ("out", "out/below"):
-            self.fails("output folder", "good.obj", "--output", folder)
+            self.assert_stderr("output folder", "good.obj", "--output", folder)
         self.assertEqual(self.read("out"), "precious")
 
     def test_no_file_is_in_place_where_another_cannot_be(self):
         for name in ("flat.vtp", "report.json"):
             os.makedirs(self.path("out", name, "inner"))
             self.write("out/pattern.svg", "of an earlier run")
-            self.fails(name, "good.obj", "--output", "out")
+            self.assert_stderr(name, "good.obj", "--output", "out")
             self.assertEqual(sorted(os.listdir(self.path("out"))), sorted((name, "pattern.svg")))
             shutil.rmtree(self.path("out"))
 
@@ -258,7 +258,7 @@ class Refusals(command.CommandTest):
             for folder in ("out", "link"):
                 with self.subTest(name=name, folder=folder):
                     self.write("out/" + name, content)
-                    self.fails((folder + "/" + name, "--output"), *arguments, "--output", folder)
+                    self.assert_stderr((folder + "/" + name, "--output"), *arguments, "--output", folder)
                     self.assertEqual(os.listdir(self.path("out")), [name])
                     self.assertEqual(self.read("out/" + name), content)
             os.remove(self.path("out/" + name))

@@ -54,13 +54,13 @@ class Resewing(command.CommandTest):
         self.assertEqual(sorted(knit["cloth"]), ["shear_rms", "strain_warp_rms", "strain_weft_rms"])
         self.assertGreater(min(knit["cloth"].values()), 0.0)
         self.assertEqual(len(self.array("out/sewn.vtp", "SewnShearAngle")), 72)
-        self.fails("nothing holds", "sew", "tube.obj", "seams.txt", "--mode", "product", "--gravity", "0", "0",
-                   "-0.001", "--output", "out")
+        self.assert_stderr("nothing holds", "sew", "tube.obj", "seams.txt", "--mode", "product",
+                           "--gravity", "0", "0", "-0.001", "--output", "out")
 
     def test_cloth_that_is_not_at_rest_is_told(self):
         self.write("hill.obj", command.obj(*command.hill(0.2)))
-        self.fails("raise --sewing-iterations", "sew", "hill.obj", "--mode", "panel", "--sewing-iterations", "1", "--output",
-                   "out", code=4)
+        self.assert_stderr("raise --sewing-iterations", "sew", "hill.obj", "--mode", "panel", "--sewing-iterations", "1",
+                           "--output", "out", code=4)
         self.assertFalse(self.report("out")["resewn"][0]["converged"])
 
     def test_bad_usage_is_refused(self):

@@ -113,7 +113,7 @@ class Runs(command.CommandTest):
                 reading = 1 if first[0] != "batch" else 2  # its reader; a worker and that one's reader
                 self.assertTrue(wait_until(lambda: len(children(run.pid)) >= reading))
                 before = sorted(os.listdir(self.path("out")))
-                self.fails(("out: another run is writing to this folder", "--output"), *second, "--output", "out")
+                self.assert_stderr(("out: another run is writing to this folder", "--output"), *second, "--output", "out")
                 self.assertEqual(sorted(os.listdir(self.path("out"))), before)
                 run.kill()
                 run.wait()

@@ -105,7 +105,7 @@ class SeamsFrom(command.CommandTest):
         self.write("sheet.stl", command.stl(*command.sheet()))
         for file in ("plain.obj", "sheet.stl"):
             for kind, word in (("uv", "texture coordinates"), ("material", "two materials"), ("group", "two groups")):
-                self.fails((file, word), file, "--seams-from", kind)
+                self.assert_stderr((file, word), file, "--seams-from", kind)
         file = self.sheets(("o Front\n", 1), ("o Back\n", 1))
         run = self.run_command(file, "--seams-from", "group", "--output", "out")
         self.assertIn("found no edge to cut along", run.stderr)

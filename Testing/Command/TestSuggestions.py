@@ -122,7 +122,7 @@ class Suggestions(command.CommandTest):
         self.assertIsNone(rows[2]["price"])
         for row in rows:
             self.assertIn(row["trial"], run.stdout)
-        self.fails("there is no key curve", "prices", "dome.obj", "--output", "none")
+        self.assert_stderr("there is no key curve", "prices", "dome.obj", "--output", "none")
 
     def test_a_bound_out_of_reach_is_told(self):
         for unit in ("mm", "m"):

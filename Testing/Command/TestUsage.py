@@ -15,7 +15,7 @@ def listed(text):
 
 class Usage(command.CommandTest):
     def assert_usage_error(self, *arguments):
-        run = self.fails("--help", *arguments, code=2)
+        run = self.assert_stderr("--help", *arguments, code=2)
         self.assertEqual(run.stdout, "")
         first = command.error_lines(run)[0]
         self.assertRegex(first, "^wirewarp: error: ")

@@ -71,7 +71,7 @@ class CommandTest(WordsTest):
             self.assertIn(run.returncode, code if isinstance(code, tuple) else (code,), run.stdout + run.stderr)
         return run
 
-    def fails(self, words, *arguments, code=3):
+    def assert_stderr(self, words, *arguments, code=3):
         """Runs wirewarp to this exit code; these words are on stderr."""
         run = self.run_command(*arguments, code=code)
         self.assert_words(words, "\n".join(error_lines(run)))

@@ -30,7 +30,7 @@ class Refusals(pattern.PatternTest):
 
     def test_absurd_scales_are_refused_in_no_time(self):
         for paper in ("A4", "A0", "sheet"):
-            self.fails("wirewarp: error: ", *self.arguments(
+            self.assert_stderr("wirewarp: error: ", *self.arguments(
                 "-o", "out/pattern.pdf", "--unit", "m", "--paper", paper, "--allowance", "1e6"))
             self.assertFalse([name for name in os.listdir(self.path("out"))
                               if "pattern" in name or name.endswith(".part")])
@@ -106,7 +106,7 @@ class Refusals(pattern.PatternTest):
         kept = self.report("out")
         for source, words, says in ((["out"], ["-o", "out/report.json"], "is an input"),
                                     ([surface], ["-o", "other", "-o", "./other/report.json"], "is a file of the result itself")):
-            self.fails("report.json: " + says, "pattern", *source, *words, "--unit", "cm")
+            self.assert_stderr("report.json: " + says, "pattern", *source, *words, "--unit", "cm")
         self.assertEqual(self.report("out"), kept)
         self.assertFalse(os.path.exists(self.path("other")))
 
