@@ -58,6 +58,14 @@ struct Execution
   /// the others hear what it was told. Reports nothing and runs loops on the thread that it is
   /// given to.
   Execution nestedExecution() const;
+  /// The same for what is done after a run is cancelled; reports nothing.
+  Execution uninterrupted() const
+  {
+    Execution inner = *this;
+    inner.progress = nullptr;
+    inner.cancel = nullptr;
+    return inner;
+  }
   /// The same with loops on the thread that it is given to.
   Execution onOneThread() const
   {

@@ -114,17 +114,18 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound,
     return "nothing was tried: the surface takes " + needed +
       " seams to be opened, more than the cuts allowed; allow more cuts";
   }
-  if (std::isnan(suggestions.strainAfter) && suggestions.end == SearchEnd::Interrupted)
+  const bool ended = worked || suggestions.end == SearchEnd::Interrupted;
+  if (std::isnan(suggestions.strainAfter) && ended && suggestions.curves.empty())
   {
-    return interrupted + ", before any cut was found";
+    return worked ? byWork +
+        ", before the surface could be flattened with any cuts; allow a longer search, or draw "
+        "seams that open the surface"
+                  : interrupted + ", before any cut was found";
   }
-  if (std::isnan(suggestions.strainAfter) && worked)
+  if (std::isnan(suggestions.strainAfter) && ended)
   {
-    return byWork +
-      (suggestions.curves.empty()
-          ? ", before the surface could be flattened with any cuts; allow a longer search, or draw "
-            "seams that open the surface"
-          : ", before the surface was flattened with the proposed cuts; allow a longer search");
+    return (worked ? byWork : interrupted) +
+      ", before the surface was flattened with the proposed cuts; allow a longer search";
   }
   if (std::isnan(suggestions.strainAfter))
   {

@@ -193,7 +193,7 @@ CutMesh straightened(const TriangleMesh& mesh, const std::vector<Charts::Arc>& a
     }
     changed = !budget.spent() && !execution.cancelled() && raiseLevels(bad, numbers, levels);
   }
-  if (best.mesh.triangleCount() > 0)
+  if (best.mesh.triangleCount() > 0 && !execution.cancelled())
   {
     return best;
   }
@@ -311,14 +311,16 @@ public:
     Charts first(half, firstCuts(half, firstShare * this->Options.bound, this->Options.holes),
       numbersTo(half.halfedgeCount()), this->Options, this->Size, this->Trials);
     TrialBudget budget(mergingShare * this->Budget.left(), this->Budget);
-    first.divide(budget, this->Run);
+    first.divide(budget, this->Run.uninterrupted()); // a run that is cancelled ends with these
     CutMesh parted{ half, first.cut(), {} };
     if (this->Straight)
     {
-      const auto straighten = [&](const TriangleMesh& mesh, const std::vector<Charts::Arc>& arcs) {
-        return straightened(mesh, arcs, this->Options, this->Size, this->Trials, budget, this->Run);
+      const auto straighten = [&](const TriangleMesh& mesh, const Charts& charts) {
+        return this->Run.cancelled() ? CutMesh{ mesh, charts.cut(), {} }
+                                     : straightened(mesh, charts.arcs(), this->Options, this->Size,
+                                         this->Trials, budget, this->Run);
       };
-      parted = straighten(half, first.arcs());
+      parted = straighten(half, first);
       ChartOptions rough = this->Options;
       rough.bound *= roughShare;
       rough.pieces = this->Mirror ? (rough.pieces + 1) / 2 : rough.pieces;
@@ -327,7 +329,7 @@ public:
       TrialBudget some(roughWork * budget.left(), budget);
       merged.divide(some, this->Run);
       merged.merge(true, some, this->Run);
-      parted = straighten(parted.mesh, merged.arcs());
+      parted = straighten(parted.mesh, merged);
     }
     const CutMesh whole = this->withMirrored(parted);
     if (whole.mesh.triangleCount() == 0)
@@ -689,6 +691,11 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   TrialBudget trying(near ? nearShare * budget.left() : budget.left(), budget);
   ChartSearch first(mesh, plane, true, options, trying, execution);
   std::vector<SuggestedCurve> cuts = first.run();
+  if (execution.cancelled())
+  {
+    // An edge between two vertices in the plane is in the way of an image.
+    return cuts.empty() && plane ? chartCuts(mesh, std::nullopt, options, budget, execution) : cuts;
+  }
   const ChartSearch* best = &first;
   std::optional<ChartSearch> second;
   if (plane && plane->error > unlikeSides)
@@ -731,7 +738,7 @@ std::vector<SuggestedCurve> partedCharts(const TriangleMesh& mesh,
 {
   ChartTrials trials(options.flattening, maxDrawnSteps);
   const int partings = options.pieces > 0 ? 0 : maxPartings;
-  for (int k = 0; k < partings && !cuts.empty() && !budget.spent(); ++k)
+  for (int k = 0; k < partings && !cuts.empty() && !budget.spent() && !execution.cancelled(); ++k)
   {
     if (!addCuts(mesh, mirror, k == 0, options, bound, cuts, trials, budget, execution) && k > 0)
     {

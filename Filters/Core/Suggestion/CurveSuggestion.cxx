@@ -4,7 +4,6 @@
 #include "Base/Memory.h"
 #include "Cut/PieceTopology.h"
 #include "Imprint/CurveImprint.h"
-#include "Sparse/LinearSolver.h"
 #include "Suggestion/ChartCuts.h"
 #include "Suggestion/CoarseCuts.h"
 #include "Suggestion/CutSetSearch.h"
@@ -39,9 +38,9 @@ constexpr double shareOfUncut = 0.2;
 constexpr double shareOfGores = 0.2;
 /// The same for cuts between a front and a back, by each of two goals.
 constexpr double shareOfSides = 0.25;
-/// Steps after which a flattening of what is only opened is given up, and one with side seams: of
-/// 25 garments and shoes those that keep the bound took up to 40, those with side seams that cuts
-/// were added to up to 142, hopeless ones 750. What the cuts of fewer triangles may take at least.
+/// Steps after which a flattening of what is uncut or only opened is given up, and one with side
+/// seams: of 25 garments and shoes those that keep the bound took up to 40, with side seams and
+/// cuts 142, hopeless ones 550 to 750. What the cuts of fewer triangles may take at least.
 constexpr double openedSteps = 75.0;
 constexpr double sideSteps = 400.0;
 constexpr double movedSteps = 100.0;
@@ -120,16 +119,18 @@ public:
     CutSet uncut;
     if (best.cuts.empty() || std::isfinite(this->Result.strainBefore))
     {
-      TrialBudget uncutBudget(shareOfUncut * this->Budget.left(), this->Budget);
-      uncut.outcome = this->Whole.run({}, uncutBudget, this->Run);
+      uncut.outcome = this->within(openedSteps, {}, shareOfUncut);
     }
-    if (this->Run.cancelled() && best.cuts.empty())
+    if (best.cuts.empty() && !this->Run.cancelled())
+    {
+      this->MostMeasuring = std::min(shareOfMeasuring * this->Budget.left(),
+        stepsOfMeasuring * this->Mesh.triangleCount() * maxMeasuredCuts);
+      best = this->narrowSet(uncut);
+    }
+    if (this->Run.cancelled() && !best.outcome.valid && best.cuts.empty())
     {
       return refusal({ StatusCode::Cancelled, "cancelled before any cut was chosen" });
     }
-    this->MostMeasuring = std::min(shareOfMeasuring * this->Budget.left(),
-      stepsOfMeasuring * this->Mesh.triangleCount() * maxMeasuredCuts);
-    best = best.cuts.empty() ? this->narrowSet(uncut) : std::move(best);
     const Index most = this->Options.search.maximumCuts;
     if (!best.outcome.valid && most > 0 && !this->Run.cancelled())
     {
@@ -188,14 +189,10 @@ private:
     return isBetter(a, b, this->Options.search, this->Area);
   }
 
-  double workOf(double steps) const
+  TrialOutcome within(double steps, const std::vector<SuggestedCurve>& cuts, double share = 1.0)
   {
-    return steps * factorizationWork(static_cast<double>(this->Mesh.triangleCount()));
-  }
-
-  TrialOutcome within(double steps, const std::vector<SuggestedCurve>& cuts)
-  {
-    TrialBudget some(std::min(this->workOf(steps), this->Budget.left()), this->Budget);
+    TrialBudget some(
+      std::min(this->Whole.workOf(steps), share * this->Budget.left()), this->Budget);
     return this->Whole.run(linesOf(cuts), some, this->Run);
   }
 
@@ -249,7 +246,8 @@ private:
     }
     if (!set.cuts.empty())
     {
-      TrialBudget budget(std::max(this->Budget.left(), this->workOf(movedSteps)), this->Budget);
+      TrialBudget budget(
+        std::max(this->Budget.left(), this->Whole.workOf(movedSteps)), this->Budget);
       set = withFolds(std::move(set), this->Whole, 0, wanted.bound, budget, this->Run);
     }
     if (set.cuts.empty() || !keepsLimits(set, wanted))
@@ -407,7 +405,8 @@ private:
       return sides;
     }
     sides = this->parted(std::move(sides));
-    if (charts && chartsFirst)
+    // Where the run is cancelled, the first charts are better than what cannot be laid flat.
+    if (charts && chartsFirst && !(uncut.outcome.valid && this->Run.cancelled()))
     {
       found.push_back(this->chartSet(uncut));
     }
@@ -560,7 +559,7 @@ private:
   /// With charts that miss the bound parted, where others than single cuts help.
   CutSet parted(CutSet set)
   {
-    if (this->isFlat(set) || !this->Curves.empty())
+    if (this->isFlat(set) || !this->Curves.empty() || this->Run.cancelled())
     {
       return set;
     }

@@ -4,6 +4,7 @@
 #include "Flattening/FlatteningOptions.h"
 #include "Flattening/FlatteningResult.h"
 #include "Imprint/ImprintedSurface.h"
+#include "Sparse/LinearSolver.h"
 #include "Surface/FeatureCurve.h"
 #include "Surface/RegionWeights.h"
 
@@ -160,6 +161,11 @@ public:
     TrialOutcome outcome;
     double work = 0.0; ///< unknowns of all systems that were solved, and what else there is to do
   };
+  /// Of as many steps as these, each of a system with an unknown for each triangle.
+  double workOf(double steps) const
+  {
+    return steps * factorizationWork(static_cast<double>(this->Mesh.triangleCount()));
+  }
   Trial trial(
     const std::vector<Polyline>& cuts, TrialBudget& budget, const Execution& execution) const;
   TrialOutcome run(

@@ -7,6 +7,7 @@
 #include "Suggestion/SurfaceMirror.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <set>
 
@@ -21,11 +22,10 @@ constexpr double relaxingShare = 0.5;
 /// Of the bound, up to where: the flattening to come may have a few triangles otherwise.
 constexpr double relaxedShare = 0.95;
 
-/// Each dart that has different pieces at its sides. \param first curve of the cuts
-std::vector<Indices> dividingDarts(
-  const CutSurface& cut, const std::vector<SuggestedCurve>& cuts, Index first)
+/// By cut the pieces at its sides. \param first curve of the cuts
+std::vector<std::set<Index>> piecesBeside(const CutSurface& cut, std::size_t cuts, Index first)
 {
-  std::vector<std::set<Index>> beside(cuts.size());
+  std::vector<std::set<Index>> beside(cuts);
   for (Index h = 0; h < cut.mesh.halfedgeCount(); ++h)
   {
     if (cut.curveOfHalfedge[h] >= first)
@@ -33,6 +33,14 @@ std::vector<Indices> dividingDarts(
       beside[cut.curveOfHalfedge[h] - first].insert(cut.pieceOfTriangle[h / 3]);
     }
   }
+  return beside;
+}
+
+/// Each dart that has different pieces at its sides. \param first curve of the cuts
+std::vector<Indices> dividingDarts(
+  const CutSurface& cut, const std::vector<SuggestedCurve>& cuts, Index first)
+{
+  const std::vector<std::set<Index>> beside = piecesBeside(cut, cuts.size(), first);
   std::vector<Indices> sets;
   for (std::size_t c = 0; c < cuts.size(); ++c)
   {
@@ -68,15 +76,19 @@ public:
       levels.push_back(seam.level);
     }
     bool changed = true;
-    for (int k = 0; k <= maxDrawings && changed && !this->Run.cancelled() && !this->Budget.spent();
-         ++k)
+    // Where the run is cancelled a drawing along the chains is better than none.
+    const auto going = [this] {
+      return this->Run.cancelled() ? this->Best.cuts.empty() : !this->Budget.spent();
+    };
+    for (int k = 0; k <= maxDrawings && changed && going(); ++k)
     {
-      if (k == maxDrawings && this->Best.cuts.empty())
+      const bool cancelled = this->Run.cancelled();
+      if ((k == maxDrawings || cancelled) && this->Best.cuts.empty())
       {
         levels.assign(levels.size(), SeamDrawing::levels - 1);
       }
-      const Drawn now = this->drawn(levels, seams);
-      if (now.worst < this->Best.worst)
+      const Drawn now = this->drawn(levels, seams, this->Bound);
+      if (now.worst < this->Best.worst || (now.laid && cancelled))
       {
         this->keep(now);
       }
@@ -86,9 +98,10 @@ public:
         // What cannot be drawn in any way is left out: of seams on each other the shortest.
         changed = this->leaveOut(now.bad.front(), now.seamOf, now.cuts, seams, levels);
       }
+      changed = changed || (this->Run.cancelled() && !cancelled);
       if (now.bad.empty() && now.worst <= this->Best.worst)
       {
-        this->relax(std::move(levels), std::move(seams));
+        this->relax(std::move(levels), std::move(seams), now);
         break;
       }
     }
@@ -103,11 +116,13 @@ private:
     Indices seamOf;           ///< by cut
     std::vector<Indices> bad; ///< sets of cuts that meet, or each beside a piece that fails
     bool laid = false;        ///< whether they can be laid into the surface
+    std::vector<std::set<Index>> beside; ///< by seam the pieces at its sides, where they are laid
     Index pieces = 0;
     double worst = std::numeric_limits<double>::infinity();
   };
 
-  Drawn drawn(const std::vector<int>& levels, std::vector<ChartSeam>& seams)
+  /// \param bound that pieces are to keep
+  Drawn drawn(const std::vector<int>& levels, std::vector<ChartSeam>& seams, double bound)
   {
     Drawn result;
     this->draw(levels, seams);
@@ -123,11 +138,17 @@ private:
     CutSurface cut = cutSurface(imprinted.mesh, imprinted.curves);
     result.bad = dividingDarts(cut, result.cuts, 0);
     result.laid = result.bad.empty();
-    if (result.laid)
+    result.pieces = cut.pieceCount;
+    if (result.laid && !this->Run.cancelled())
     {
       const DrawnPieces pieces(std::move(cut), this->Trials, this->Budget, this->Run);
-      result.bad = this->aroundBad(pieces, lines.size());
-      result.pieces = static_cast<Index>(pieces.pieces.size());
+      const std::vector<std::set<Index>> beside = piecesBeside(pieces.cut, lines.size(), 0);
+      result.bad = aroundBad(pieces.results, beside, bound);
+      result.beside.resize(seams.size());
+      for (std::size_t c = 0; c < beside.size(); ++c)
+      {
+        result.beside[result.seamOf[c]].insert(beside[c].begin(), beside[c].end());
+      }
       if (!this->Run.cancelled() && !this->Budget.spent())
       {
         result.worst = pieces.worst();
@@ -139,8 +160,10 @@ private:
   void keep(const Drawn& drawn) { this->Best = { drawn.cuts, drawn.pieces, drawn.worst }; }
 
   /// Draws seams straighter that were drawn anew beside others, where charts still keep the bound,
-  /// the longest first.
-  void relax(std::vector<int> levels, std::vector<ChartSeam> seams)
+  /// the longest first; at once those that have no piece in common, so that each piece tells of
+  /// one.
+  /// \param now the drawing at the levels
+  void relax(std::vector<int> levels, std::vector<ChartSeam> seams, const Drawn& now)
   {
     const double end = this->Budget.left() * (1.0 - relaxingShare);
     const double most = std::max(this->Best.worst, relaxedShare * this->Bound);
@@ -148,23 +171,60 @@ private:
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
       [&seams](Index a, Index b) { return lengthOf(seams[a].points) > lengthOf(seams[b].points); });
-    for (Index s : order)
+    std::vector<int> next; // level to be tried, up to the seam's
+    for (const ChartSeam& seam : seams)
     {
-      const int before = levels[s];
-      for (int level = seams[s].least; level < before; ++level)
+      next.push_back(seam.least);
+    }
+    std::vector<std::set<Index>> beside = now.beside;
+    const auto going = [&] { return !this->Run.cancelled() && this->Budget.left() >= end; };
+    for (bool left = true; left && going();)
+    {
+      Indices chosen;
+      std::set<Index> taken;
+      for (Index s : order)
       {
-        if (this->Run.cancelled() || this->Budget.left() < end)
+        const auto isTaken = [&taken](Index piece) { return taken.count(piece) > 0; };
+        if (next[s] < levels[s] && std::none_of(beside[s].begin(), beside[s].end(), isTaken))
         {
-          return;
+          chosen.push_back(s);
+          taken.insert(beside[s].begin(), beside[s].end());
         }
-        levels[s] = level;
-        const Drawn now = this->drawn(levels, seams);
-        if (now.bad.empty() && now.worst <= most)
+      }
+      left = !chosen.empty();
+      for (bool kept = false; !chosen.empty() && !kept && going();)
+      {
+        std::vector<int> tried = levels;
+        for (Index s : chosen)
         {
-          this->keep(now);
-          break;
+          tried[s] = next[s];
         }
-        levels[s] = before;
+        const Drawn drawing = this->drawn(tried, seams, most);
+        kept = drawing.bad.empty() && drawing.worst <= most;
+        if (kept)
+        {
+          this->keep(drawing);
+          levels = std::move(tried);
+          beside = drawing.beside;
+          continue;
+        }
+        std::set<Index> failed;
+        for (const Indices& set : drawing.bad)
+        {
+          for (Index cut : set)
+          {
+            failed.insert(drawing.seamOf[cut]);
+          }
+        }
+        Indices others;
+        std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(others),
+          [&failed](Index s) { return failed.count(s) == 0; });
+        others.resize(others.size() == chosen.size() ? 0 : others.size());
+        for (Index s : chosen)
+        {
+          next[s] += std::count(others.begin(), others.end(), s) == 0 ? 1 : 0;
+        }
+        chosen = std::move(others);
       }
     }
   }
@@ -242,22 +302,15 @@ private:
     return cuts;
   }
 
-  /// Each curve that bounds a piece which does not keep the bound.
-  std::vector<Indices> aroundBad(const DrawnPieces& pieces, std::size_t curves) const
+  /// Each cut that bounds a piece which does not keep a bound.
+  static std::vector<Indices> aroundBad(const std::vector<ChartTrials::Result>& pieces,
+    const std::vector<std::set<Index>>& beside, double bound)
   {
-    std::vector<char> bad(curves, 0);
-    for (Index h = 0; h < pieces.cut.mesh.halfedgeCount(); ++h)
-    {
-      const Index curve = pieces.cut.curveOfHalfedge[h];
-      if (curve != none && !pieces.results[pieces.cut.pieceOfTriangle[h / 3]].keeps(this->Bound))
-      {
-        bad[curve] = 1;
-      }
-    }
     std::vector<Indices> sets;
-    for (std::size_t k = 0; k < bad.size(); ++k)
+    for (std::size_t k = 0; k < beside.size(); ++k)
     {
-      if (bad[k])
+      if (std::any_of(beside[k].begin(), beside[k].end(),
+            [&](Index piece) { return !pieces[piece].keeps(bound); }))
       {
         sets.push_back({ static_cast<Index>(k) });
       }
