@@ -582,7 +582,7 @@ private:
   /// \param share of the remaining work
   CutSet improved(CutSet set, SearchGoal goal = SearchGoal::Strain, double share = shareOfSearch)
   {
-    if (this->isFlat(set))
+    if (this->isFlat(set) || this->Run.cancelled())
     {
       return set;
     }
