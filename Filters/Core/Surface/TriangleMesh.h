@@ -26,10 +26,7 @@ public:
   TriangleMesh& operator=(const TriangleMesh&) = default;
   ~TriangleMesh() = default;
   // What is moved from stays a mesh.
-  TriangleMesh(TriangleMesh&& other) noexcept
-    : TriangleMesh(std::as_const(other))
-  {
-  }
+  TriangleMesh(TriangleMesh&& other) noexcept { *this = std::as_const(other); }
   TriangleMesh& operator=(TriangleMesh&& other) noexcept { return *this = std::as_const(other); }
   /// \pre edges are manifold and triangles consistently oriented (see prepareSurface()).
   TriangleMesh(Points3 points, Triangles triangles);
