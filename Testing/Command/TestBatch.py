@@ -114,4 +114,5 @@ class Batch(command.CommandTest):
         self.assertEqual(sorted(os.listdir(self.path("list_flat"))), ["batch.json", "lune"])
 
 
-command.main()
+if __name__ == "__main__":
+    command.main()

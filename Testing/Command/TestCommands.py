@@ -174,4 +174,5 @@ class Commands(command.CommandTest):
         self.assert_stderr("report.json: is not a report", "pattern", "out")
 
 
-command.main()
+if __name__ == "__main__":
+    command.main()

@@ -121,4 +121,5 @@ class Damaged(command.CommandTest):
             self.assertNotIn("\x1b", self.run_command(*arguments, "--output", "out", code=3).stderr)
 
 
-command.main()
+if __name__ == "__main__":
+    command.main()

@@ -85,4 +85,5 @@ class Flattenable(command.CommandTest):
             self.run_command("reshape", "hill.obj", *arguments, code=2)
 
 
-command.main()
+if __name__ == "__main__":
+    command.main()

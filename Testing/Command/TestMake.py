@@ -189,4 +189,5 @@ class Make(command.CommandTest):
         self.assertNotIn("fits", run.stdout)
 
 
-command.main()
+if __name__ == "__main__":
+    command.main()

@@ -169,4 +169,5 @@ class Sheets(command.CommandTest):
                 self.assertAlmostEqual(around, 2 * (width + 200) * size, delta=1e-6)
 
 
-command.main()
+if __name__ == "__main__":
+    command.main()

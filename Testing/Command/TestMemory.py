@@ -45,4 +45,5 @@ class Memory(command.CommandTest):
                 self.assertEqual(self.report("out")["status"], "Ok")
 
 
-command.main()
+if __name__ == "__main__":
+    command.main()

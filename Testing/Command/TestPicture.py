@@ -115,4 +115,5 @@ class Picture(command.CommandTest):
             self.assert_stderr(arguments[-1], "picture", SURFACE, *arguments, code=2)
 
 
-command.main()
+if __name__ == "__main__":
+    command.main()

@@ -43,4 +43,5 @@ class Pieces(command.CommandTest):
         self.check("--scheme", "isometric", "--energy", "dirichlet", "--no-keys", flips_nothing=True)
 
 
-command.main()
+if __name__ == "__main__":
+    command.main()

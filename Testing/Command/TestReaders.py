@@ -187,4 +187,5 @@ class Readers(command.CommandTest):
         self.assertEqual([(c["name"], c["type"]) for c in results[0][1]], [("arc", "key")])
 
 
-command.main()
+if __name__ == "__main__":
+    command.main()

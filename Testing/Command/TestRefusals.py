@@ -273,4 +273,5 @@ class Refusals(command.CommandTest):
         self.assertTrue(self.report("out")["message"])
 
 
-command.main()
+if __name__ == "__main__":
+    command.main()

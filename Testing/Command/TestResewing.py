@@ -68,4 +68,5 @@ class Resewing(command.CommandTest):
             self.run_command("sew", "tube.obj", *arguments, code=2)
 
 
-command.main()
+if __name__ == "__main__":
+    command.main()

@@ -133,4 +133,5 @@ class Results(command.CommandTest):
             self.assertEqual({(p - len(self.points)) // count for p in (start, end)}, {0, rings})
 
 
-command.main()
+if __name__ == "__main__":
+    command.main()

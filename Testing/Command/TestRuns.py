@@ -146,4 +146,5 @@ class Runs(command.CommandTest):
                 self.assertEqual(len(self.array("out/" + file, "Points")), 3 * report["pieces"][0]["vertices"])
 
 
-command.main()
+if __name__ == "__main__":
+    command.main()

@@ -166,4 +166,5 @@ class Suggestions(command.CommandTest):
             self.run_command("cut", "dome.obj", *arguments, code=2)
 
 
-command.main()
+if __name__ == "__main__":
+    command.main()

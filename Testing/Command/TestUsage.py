@@ -126,4 +126,5 @@ class Usage(command.CommandTest):
         self.assert_words((".vtp", ".obj", ".stl", "TYPE NAME v0 v1", "accessory", "seam", "Units", "report.json"), run.stdout)
 
 
-command.main()
+if __name__ == "__main__":
+    command.main()

@@ -52,7 +52,7 @@ def in_lines(change):
 
 
 def at_place(size, change):
-    """Puts other bytes where so many stand."""
+    """Replaces this number of bytes at a place."""
     return lambda data, place, kind, rng: data[:place] + change(data[place:place + size], kind, rng) + data[place + size:]
 
 

@@ -7,7 +7,6 @@
 #include "Suggestion/SurfaceMirror.h"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 #include <set>
 
@@ -216,15 +215,17 @@ private:
             failed.insert(drawing.seamOf[cut]);
           }
         }
-        Indices others;
-        std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(others),
-          [&failed](Index s) { return failed.count(s) == 0; });
-        others.resize(others.size() == chosen.size() ? 0 : others.size());
+        // Where none of them is to blame, all are.
+        const auto sound = [&failed](Index s) { return failed.count(s) == 0; };
+        if (std::all_of(chosen.begin(), chosen.end(), sound))
+        {
+          failed.insert(chosen.begin(), chosen.end());
+        }
         for (Index s : chosen)
         {
-          next[s] += std::count(others.begin(), others.end(), s) == 0 ? 1 : 0;
+          next[s] += sound(s) ? 0 : 1;
         }
-        chosen = std::move(others);
+        eraseIf(chosen, [&sound](Index s) { return !sound(s); });
       }
     }
   }
