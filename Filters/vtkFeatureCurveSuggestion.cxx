@@ -12,6 +12,7 @@
 #include "Report/SuggestionReport.h"
 
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
@@ -68,10 +69,15 @@ int vtkFeatureCurveSuggestion::RequestData(vtkInformation* vtkNotUsed(request),
     std::optional<flattening::FlatteningResult> result;
     if (this->Weigh(run, *source))
     {
+      flattening::Execution execution = bridge::executionOf(this);
+      execution.preview = [this](const std::vector<flattening::Points3>& lines) {
+        vtkNew<vtkPolyData> preview;
+        bridge::fill(preview, flattening::lineData(lines));
+        this->InvokeEvent(PreviewEvent, preview);
+      };
       // An abort is heard; the surface is flattened with the cuts found so far.
       result = run.suggest(
-        options, bridge::executionOf(this), [this] { this->SetAbortExecute(0); }, found,
-        this->KeptPieces());
+        options, execution, [this] { this->SetAbortExecute(0); }, found, this->KeptPieces());
     }
     if (this->TakeResult(
           run, *source, result ? &*result : nullptr, options.flattening, inputVector, outputVector))

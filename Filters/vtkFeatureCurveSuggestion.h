@@ -32,6 +32,7 @@
 #ifndef vtkFeatureCurveSuggestion_h
 #define vtkFeatureCurveSuggestion_h
 
+#include "vtkCommand.h"                 // for UserEvent
 #include "vtkFiltersFlatteningModule.h" // for the export macro
 #include "vtkSmartPointer.h"            // for the lines left out
 #include "vtkTable.h"                   // for the lines left out
@@ -45,6 +46,15 @@ public:
   static vtkFeatureCurveSuggestion* New();
   vtkTypeMacro(vtkFeatureCurveSuggestion, vtkWireWarpingFilter)
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Invoked during the search whenever it has other cuts. Call data: a vtkPolyData of lines on the
+   * surface, in space, the cuts found so far; they may change until the search ends.
+   */
+  enum Events
+  {
+    PreviewEvent = vtkCommand::UserEvent + 1
+  };
 
   /// Which cuts are proposed.
   enum SuggestedCutsModes

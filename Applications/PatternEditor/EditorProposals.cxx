@@ -52,9 +52,8 @@ void EditorWindow::propose(const std::string& weights)
     this->tell("open a surface before asking for proposals", true);
     return;
   }
-  // The search does not know how many flattenings it needs: it says what it does, not how far it
-  // is.
-  QProgressDialog dialog(searching, "Cancel", 0, 0, this);
+  // The search does not know how many flattenings it needs.
+  QProgressDialog dialog(searching, "Stop", 0, 0, this); // what is found by then stays
   dialog.setWindowModality(Qt::WindowModal);
   dialog.setMinimumDuration(0);
   dialog.setAutoReset(false);
@@ -62,12 +61,16 @@ void EditorWindow::propose(const std::string& weights)
   dialog.show();
   vtkNew<vtkPolyData> curves;
   this->Curves->GetCurves(curves);
-  Proposals proposals =
-    editor::propose(this->Surface, curves, weights, [&dialog](const std::string& phase) {
-      dialog.setLabelText(QString("%1\n%2").arg(searching).arg(QString::fromStdString(phase)));
-      QApplication::processEvents();
-      return !dialog.wasCanceled();
-    });
+  const auto goOn = [&dialog](const std::string& phase) {
+    dialog.setLabelText(QString("%1\n%2").arg(searching).arg(QString::fromStdString(phase)));
+    QApplication::processEvents();
+    return !dialog.wasCanceled();
+  };
+  const auto preview = [this](vtkPolyData* lines) {
+    this->SpaceScene.showGhosts(lines, lines->GetNumberOfCells());
+    this->SpaceWidget->renderWindow()->Render();
+  };
+  Proposals proposals = editor::propose(this->Surface, curves, weights, goOn, preview);
   dialog.hide();
   std::string words = proposals.stopped ? "the search was stopped"
     : proposals.cuts.empty() && proposals.message.empty()

@@ -24,12 +24,18 @@ constexpr double nearness = 1e-4;
 struct Watch
 {
   const std::function<bool(const std::string&)>* goOn;
+  const std::function<void(vtkPolyData*)>* preview;
   bool stopped = false;
 };
 
-void follow(vtkObject* caller, unsigned long, void* client, void*)
+void follow(vtkObject* caller, unsigned long event, void* client, void* data)
 {
   auto* const watch = static_cast<Watch*>(client);
+  if (event == vtkFeatureCurveSuggestion::PreviewEvent)
+  {
+    (*watch->preview)(static_cast<vtkPolyData*>(data));
+    return;
+  }
   auto* const filter = static_cast<vtkAlgorithm*>(caller);
   const char* const phase = filter->GetProgressText();
   if (!watch->stopped && !(*watch->goOn)(phase ? phase : ""))
@@ -62,15 +68,17 @@ Proposal proposalOf(vtkPolyData* curves, vtkIdType cell)
 }
 
 Proposals propose(vtkPolyData* surface, vtkPolyData* curves, const std::string& weights,
-  const std::function<bool(const std::string&)>& goOn)
+  const std::function<bool(const std::string&)>& goOn,
+  const std::function<void(vtkPolyData*)>& preview)
 {
   vtkNew<vtkFeatureCurveSuggestion> filter;
   figures::silence(filter);
-  Watch watch{ &goOn };
+  Watch watch{ &goOn, &preview };
   vtkNew<vtkCallbackCommand> progress;
   progress->SetCallback(follow);
   progress->SetClientData(&watch);
   filter->AddObserver(vtkCommand::ProgressEvent, progress);
+  filter->AddObserver(vtkFeatureCurveSuggestion::PreviewEvent, progress);
   filter->SetSchemeToIsometric();
   filter->ReleaseTrialsOff();
   filter->SetWeightArray(weights.c_str());

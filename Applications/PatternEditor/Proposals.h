@@ -35,9 +35,10 @@ struct Proposals
 
 /// Looks for cuts of a surface with curves. \param weights the cell array that says how much
 /// distortion matters where; empty: everywhere alike \param goOn gets what is being done, and says
-/// whether to go on
+/// whether to go on \param preview gets the cuts found so far, as lines
 Proposals propose(vtkPolyData* surface, vtkPolyData* curves, const std::string& weights,
-  const std::function<bool(const std::string&)>& goOn);
+  const std::function<bool(const std::string&)>& goOn,
+  const std::function<void(vtkPolyData*)>& preview);
 
 /// The cell arrays of a surface that can be weights: a number a cell, none below 0.
 std::vector<std::string> weightArrays(vtkPolyData* surface);

@@ -20,7 +20,7 @@ public:
   void setSurface(const figures::PolyData& surface);
   void color(const figures::FlatPiece& piece, figures::Coloring coloring);
   void setEdges(bool shown);
-  /// Lines that are no curves yet, one of them stronger.
+  /// Lines that are no curves yet, one of them stronger; none from their number on.
   void showGhosts(const figures::PolyData& lines, std::size_t chosen);
   void resetCamera();
   /// Shows the whole surface from a direction.

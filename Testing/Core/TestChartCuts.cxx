@@ -264,6 +264,35 @@ TEST(ChartCuts, LieFlatWhereTheSearchIsInterrupted)
   }
 }
 
+TEST(ChartCuts, AreHandedOnWhileTheSearchGoesOn)
+{
+  for (const TriangleMesh& body : { bean(), limbedBall(3, 0.8) })
+  {
+    double done = 0.0;
+    double first = 1.0;
+    std::vector<CurveSuggestions> previews;
+    Execution execution;
+    execution.progress = [&](double fraction, const char*) { done = fraction; };
+    execution.preview = [&](const std::vector<Points3>& lines) {
+      first = std::min(first, done);
+      CurveSuggestions found;
+      for (const Points3& line : lines)
+      {
+        found.curves.push_back(proposedCut(line));
+      }
+      previews.push_back(std::move(found));
+    };
+    ASSERT_TRUE(suggestCurves(body, {}, {}, execution).status.ok());
+    ASSERT_GE(previews.size(), 3u);
+    EXPECT_LT(first, 0.05);
+    for (const CurveSuggestions& preview : previews)
+    {
+      const FlatteningResult flat = flattened(body, {}, preview);
+      EXPECT_FALSE(flat.status.refused()) << flat.status.message;
+    }
+  }
+}
+
 TEST(ChartCuts, AreNoNumberOfPiecesWhereKeyCurvesAre)
 {
   Polyline key;

@@ -274,8 +274,9 @@ public:
     return std::make_shared<Flattening>(source, std::move(report));
   }
 
-  /// \return { flattening, cuts, places, types, names, boundMet }
-  val suggest(const val& curves, const val& options, const val& progress) const
+  /// \param preview gets the points of each cut found so far
+  /// \return { flattening, cuts, boundMet }
+  val suggest(const val& curves, const val& options, const val& progress, const val& preview) const
   {
     const auto [structures, weights] = optionsFrom(OptionOwner::Suggestion, options);
     SuggestionOptions search;
@@ -283,7 +284,18 @@ public:
     search.imprint = structures.imprint;
     search.flattening = structures.flattening;
     SurfaceRun source(this->Data, { curvesOf(curves) });
-    const Execution execution = executionOf(progress);
+    Execution execution = executionOf(progress);
+    if (!preview.isUndefined() && !preview.isNull())
+    {
+      execution.preview = [&preview](const std::vector<Points3>& lines) {
+        val found = val::array();
+        for (const Points3& line : lines)
+        {
+          found.call<void>("push", arrayOf<double>(line));
+        }
+        preview(found);
+      };
+    }
     CurveSuggestions found;
     std::optional<FlatteningReport> report;
     if (source.run.load(source.triangles(), std::move(source.curves), structures, {}, execution) &&

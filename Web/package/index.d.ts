@@ -101,6 +101,9 @@ export interface SuggestedCut extends Required<Pick<Curve, "points" | "type" | "
 /** Called with the fraction done; false ends the run. */
 export type Progress = (fraction: number) => boolean | void;
 
+/** Called with the cuts found so far, whenever they change: x, y, z of the points of each. */
+export type Preview = (lines: Float64Array[]) => void;
+
 export interface Surface extends Owned {
   arrays(): DataSet;
   unit(): Unit | "";
@@ -112,7 +115,7 @@ export interface Surface extends Owned {
   /** The angle defect at each point, or null where the surface is refused. */
   developability(): { Developability: Float64Array } | null;
   flatten(curves?: Curve[], options?: FlatteningOptions, progress?: Progress): Flattening;
-  suggest(curves?: Curve[], options?: SuggestionOptions, progress?: Progress): {
+  suggest(curves?: Curve[], options?: SuggestionOptions, progress?: Progress, preview?: Preview): {
     flattening: Flattening;
     cuts: SuggestedCut[];
     boundMet: boolean;

@@ -17,7 +17,7 @@ export async function load(given = {}) {
   const { clipper, ...others } = given;
   const module = await create({ ...(await settingsOf(others)), ...(clipper && { clipper: clipperOf(clipper) }) });
   // Functions of C++ take all their arguments.
-  for (const [owner, name, count] of [["Surface", "flatten", 3], ["Surface", "suggest", 3], ["Flattening", "pattern", 3]]) {
+  for (const [owner, name, count] of [["Surface", "flatten", 3], ["Surface", "suggest", 4], ["Flattening", "pattern", 3]]) {
     const { prototype } = module[owner];
     const whole = prototype[name];
     prototype[name] = function (...given) {

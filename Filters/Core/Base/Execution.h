@@ -20,6 +20,9 @@ struct Execution
 {
   /// Called with a fraction in [0, 1] and the name of the phase, on the calling thread only.
   std::function<void(double, const char*)> progress;
+  /// Called with lines that a search has found so far, whenever they change, on the calling thread
+  /// only.
+  std::function<void(const std::vector<Points3>&)> preview;
   /// Asked from time to time, on the calling thread only; true ends the run with
   /// StatusCode::Cancelled.
   std::function<bool()> cancel;
@@ -63,6 +66,7 @@ struct Execution
   {
     Execution inner = *this;
     inner.progress = nullptr;
+    inner.preview = nullptr;
     inner.cancel = nullptr;
     return inner;
   }

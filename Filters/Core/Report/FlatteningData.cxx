@@ -176,18 +176,30 @@ FlatteningData flatteningData(const SurfaceArrays& input, const CurvedSurface& s
   return data;
 }
 
+DataSet lineData(const std::vector<Points3>& lines)
+{
+  DataSet data;
+  Points3 points;
+  for (const Points3& line : lines)
+  {
+    std::vector<std::int64_t> ids(line.size());
+    std::iota(ids.begin(), ids.end(), static_cast<std::int64_t>(points.size()));
+    data.lines.add(ids);
+    points.insert(points.end(), line.begin(), line.end());
+  }
+  data.points = std::make_shared<const Points3>(std::move(points));
+  return data;
+}
+
 DataSet suggestionData(const std::vector<Polyline>& given, const CurveSuggestions& found)
 {
   const std::vector<SuggestedCurve> rows = suggestionRows(given, found);
-  DataSet data;
-  Points3 points;
+  std::vector<Points3> lines;
   std::vector<double> shape;
   bool shaped = false;
   for (const SuggestedCurve& row : rows)
   {
-    std::vector<std::int64_t> line(row.curve.points.size());
-    std::iota(line.begin(), line.end(), static_cast<std::int64_t>(points.size()));
-    data.lines.add(line);
+    lines.push_back(row.curve.points);
     for (std::size_t k = 0; k < row.curve.points.size(); ++k)
     {
       constexpr double no = std::numeric_limits<double>::quiet_NaN();
@@ -195,10 +207,9 @@ DataSet suggestionData(const std::vector<Polyline>& given, const CurveSuggestion
       const Point2 place = has ? row.curve.planarShape[k] : Point2(no, no);
       shape.insert(shape.end(), { place.x(), place.y() });
       shaped = shaped || has;
-      points.push_back(row.curve.points[k]);
     }
   }
-  data.points = std::make_shared<const Points3>(std::move(points));
+  DataSet data = lineData(lines);
   if (shaped)
   {
     data.pointArrays.push_back({ "PlanarShape", std::move(shape), 2 });

@@ -36,6 +36,9 @@ struct FlatteningData
 FlatteningData flatteningData(const SurfaceArrays& input, const CurvedSurface& source,
   const FlatteningResult& result, const FlatteningOptions& options);
 
+/// Lines without arrays.
+DataSet lineData(const std::vector<Points3>& lines);
+
 /// The curves of the input, and then those proposed.
 DataSet suggestionData(const std::vector<Polyline>& given, const CurveSuggestions& found);
 

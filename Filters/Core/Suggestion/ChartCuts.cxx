@@ -4,13 +4,13 @@
 #include "Cut/SurfaceCut.h"
 #include "Imprint/CurveImprint.h"
 #include "Paths/PlaneSection.h"
-#include "Suggestion/CoarseCuts.h"
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/OpeningCuts.h"
 #include "Suggestion/PieceSurface.h"
 #include "Suggestion/SeamDrawing.h"
 #include "Suggestion/SeamSettling.h"
 #include "Suggestion/SeamTree.h"
+#include "Suggestion/SurfaceCoarsening.h"
 #include "Suggestion/SurfaceMirror.h"
 
 #include <algorithm>
@@ -313,6 +313,7 @@ public:
     TrialBudget budget(mergingShare * this->Budget.left(), this->Budget);
     first.divide(budget, this->Run.uninterrupted()); // a run that is cancelled ends with these
     CutMesh parted{ half, first.cut(), {} };
+    this->preview(this->withMirrored(parted));
     if (this->Straight)
     {
       const auto straighten = [&](const TriangleMesh& mesh, const Charts& charts) {
@@ -332,6 +333,7 @@ public:
       parted = straighten(parted.mesh, merged);
     }
     const CutMesh whole = this->withMirrored(parted);
+    this->preview(whole);
     if (whole.mesh.triangleCount() == 0)
     {
       return {};
@@ -352,6 +354,7 @@ public:
       TrialBudget sewing(sewingShare * this->Budget.left(), this->Budget);
       charts.shorten(sewing, this->Run);
     }
+    this->preview({ whole.mesh, charts.cut(), whole.images });
     return this->settled(
       whole.mesh, parted.mesh.vertexCount(), charts.arcs(this->Mirror.has_value()), maxDrawnSteps);
   }
@@ -383,6 +386,27 @@ private:
     return this->Options.pieces > 0
       ? std::max<Index>(0, this->Settled.pieces - this->Options.pieces)
       : 0;
+  }
+
+  /// Hands on the seams as they run along edges.
+  void preview(const CutMesh& parted)
+  {
+    if (!this->Run.preview || parted.mesh.triangleCount() == 0)
+    {
+      return;
+    }
+    const Charts charts(
+      parted.mesh, parted.cut, parted.images, this->Options, this->Size, this->Trials);
+    std::vector<Points3> lines;
+    for (const Charts::Arc& arc : charts.arcs())
+    {
+      lines.emplace_back();
+      for (Index v : arc.vertices)
+      {
+        lines.back().push_back(parted.mesh.point(v));
+      }
+    }
+    this->Run.preview(lines);
   }
 
   /// The surface as one piece, opened along a tree until it keeps the bound, or as near to it as it
@@ -436,6 +460,7 @@ private:
     options.bound = std::max(options.bound, strain);
     const double given = this->Bound;
     this->Bound = std::max(given, strain / ruggedShare);
+    this->preview({ mesh, cut, numbersTo(mesh.halfedgeCount()) });
     Charts chart(mesh, cut, numbersTo(mesh.halfedgeCount()), options, this->Size, trials);
     TrialBudget sewing(mergingShare * this->Budget.left(), this->Budget);
     chart.divide(sewing, this->Run);
@@ -614,10 +639,13 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
   {
     return false;
   }
+  previewCuts(cuts, execution);
   const DrawnPieces drawn(cutSurface(surface.mesh, surface.curves), trials, budget, execution);
   const std::vector<Piece>& pieces = drawn.pieces;
   const Indices images =
     pieceImages(pieceSurfaces(surface, drawn.cut), mirror, std::sqrt(mesh.area() / pi));
+  Execution unseen = execution;
+  unseen.preview = nullptr; // of single pieces
   bool added = false;
   std::vector<char> done(pieces.size(), 0);
   for (std::size_t p = 0; p < pieces.size() && !budget.spent(); ++p)
@@ -640,7 +668,7 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
         break;
       }
       here.pieces = least;
-      ChartSearch search(pieces[p].mesh, std::nullopt, straight, here, budget, execution);
+      ChartSearch search(pieces[p].mesh, std::nullopt, straight, here, budget, unseen);
       std::vector<SuggestedCurve> next = search.run();
       if (search.worst() < worst)
       {

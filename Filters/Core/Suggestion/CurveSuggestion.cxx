@@ -5,7 +5,6 @@
 #include "Cut/PieceTopology.h"
 #include "Imprint/CurveImprint.h"
 #include "Suggestion/ChartCuts.h"
-#include "Suggestion/CoarseCuts.h"
 #include "Suggestion/CutSetSearch.h"
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/GoreSeams.h"
@@ -14,9 +13,9 @@
 #include "Suggestion/SeamSettling.h"
 #include "Suggestion/SideSeams.h"
 #include "Suggestion/StripSeams.h"
+#include "Suggestion/SurfaceCoarsening.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -60,17 +59,10 @@ constexpr double chartStrain = 4.0;
 /// Charts that leave more of the strain than this, and more than the above times the bound, are
 /// given up: that is noise.
 constexpr double noiseShare = 0.5;
-/// Charts are given up that take as many cuts in each part of the surface where the number is not
-/// limited.
-constexpr double maxChartCuts = 500.0;
 /// Where charts would take more cuts than may be, they are tried again with the bound times this,
 /// so often.
 constexpr double looserBound = 1.5;
 constexpr int maxLooser = 6;
-/// Pieces are parted into strips this often at most.
-constexpr int maxStrippings = 3;
-/// Of the width allowed, that of strips: they are flattened anew and may come out a little wider.
-constexpr std::array<double, 3> stripShares{ 1.0, 0.97, 0.9 };
 
 class Suggesting
 {
@@ -202,6 +194,12 @@ private:
       [this](const CutSet& a, const CutSet& b) { return this->better(a, b); });
   }
 
+  SearchSubject subject(const SearchOptions& search, SearchGoal goal = SearchGoal::Energy) const
+  {
+    return { this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening, search,
+      this->Result.mirror, this->Weights, goal };
+  }
+
   bool tooWide() const
   {
     const double most = this->Options.search.maximumWidth;
@@ -285,39 +283,11 @@ private:
     return limited ? this->withStrips(std::move(best)) : best;
   }
 
-  /// Pieces that are too wide are parted into strips where the limits of cuts allow, and strips
-  /// that come out too wide once more.
+  /// Pieces that are too wide are parted into strips.
   CutSet withStrips(CutSet set)
   {
-    const double most = this->Options.search.maximumWidth;
-    CutTrials::Trial flat = this->Whole.trial(linesOf(set.cuts), this->Budget, this->Run);
-    this->Result.width = flat.outcome.valid ? greatestWidth(flat, most) : 0.0;
-    for (int k = 0; k < maxStrippings && this->tooWide(); ++k)
-    {
-      const CutTrials::Trial before = flat;
-      const CutSet wide = set;
-      for (std::size_t s = 0; s < stripShares.size() && this->tooWide(); ++s)
-      {
-        CutSet next = wide;
-        addStripSeams(before, stripShares[s] * most, this->Result.mirror,
-          std::sqrt(this->Area / pi), next.cuts);
-        openDividingDarts(this->Mesh, this->Curves, this->Options.imprint, next.cuts);
-        if (static_cast<double>(next.cuts.size()) > maxChartCuts ||
-          !keepsLimits(next, this->Options.search))
-        {
-          return set;
-        }
-        CutTrials::Trial after = this->Whole.trial(linesOf(next.cuts), this->Budget, this->Run);
-        if (after.outcome.soundAfter(wide.outcome))
-        {
-          flat = std::move(after);
-          this->Result.width = greatestWidth(flat, most);
-          set = std::move(next);
-          set.outcome = flat.outcome;
-        }
-      }
-    }
-    return set;
+    return inStrips(std::move(set), this->subject(this->Options.search), this->Budget, this->Run,
+      this->Result.width);
   }
 
   /// The best set that is found, which is never worse than no cuts.
@@ -595,9 +565,7 @@ private:
     {
       set.outcome = this->flattened(set.cuts, goal, budget);
     }
-    return searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
-                        options, this->Result.mirror, this->Weights, goal },
-      std::move(set), budget, this->Run);
+    return searchCuts(this->subject(options, goal), std::move(set), budget, this->Run);
   }
 
   /// No cuts, and why.
@@ -660,8 +628,19 @@ private:
         triangles += done[q] ? 0.0 : pieces[q].mesh.triangleCount();
       }
       TrialBudget share(budget.left() * pieces[p].mesh.triangleCount() / triangles, budget);
-      std::vector<SuggestedCurve> here = chartCuts(
-        pieces[p].mesh, plane ? mirror->plane() : std::nullopt, options, share, this->Run);
+      Execution run = this->Run;
+      if (run.preview)
+      {
+        run.preview = [&](std::vector<Points3> lines) {
+          for (const SuggestedCurve& cut : cuts)
+          {
+            lines.push_back(cut.curve.points);
+          }
+          this->Run.preview(lines);
+        };
+      }
+      std::vector<SuggestedCurve> here =
+        chartCuts(pieces[p].mesh, plane ? mirror->plane() : std::nullopt, options, share, run);
       if (here.empty() && findDefect(pieces[p]))
       {
         here = this->opened(pieces[p]);
@@ -729,10 +708,8 @@ private:
       TrialBudget budget(
         (first.empty() ? shareOfSearch : shareOpened) * (this->Budget.left() - this->MostMeasuring),
         this->Budget);
-      found.push_back(
-        searchCuts({ this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening,
-                     options, this->Result.mirror, this->Weights, strategies[k].goal },
-          this->start(first, strategies[k].goal, budget), budget, this->Run));
+      found.push_back(searchCuts(this->subject(options, strategies[k].goal),
+        this->start(first, strategies[k].goal, budget), budget, this->Run));
       const bool met = this->isFlat(this->bestOf(found));
       if ((met && (found.back().cuts.size() == first.size() || k > 0)) ||
         found.back().end == SearchEnd::GivenUp || found.front().end == SearchEnd::GivenUp ||
@@ -794,7 +771,20 @@ CurveSuggestions suggestCurves(const TriangleMesh& mesh, const std::vector<Polyl
   const double most = options.search.maximumWork;
   TrialBudget budget(most > 0.0 ? 1e6 * most : std::numeric_limits<double>::infinity());
   budget.watch([&execution](double part) { execution.report(part, "Choosing cuts"); });
+  Execution run = execution;
+  if (run.preview)
+  {
+    run.preview = [&](const std::vector<Points3>& lines) {
+      const SeamDrawing drawing(mesh); // they may be of a version with fewer triangles
+      std::vector<Points3> drawn;
+      for (const Points3& line : lines)
+      {
+        drawn.push_back(drawing.draw(drawing.place(line), SeamDrawing::levels - 1));
+      }
+      execution.preview(drawn);
+    };
+  }
   return withinMemory(
-    [&] { return Suggesting(mesh, curves, options, std::move(budget), execution).run(); });
+    [&] { return Suggesting(mesh, curves, options, std::move(budget), run).run(); });
 }
 }

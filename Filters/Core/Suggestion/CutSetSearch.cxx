@@ -337,6 +337,7 @@ private:
     }
     this->Result.cuts = std::move(cuts);
     this->now() = std::move(after);
+    previewCuts(this->Result.cuts, this->Run);
     return true;
   }
 

@@ -47,6 +47,19 @@ std::vector<Polyline> linesOf(const std::vector<SuggestedCurve>& cuts)
   return lines;
 }
 
+void previewCuts(const std::vector<SuggestedCurve>& cuts, const Execution& execution)
+{
+  if (execution.preview)
+  {
+    std::vector<Points3> lines;
+    for (const SuggestedCurve& cut : cuts)
+    {
+      lines.push_back(cut.curve.points);
+    }
+    execution.preview(lines);
+  }
+}
+
 std::vector<SuggestedCurve> withShare(
   const std::vector<SuggestedCurve>& cuts, std::size_t which, double share)
 {

@@ -22,6 +22,9 @@ double priceOf(const std::vector<SuggestedCurve>& cuts, double size);
 
 std::vector<Polyline> linesOf(const std::vector<SuggestedCurve>& cuts);
 
+/// Hands on cuts that are found so far.
+void previewCuts(const std::vector<SuggestedCurve>& cuts, const Execution& execution);
+
 /// The cuts with one and its mirror image left out, or cut back to a share of its length.
 std::vector<SuggestedCurve> withShare(
   const std::vector<SuggestedCurve>& cuts, std::size_t which, double share);

@@ -4,9 +4,12 @@
 #include "Cut/SurfaceCut.h"
 #include "Flattening/PieceArrangement.h"
 #include "Paths/PlaneSection.h"
+#include "Suggestion/CutThinning.h"
 #include "Suggestion/PieceSurface.h"
+#include "Suggestion/SeamSettling.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -17,6 +20,10 @@ namespace
 {
 /// A width that is greater by less than this share of it is rounding.
 constexpr double rounding = 1e-6;
+/// Pieces are parted into strips this often at most.
+constexpr int maxStrippings = 3;
+/// Of the width allowed, that of strips: they are flattened anew and may come out a little wider.
+constexpr std::array<double, 3> stripShares{ 1.0, 0.97, 0.9 };
 
 Points2 flatPoints(const Piece& piece, const Points2& positions)
 {
@@ -28,28 +35,7 @@ Points2 flatPoints(const Piece& piece, const Points2& positions)
   return points;
 }
 
-/// The place on the surface of a place on a flat piece.
-Point3 onSurface(const TriangleMesh& piece, const SurfacePoint& place)
-{
-  switch (place.type)
-  {
-    case SurfacePointType::Vertex:
-      return piece.point(place.id);
-    case SurfacePointType::Edge:
-      return place.weights[0] * piece.point(piece.from(place.id)) +
-        place.weights[1] * piece.point(piece.to(place.id));
-    default:
-      break;
-  }
-  Point3 point = Point3::Zero();
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    point += place.weights[k] * piece.point(piece.triangle(place.id)[k]);
-  }
-  return point;
-}
-}
-
+/// The width of the widest piece.
 double greatestWidth(const CutTrials::Trial& flat, double allowed)
 {
   double greatest = 0.0;
@@ -60,6 +46,7 @@ double greatestWidth(const CutTrials::Trial& flat, double allowed)
   return greatest <= (1.0 + rounding) * allowed ? std::min(greatest, allowed) : greatest;
 }
 
+/// \param size of the surface, sqrt(area / pi)
 void addStripSeams(const CutTrials::Trial& flat, double maximumWidth,
   const std::optional<SurfaceMirror>& mirror, double size, std::vector<SuggestedCurve>& cuts)
 {
@@ -94,14 +81,15 @@ void addStripSeams(const CutTrials::Trial& flat, double maximumWidth,
         {
           continue;
         }
-        SuggestedCurve seam;
-        seam.curve.type = CurveType::Seam;
+        Points3 seam;
         for (const SurfacePoint& place : section.path.points)
         {
-          seam.curve.points.push_back(onSurface(pieces[p].mesh, place));
+          const TriangleMesh& piece = pieces[p].mesh;
+          const bool vertex = place.type == SurfacePointType::Vertex;
+          seam.push_back(
+            vertex ? piece.point(place.id) : edgePoint(piece, place.id, place.weights[1]).position);
         }
-        seam.length = lengthOf(seam.curve.points);
-        cuts.push_back(std::move(seam));
+        cuts.push_back(proposedCut(std::move(seam)));
       }
     }
     if (images[p] != none)
@@ -110,5 +98,42 @@ void addStripSeams(const CutTrials::Trial& flat, double maximumWidth,
       addImages(cuts, before, *mirror);
     }
   }
+}
+}
+
+CutSet inStrips(CutSet set, const SearchSubject& subject, TrialBudget& budget,
+  const Execution& execution, double& width)
+{
+  const CutTrials trials(subject.mesh, subject.curves, subject.imprint, subject.flattening,
+    subject.goal, subject.weights);
+  const double most = subject.search.maximumWidth;
+  CutTrials::Trial flat = trials.trial(linesOf(set.cuts), budget, execution);
+  width = flat.outcome.valid ? greatestWidth(flat, most) : 0.0;
+  for (int k = 0; k < maxStrippings && width > most; ++k)
+  {
+    const CutTrials::Trial before = flat;
+    const CutSet wide = set;
+    for (std::size_t s = 0; s < stripShares.size() && width > most; ++s)
+    {
+      CutSet next = wide;
+      addStripSeams(before, stripShares[s] * most, subject.mirror,
+        std::sqrt(subject.mesh.area() / pi), next.cuts);
+      openDividingDarts(subject.mesh, subject.curves, subject.imprint, next.cuts);
+      if (static_cast<double>(next.cuts.size()) > maxChartCuts ||
+        !keepsLimits(next, subject.search))
+      {
+        return set;
+      }
+      CutTrials::Trial after = trials.trial(linesOf(next.cuts), budget, execution);
+      if (after.outcome.soundAfter(wide.outcome))
+      {
+        flat = std::move(after);
+        width = greatestWidth(flat, most);
+        set = std::move(next);
+        set.outcome = flat.outcome;
+      }
+    }
+  }
+  return set;
 }
 }

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Suggestion/CurveSuggestions.h"
-#include "Suggestion/CutTrials.h"
-#include "Suggestion/SurfaceMirror.h"
-
-#include <optional>
-#include <vector>
+#include "Suggestion/CutSetSearch.h"
 
 namespace flattening
 {
-/// The width of the widest flat piece, each measured where it is least: the distance of the nearest
-/// two parallel lines that a piece lies between; the one allowed where it is greater by rounding.
-double greatestWidth(const CutTrials::Trial& flat, double allowed);
+/// Charts are given up that take as many cuts in each part of the surface where the number is not
+/// limited.
+inline constexpr double maxChartCuts = 500.0;
 
-/// Adds seams, straight in the plane, that part pieces wider than cloth into strips of equal
-/// widths. Pieces that are mirror images are parted alike. \param size of the surface, sqrt(area /
-/// pi)
-void addStripSeams(const CutTrials::Trial& flat, double maximumWidth,
-  const std::optional<SurfaceMirror>& mirror, double size, std::vector<SuggestedCurve>& cuts);
+/// Adds seams, straight in the plane, that part flat pieces wider than SearchOptions::maximumWidth
+/// into strips of equal widths, as long as the limits of cuts allow. The width of a piece is
+/// measured where it is least: the distance of the nearest two parallel lines that it lies between.
+/// Pieces that are mirror images are parted alike. \param width gets that of the widest piece, the
+/// one allowed where it is greater by rounding
+CutSet inStrips(CutSet set, const SearchSubject& subject, TrialBudget& budget,
+  const Execution& execution, double& width);
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Flattening/FlatteningOptions.h"
+#include "Suggestion/CurveSuggestions.h"
+#include "Suggestion/SurfaceMirror.h"
 #include "Surface/TriangleMesh.h"
 
 namespace flattening
@@ -17,4 +20,16 @@ struct CoarseSurface
 /// surface, make a sliver or change its topology. All edges between kept vertices stay. \param kept
 /// per vertex; those of the boundary are kept anyway
 CoarseSurface coarsened(const TriangleMesh& mesh, std::vector<char> kept, Index most);
+
+/// Cuts of larger surfaces are found on a version with two thirds as many triangles.
+inline constexpr Index largeSurface = 15000;
+
+/// A version with few triangles; boundaries and creases stay.
+TriangleMesh fewTriangles(const TriangleMesh& mesh, Index most);
+
+/// The cuts of a version with fewer triangles on the surface itself, without those that cannot be
+/// laid into it. \param mirror of that version, then of the surface
+std::vector<SuggestedCurve> movedCuts(const TriangleMesh& mesh,
+  std::optional<SurfaceMirror>& mirror, std::vector<SuggestedCurve> cuts,
+  const FlatteningOptions& flattening);
 }

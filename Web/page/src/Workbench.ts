@@ -151,7 +151,10 @@ export class Workbench {
       bar.hidden = byId("cancel").hidden = false;
       bar.removeAttribute("value");
       this.say("Looking for cuts");
-      const found = await this.live.suggest(this.flattenable(), { ...this.sidebar.search(), release_trials: false, max_work: work }, (fraction) => (bar.value = fraction));
+      const options = { ...this.sidebar.search(), release_trials: false, max_work: work };
+      const found = await this.live.suggest(this.flattenable(), options, (news) => {
+        "progress" in news ? bar.value = news.progress : this.scene.setGhosts(this.ghosts = news.preview.map(previewed));
+      });
       this.take(found, "full");
       this.showGhosts(found.cuts, found.boundMet);
       if (found.cuts.length === 0 && !found.report.refused) {
@@ -164,8 +167,10 @@ export class Workbench {
     }
   }
 
+  /** Cuts found so far stay proposed. */
   async cancel(): Promise<void> {
     await this.live.cancel();
+    this.showGhosts(this.ghosts, false);
     this.say("Cancelled.");
   }
 
@@ -376,6 +381,15 @@ export class Workbench {
       this.say(error instanceof Error ? error.message : String(error), true);
     }
   }
+}
+
+/** A cut that is found while the search goes on. */
+function previewed(points: Float64Array): SuggestedCut {
+  let length = 0;
+  for (let k = 3; k < points.length; k += 3) {
+    length += Math.hypot(points[k] - points[k - 3], points[k + 1] - points[k - 2], points[k + 2] - points[k - 1]);
+  }
+  return { points, type: "seam", name: "", length, strain_before: NaN, strain_after: NaN };
 }
 
 function extentOf(points: Float64Array): [number, number, number] {

@@ -62,6 +62,33 @@ await test("files", () => withBrowser(async (browser, address) => {
   await answered(page);
   await verdict(page, /fits|lies flat/);
 
+  // A search that is cancelled leaves the cuts found by then.
+  const bumps = 48;
+  const dents = Array.from({ length: bumps * 2 * bumps }, (_, k) => {
+    const [a, b] = [Math.PI * (Math.floor(k / (2 * bumps)) + 0.5) / bumps, Math.PI * (k % (2 * bumps)) / bumps];
+    const r = 1 + 0.3 * Math.sin(5 * a) * Math.cos(4 * b);
+    return `v ${r * Math.sin(a) * Math.cos(b)} ${r * Math.sin(a) * Math.sin(b)} ${r * Math.cos(a)}`;
+  });
+  const around = Array.from({ length: 2 * bumps }, (_, k) => k);
+  const faces = Array.from({ length: bumps - 1 }, (_, i) => around.map((j) => {
+    const [a, b] = [2 * bumps * i + j + 1, 2 * bumps * i + (j + 1) % (2 * bumps) + 1];
+    return `f ${a} ${a + 2 * bumps} ${b + 2 * bumps} ${b}`;
+  })).flat();
+  const [last, pole] = [2 * bumps * (bumps - 1), 2 * bumps * bumps + 1];
+  const caps = around.flatMap((j) => {
+    const next = (j + 1) % (2 * bumps);
+    return [`f ${pole} ${j + 1} ${next + 1}`, `f ${pole + 1} ${last + next + 1} ${last + j + 1}`];
+  });
+  await openText(page, "bumps.obj", ["# units: cm", ...dents, "v 0 0 1", "v 0 0 -1", ...faces, ...caps, ""].join("\n"));
+  await verdict(page, /cannot be flattened.*closed.*Propose cuts/);
+  await page.click("#propose");
+  await page.waitForFunction(() => window.workbench.ghosts.length > 0, null, { timeout: 60_000 });
+  await picture(page, "preview");
+  await page.click("#cancel");
+  await page.click("#proposal-panel button.main");
+  await answered(page);
+  await verdict(page, /pieces; worst/);
+
   // A ramp of 1.4 turns covers a part of the plane twice.
   const ramp = Array.from({ length: 61 }, (_, k) => [1, 2].map((r) => `v ${r * Math.cos(0.147 * k)} ${r * Math.sin(0.147 * k)} ${0.03 * k}`)).flat();
   const quads = Array.from({ length: 60 }, (_, k) => `f ${2 * k + 1} ${2 * k + 2} ${2 * k + 4} ${2 * k + 3}`);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import type { WorkerReply, WorkerRequest } from "./messages";
+import type { News, WorkerReply, WorkerRequest } from "./messages";
 import type { EngineSession } from "./worker";
 
 type Method = { [K in keyof EngineSession]: EngineSession[K] extends (...given: never[]) => unknown ? K : never }[keyof EngineSession];
@@ -8,7 +8,7 @@ type Answer<K extends Method> = EngineSession[K] extends (...given: never[]) => 
 interface Waiting {
   resolve: (value: never) => void;
   reject: (error: Error) => void;
-  progress?: (fraction: number) => void;
+  watch?: (news: News) => void;
 }
 
 /** A call was given up since its worker was ended. */
@@ -25,15 +25,15 @@ export class EngineClient {
   }
 
   call<K extends Method>(name: K, ...given: Parameters<EngineSession[K]>): Promise<Answer<K>> {
-    return this.callWithProgress(name, undefined, ...given);
+    return this.callWatched(name, undefined, ...given);
   }
 
-  callWithProgress<K extends Method>(
-    call: K, progress: ((fraction: number) => void) | undefined, ...given: Parameters<EngineSession[K]>
+  callWatched<K extends Method>(
+    call: K, watch: ((news: News) => void) | undefined, ...given: Parameters<EngineSession[K]>
   ): Promise<Answer<K>> {
     const id = ++this.count;
     return new Promise((resolve, reject) => {
-      this.waiting.set(id, { resolve, reject, progress });
+      this.waiting.set(id, { resolve, reject, watch });
       this.worker.postMessage({ id, call, given } satisfies WorkerRequest);
     });
   }
@@ -71,8 +71,8 @@ export class EngineClient {
 
   private take(reply: WorkerReply): void {
     const waiting = this.waiting.get(reply.id);
-    if ("progress" in reply) {
-      waiting?.progress?.(reply.progress);
+    if ("progress" in reply || "preview" in reply) {
+      waiting?.watch?.(reply);
       return;
     }
     this.waiting.delete(reply.id);

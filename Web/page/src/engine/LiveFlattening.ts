@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { Curve, FlatteningOptions, SuggestionOptions, Unit } from "surfaceflattening";
 import { Cancelled, EngineClient } from "./EngineClient";
-import type { FlatteningAnswer, Proposal } from "./messages";
+import type { FlatteningAnswer, News, Proposal } from "./messages";
 import type { PatternEnding, PatternOptions } from "./worker";
 
 /** A draft follows a drag; the careful result comes when the drag rests. */
@@ -79,9 +79,9 @@ export class LiveFlattening {
     }
   }
 
-  async suggest(curves: Curve[], options: SuggestionOptions, progress: (fraction: number) => void): Promise<Proposal> {
+  async suggest(curves: Curve[], options: SuggestionOptions, watch: (news: News) => void): Promise<Proposal> {
     await this.settled();
-    return this.client.callWithProgress("suggest", progress, curves, { ...this.options, ...options });
+    return this.client.callWatched("suggest", watch, curves, { ...this.options, ...options });
   }
 
   /** Ends what is under way. */

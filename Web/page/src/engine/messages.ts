@@ -61,7 +61,9 @@ export interface EditorState {
 }
 
 export type WorkerRequest = { module: WebAssembly.Module } | { id: number; call: string; given: unknown[] };
+/** What is known before a call has its result: the fraction done, or the cuts found so far. */
+export type News = { progress: number } | { preview: Float64Array[] };
 export type WorkerReply =
-  | { id: number; progress: number }
+  | ({ id: number } & News)
   | { id: number; result: unknown }
   | { id: number; error: string };

@@ -7,7 +7,7 @@ import type {
   Curve, CurveType, DataSet, Editor, Engine, Flattening, FlatteningOptions, PatternFile, SegmentKind, Status, SuggestionOptions, Surface, Unit,
 } from "surfaceflattening";
 import type {
-  EditorState, FlatPieces, FlatteningAnswer, OpenedSurface, Proposal, StoredCurve, WorkerReply, WorkerRequest,
+  EditorState, FlatPieces, FlatteningAnswer, News, OpenedSurface, Proposal, StoredCurve, WorkerReply, WorkerRequest,
 } from "./messages";
 
 /** New for each reply, with whose buffers it is handed over. */
@@ -22,7 +22,7 @@ export class EngineSession {
   private editor: Editor | null = null;
   private flattening: Flattening | null = null;
 
-  constructor(private readonly engine: Engine, private readonly report: (fraction: number) => void) {}
+  constructor(private readonly engine: Engine, private readonly tell: (news: News) => void) {}
 
   open(name: string, bytes: Uint8Array): OpenedSurface {
     const surface = this.engine.readSurface(name, bytes);
@@ -58,13 +58,14 @@ export class EngineSession {
 
   flatten(curves: Curve[], options: FlatteningOptions): FlatteningAnswer {
     const start = performance.now();
-    this.keep(this.opened().flatten(curves, options, this.report));
+    this.keep(this.opened().flatten(curves, options, (progress) => this.tell({ progress })));
     return this.answer(start);
   }
 
   suggest(curves: Curve[], options: SuggestionOptions): Proposal {
     const start = performance.now();
-    const { flattening, cuts, boundMet } = this.opened().suggest(curves, options, this.report);
+    const { flattening, cuts, boundMet } = this.opened().suggest(
+      curves, options, (progress) => this.tell({ progress }), (preview) => this.tell({ preview }));
     this.keep(flattening);
     return { ...this.answer(start), cuts, boundMet };
   }
@@ -274,7 +275,7 @@ addEventListener("message", async ({ data }: MessageEvent<WorkerRequest>) => {
         WebAssembly.instantiate(data.module, imports).then(use);
         return {};
       },
-    }).then((engine) => new EngineSession(engine, (progress) => reply({ id: current, progress })));
+    }).then((engine) => new EngineSession(engine, (news) => reply({ id: current, ...news })));
     return;
   }
   try {

@@ -123,7 +123,8 @@ export class Sidebar {
         const one = make("button", { ariaLabel: `Accept ${cut.name || `cut ${k + 1}`}` }, "Accept");
         one.addEventListener("click", () => this.use.accept([cut]));
         const before = Number.isFinite(cut.strain_before) ? `strain ${percent(cut.strain_before)} before, ` : "strain ";
-        const gain = `${lengthWords(cut.length, unit)}; ${before}${percent(cut.strain_after)} after it`;
+        const after = Number.isFinite(cut.strain_after) ? `; ${before}${percent(cut.strain_after)} after it` : "";
+        const gain = lengthWords(cut.length, unit) + after;
         return make("div", { class: "card fair" }, make("div", { class: "row" },
           make("span", {}, cut.name || `${curveTypes[cut.type].name} ${k + 1}`), one), make("span", { class: "quiet" }, gain));
       }));
