@@ -197,8 +197,7 @@ std::shared_ptr<flattening::bridge::CurvedPolyData> vtkFeatureCurveAlgorithm::Lo
   auto source =
     this->Kept ? this->Kept->source : std::make_shared<flattening::bridge::CurvedPolyData>();
   flattening::bridge::loadCurvedSurface(vtkPolyData::GetData(inputVector[0]), curves,
-    options.coincidentPoints,
-    options.healSurface ? flattening::Defects::Heal : flattening::Defects::Refuse, options.imprint,
+    options.coincidentPoints, options.defects(), options.imprint,
     flattening::bridge::executionOf(this), *source);
   // The surface's own curves, source 0, have no connection.
   const auto blamed = static_cast<std::size_t>(std::max(source->blamed, 0));

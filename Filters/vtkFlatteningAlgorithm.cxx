@@ -216,6 +216,7 @@ flattening::OptionStructures vtkFlatteningAlgorithm::OptionsForCore()
 {
   flattening::OptionStructures structures;
   const flattening::OptionValues values = this->AllOptions();
+  structures.proposes = values.find("SuggestedCuts") != nullptr;
   for (const flattening::Option* const option : values.options())
   {
     if (option->set)

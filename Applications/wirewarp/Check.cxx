@@ -225,7 +225,7 @@ std::string mendingOf(const Options& options)
 {
   std::ostringstream words;
   words.precision(12);
-  if (!options.weld.empty())
+  if (!options.weld.empty() && options.weld != "false")
   {
     words << " --weld" << (options.weld == "0" ? "" : " " + options.weld);
   }

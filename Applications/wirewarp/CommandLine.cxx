@@ -42,7 +42,7 @@ CLI::Validator weldLength()
   return CLI::Validator(
     [lengths](std::string& text) {
       text = text == "true" ? "0" : text;
-      return lengths(text);
+      return text == "false" ? std::string() : lengths(text);
     },
     "");
 }
@@ -84,10 +84,11 @@ void addMending(CLI::App& app, Options& options)
 {
   const std::string group = "Mending SURFACE";
   app
-    .add_flag("--weld", options.weld,
+    .add_flag("--weld,!--no-weld", options.weld,
       "Join points of the boundary that lie on each other, as texture seams leave them, within a "
       "millionth of the size; with a length (--weld 0.05, --weld 0.05mm) those up to that "
-      "distance apart")
+      "distance apart. cut and make do so where most of the boundary of an .obj or .ply lies on "
+      "itself")
     ->transform(weldLength())
     ->group(group);
   app

@@ -532,6 +532,9 @@ MendedSurface mendedSurface(
     request.weld = distance;
   }
   request.doubled = contents.doubled;
+  const std::string format = lowerCaseExtension(options.surface);
+  request.likely = options.weld.empty() && (format == ".obj" || format == ".ply") &&
+    (options.command == "cut" || options.command == "make");
   request.fillHoles = options.fillHoles;
   request.millimetres = millimetresOf(unit);
   request.outerSide = options.outerSide;

@@ -44,7 +44,8 @@ struct Options
   /// Of properties in the unit of the surface; empty: that one.
   std::map<std::string, std::string> unitsOfLengths;
 
-  std::string weld;       ///< millimetres, "0": points that lie on each other; empty: not given
+  /// Millimetres; "0": points that lie on each other; "false": none; empty: not given.
+  std::string weld;
   double fillHoles = 0.0; ///< mm; 0: none
   bool outerSide = false;
   double scale = 1.0;                      ///< of SURFACE

@@ -459,6 +459,7 @@ flattening::OptionStructures structuresOf(const Options& options)
   flattening::OptionStructures structures;
   const bool reshapes = options.command == "reshape";
   const bool cuts = options.command == "cut" || options.command == "make";
+  structures.proposes = cuts;
   if (reshapes)
   {
     takeOptions(options.reshaping, OptionOwner::Reshaping, structures);

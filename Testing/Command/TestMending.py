@@ -77,6 +77,19 @@ class Mending(command.CommandTest):
         self.assertEqual(warnings, ["11 points are joined with one that it lies on, as --weld asks"])
         self.assert_whole(report, 2 * SIZE * SIZE)
 
+    def test_doubled_points_are_joined_where_cuts_are_proposed(self):
+        points, triangles = thick(self.points, self.triangles, 2.0)
+        sheets = [triangles[:len(self.triangles)], triangles[len(self.triangles):2 * len(self.triangles)],
+                  triangles[2 * len(self.triangles):]]
+        doubled = [(k, points[v]) for k, sheet in enumerate(sheets) for v in sorted({v for t in sheet for v in t})]
+        place = {entry: at_ for at_, entry in enumerate(doubled)}
+        apart = [tuple(place[k, points[v]] for v in t) for k, sheet in enumerate(sheets) for t in sheet]
+        self.write("apart.obj", command.obj([point for _, point in doubled], apart))
+        cut = ("cut", "apart.obj", "--unit", "cm", "--max-work", "5", "--output", "cuts.vtp")
+        note = f"{8 * SIZE} points are joined with one that it lies on, as most of the boundary does"
+        self.assertIn(note, self.run_command(*cut).stderr)
+        self.assertNotIn("joined", self.run_command(*cut, "--no-weld").stderr.replace("without being joined", ""))
+
     def test_defects_are_healed_and_refused_on_request(self):
         top = len(self.points)
         points = [*self.points, (12.0, 12.0, 9.0), (-3.0, 3.0, 0.0), (-3.0, 6.0, 0.0)]
@@ -97,6 +110,18 @@ class Mending(command.CommandTest):
         healed = self.flatten("healed.vtp", "--unit", "cm")
         self.assertEqual(healed["warnings"], [])
         self.assertEqual([piece["triangles"] for piece in healed["pieces"]], [count, 1])
+
+    def test_sheets_that_meet_in_a_line_are_separated_where_cuts_are_proposed(self):
+        points = [(0, 0, 0), (0, 10, 0), (10, 0, 0), (10, 10, 0), (-5, 0, 9), (-5, 10, 9), (-5, 0, -9), (-5, 10, -9)]
+        pages = [t for page in (2, 4, 6) for t in ((0, 1, page + 1), (0, page + 1, page))]
+        self.write("pages.obj", command.obj(points, pages))
+        report = self.flatten("pages.obj", "--unit", "cm", code=3)
+        self.assertEqual((report["status"], report["ids"]), ("NonManifoldEdge", [0, 2, 4]))
+        warning = "the surface was separated at 1 edge of more than two triangles (first: 0-1)"
+        self.assert_stderr(warning, "cut", "pages.obj", "--unit", "cm", "--output", "cuts", code=0)
+        self.assertEqual(len(self.report("cuts")["pieces"]), 3)
+        self.assert_stderr(warning, "check", "pages.obj", "--unit", "cm", "--output", "healed.vtp", code=0)
+        self.assertEqual(len(self.flatten("healed.vtp", "--unit", "cm")["pieces"]), 3)
 
     def area(self):
         """Of the flat surface as it was flattened."""

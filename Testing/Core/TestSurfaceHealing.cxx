@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <random>
+#include <set>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -212,7 +214,7 @@ TEST(SurfaceHealing, SeparatesWhatStandsOnASurface)
   EXPECT_EQ(surface.originalPoint[surface.vertexOfPoint[Sheet::at(6, 3)]], Sheet::at(6, 3));
 }
 
-TEST(SurfaceHealing, RefusesWhereItIsNotClearWhatGoesOn)
+TEST(SurfaceHealing, RefusesOrSeparatesWhereItIsNotClearWhatGoesOn)
 {
   // Three pages of a book.
   Points3 points{ Point3(0, 0, 0), Point3(0, 1, 0) };
@@ -231,6 +233,46 @@ TEST(SurfaceHealing, RefusesWhereItIsNotClearWhatGoesOn)
   EXPECT_EQ(surface.status.ids, (ElementIds{ ElementKind::Cells, Indices{ 0, 2, 4 } }));
   EXPECT_NE(surface.status.message.find("between points 0 and 1"), std::string::npos);
   EXPECT_EQ(surface.mesh.triangleCount(), 0);
+  const HealedSurface pages =
+    healSurface(points, triangles, CoincidentPoints::Automatic, Defects::Separate);
+  EXPECT_EQ(defectsOf(pages), DefectMix{ SurfaceDefect::CrowdedEdges });
+  Indices part;
+  EXPECT_EQ(connectedParts(pages.mesh, {}, part), 3);
+}
+
+TEST(SurfaceHealing, SeparatesAnyTriangles)
+{
+  std::mt19937 random(7);
+  int separated = 0;
+  for (int k = 0; k < 300; ++k)
+  {
+    SCOPED_TRACE(k);
+    std::uniform_real_distribution<double> place(0.0, 1.0);
+    Points3 points;
+    for (int p = 0; p < 14; ++p)
+    {
+      const double x = place(random);
+      const double y = place(random);
+      points.emplace_back(x, y, place(random));
+    }
+    std::set<Triangle> triangles;
+    while (triangles.size() < 40)
+    {
+      Indices corners(points.size());
+      std::iota(corners.begin(), corners.end(), 0);
+      std::shuffle(corners.begin(), corners.end(), random);
+      corners.resize(3);
+      std::sort(corners.begin(), corners.end());
+      triangles.insert({ corners[0], corners[1], corners[2] });
+    }
+    const HealedSurface surface = healSurface(points, Triangles(triangles.begin(), triangles.end()),
+      CoincidentPoints::Automatic, Defects::Separate);
+    // What hangs together without an edge of more than two may be one-sided.
+    EXPECT_TRUE(surface.status.ok() || surface.status.code == StatusCode::NotOrientable)
+      << surface.status.message;
+    separated += surface.status.ok() ? 1 : 0;
+  }
+  EXPECT_GT(separated, 290);
 }
 
 TEST(SurfaceHealing, DoublesPinchedPoints)

@@ -6,7 +6,9 @@ import time
 import unittest
 
 import numpy as np
+from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.vtkConstants import VTK_OBJECT
 
 import surfaceflattening as sf
 from surfaces import dome, grid, quiet, table_rows
@@ -147,6 +149,20 @@ class Suggestions(unittest.TestCase):
             suggestion = search(5)
         self.assertTrue(suggestion.cuts)
         self.assertEqual(len(suggestion.flattening.report["curves"]), len(suggestion.cuts))
+
+    def test_cuts_are_shown_while_the_search_goes_on(self):
+        filter_ = sf.vtkFeatureCurveSuggestion()
+        filter_.SetInputData(sf.make_surface(*dome()))
+        filter_.SetMaximumWork(3)
+        seen = []
+
+        @calldata_type(VTK_OBJECT)
+        def look(_, __, lines):
+            seen.append(lines.GetNumberOfCells())
+        filter_.AddObserver(filter_.PreviewEvent, look)
+        filter_.Update()
+        self.assertTrue(seen)
+        self.assertGreater(min(seen), 0)
 
     def test_what_is_wrong_is_raised(self):
         points, triangles = dome()

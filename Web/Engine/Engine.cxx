@@ -51,6 +51,7 @@ struct GivenOptions
 GivenOptions optionsFrom(OptionOwner owner, const val& given)
 {
   OptionStructures structures;
+  structures.proposes = owner == OptionOwner::Suggestion;
   OptionValues values(owner);
   std::map<std::string, const Option*> known;
   for (const Option* const option : values.options())

@@ -132,16 +132,7 @@ LoadedSurface loadSurface(SurfaceTriangles input, CoincidentPoints coincident, D
   {
     return result;
   }
-  if (defects != Defects::Refuse)
-  {
-    result.prepared = healSurface(result.input.points, result.input.triangles, coincident,
-      defects == Defects::Heal ? Specks::LeaveOut : Specks::Keep);
-  }
-  else
-  {
-    static_cast<PreparedSurface&>(result.prepared) =
-      prepareSurface(result.input.points, result.input.triangles, coincident);
-  }
+  result.prepared = healSurface(result.input.points, result.input.triangles, coincident, defects);
   const Status& status = result.prepared.status;
   // Its points are the input's.
   result.outcome =

@@ -28,14 +28,6 @@ struct SurfaceTriangles
 /// Index; Ok where it has not.
 Status checkSize(std::int64_t points, std::int64_t corners);
 
-/// What is done about defects of a surface.
-enum class Defects
-{
-  Heal,      ///< where it is clear how, see healSurface()
-  HealParts, ///< the same, but for specks
-  Refuse,    ///< but for triangles that are turned over
-};
-
 /// A surface made into a mesh, or refused in the ids of the input.
 struct LoadedSurface
 {

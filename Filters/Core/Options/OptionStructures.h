@@ -6,6 +6,7 @@
 #include "Reshaping/FlattenableSurface.h"
 #include "Sewing/PieceSewing.h"
 #include "Suggestion/CurveSuggestions.h"
+#include "Surface/SurfaceHealing.h"
 #include "Surface/SurfacePreparation.h"
 
 #include <algorithm>
@@ -22,11 +23,19 @@ struct OptionStructures
 {
   CoincidentPoints coincidentPoints = CoincidentPoints::Automatic;
   bool healSurface = true;
+  bool proposes = false; ///< cuts, which also may run where more than two triangles meet
   ImprintOptions imprint;
   FlatteningOptions flattening;
   SearchOptions search;
   FlattenableOptions reshaping;
   SewingOptions sewing;
+
+  Defects defects() const
+  {
+    return !this->healSurface ? Defects::Refuse
+      : this->proposes        ? Defects::Separate
+                              : Defects::Heal;
+  }
 };
 
 /// The value of a number, flag, enumeration, text, or range of numbers.

@@ -274,7 +274,7 @@ ImprintData imprintData(const SurfaceArrays& input, const CurvedSurface& source)
 std::vector<std::string> healData(const DataSet& surface, DataSet& healed)
 {
   const LoadedSurface loaded =
-    loadSurface(readTriangles(surface), CoincidentPoints::Automatic, Defects::Heal);
+    loadSurface(readTriangles(surface), CoincidentPoints::Automatic, Defects::Separate);
   std::vector<std::string> sentences = loaded.mendings;
   if (!loaded.outcome.ok())
   {

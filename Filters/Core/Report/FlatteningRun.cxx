@@ -127,8 +127,7 @@ bool FlatteningRun::load(SurfaceTriangles surface, CurveInput curves,
   const Execution& execution)
 {
   this->source.surface = surface.outcome.ok()
-    ? loadSurface(std::move(surface), options.coincidentPoints,
-        options.healSurface ? Defects::Heal : Defects::Refuse)
+    ? loadSurface(std::move(surface), options.coincidentPoints, options.defects())
     : LoadedSurface{ {}, {}, surface.outcome, {} };
   const std::vector<std::string>& mendings = this->source.surface.mendings;
   this->source.warnings.insert(this->source.warnings.end(), mendings.begin(), mendings.end());

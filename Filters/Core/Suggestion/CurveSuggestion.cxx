@@ -653,7 +653,16 @@ private:
       if (images[p] != none)
       {
         done[images[p]] = 1;
+        const std::size_t first = cuts.size();
         addImages(cuts, before, *mirror);
+        if (mirror->error > SurfaceMirror::exact)
+        {
+          const SeamDrawing drawing(pieces[images[p]].mesh); // another piece may be nearer
+          for (std::size_t k = first; k < cuts.size(); ++k)
+          {
+            cuts[k].curve.points = drawing.moved(cuts[k].curve.points);
+          }
+        }
       }
     }
     return cuts;
@@ -779,7 +788,7 @@ CurveSuggestions suggestCurves(const TriangleMesh& mesh, const std::vector<Polyl
       std::vector<Points3> drawn;
       for (const Points3& line : lines)
       {
-        drawn.push_back(drawing.draw(drawing.place(line), SeamDrawing::levels - 1));
+        drawn.push_back(drawing.moved(line));
       }
       execution.preview(drawn);
     };

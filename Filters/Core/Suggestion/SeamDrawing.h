@@ -37,6 +37,8 @@ public:
   /// From place to place: along creases and boundaries as they are, elsewhere smooth. No points
   /// where there is no way to a place.
   Points3 draw(const std::vector<SurfacePoint>& chain, int level) const;
+  /// The same line on this surface, which it need not lie on.
+  Points3 moved(const Points3& line) const { return this->draw(this->place(line), levels - 1); }
 
 private:
   bool exact(const SurfacePoint& from, const SurfacePoint& to) const;

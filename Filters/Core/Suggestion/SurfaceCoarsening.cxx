@@ -357,7 +357,7 @@ std::vector<SuggestedCurve> movedCuts(const TriangleMesh& mesh,
       points = mirror->mirrored(cuts[cut.mirrorOf].curve.points);
       continue;
     }
-    points = drawing.draw(drawing.place(points), SeamDrawing::levels - 1);
+    points = drawing.moved(points);
     cut.length = lengthOf(points);
   }
   return possible(mesh, std::move(cuts), flattening);

@@ -417,14 +417,50 @@ std::pair<Index, Index> endsOf(const Draft& draft, Index h)
   return std::minmax({ t[h % 3], t[(h + 1) % 3] });
 }
 
-/// Gives each fan of triangles at a point a point of its own; that of the most triangles keeps the
-/// old one. \return the points that had several
-Indices splitFans(Draft& draft, const Indices& partner)
+/// Parts partners at crowded edges that cannot be oriented alike.
+void partOneSided(const Draft& draft, const std::vector<Indices>& crowded, Indices& partner)
 {
-  Triangles& triangles = draft.triangles;
-  JoinedSets corners(static_cast<Index>(3 * triangles.size()));
+  const Index count = static_cast<Index>(draft.triangles.size());
+  JoinedSets sides(2 * count); // of each triangle, and behind them of each turned over
+  const auto start = [&draft](Index h) { return draft.triangles[h / 3][h % 3]; };
+  const auto join = [&](Index h, Index g) {
+    const Index turn = start(h) != start(g) ? 0 : count;
+    const bool opposed = sides.find(h / 3) == sides.find(g / 3 + count - turn);
+    if (!opposed)
+    {
+      sides.join(h / 3, g / 3 + turn);
+      sides.join(h / 3 + count, g / 3 + count - turn);
+    }
+    return !opposed;
+  };
+  std::vector<char> isCrowded(partner.size(), 0);
+  for (const Indices& edge : crowded)
+  {
+    for (const Index h : edge)
+    {
+      isCrowded[h] = 1;
+    }
+  }
+  for (const char now : { 0, 1 })
+  {
+    for (std::size_t k = 0; k < partner.size(); ++k)
+    {
+      const Index h = static_cast<Index>(k);
+      const Index g = partner[k];
+      if (isCrowded[k] == now && g > h && !join(h, g) && now)
+      {
+        partner[h] = partner[g] = none;
+      }
+    }
+  }
+}
+
+/// The fans of triangles at points: sets of corners.
+JoinedSets fansOf(const Draft& draft, const Indices& partner)
+{
+  JoinedSets corners(static_cast<Index>(3 * draft.triangles.size()));
   const auto next = [](Index h) { return TriangleMesh::next(h); };
-  const auto start = [&triangles](Index h) { return triangles[h / 3][h % 3]; };
+  const auto start = [&draft](Index h) { return draft.triangles[h / 3][h % 3]; };
   for (std::size_t k = 0; k < partner.size(); ++k)
   {
     const Index h = static_cast<Index>(k);
@@ -436,6 +472,64 @@ Indices splitFans(Draft& draft, const Indices& partner)
       corners.join(next(h), alike ? g : next(g));
     }
   }
+  return corners;
+}
+
+/// Triangles that are not partners at an edge, but have both its ends in common, are parted at one
+/// more edge. \return the ends of these edges
+Indices partAtEnds(const Draft& draft, Indices& partner)
+{
+  Indices opened;
+  const std::vector<Indices> crowded =
+    crowdedEdges(sortedSides(draft.triangles, draft.points.size()));
+  const auto start = [&draft](Index h) { return draft.triangles[h / 3][h % 3]; };
+  const auto next = [](Index h) { return TriangleMesh::next(h); };
+  for (std::size_t before = 1; before > 0;)
+  {
+    before = 0;
+    JoinedSets fans = fansOf(draft, partner);
+    for (const Indices& edge : crowded)
+    {
+      const Index low = endsOf(draft, edge.front()).first;
+      std::map<std::pair<Index, Index>, Index> first; // by the fans at both ends
+      for (const Index h : edge)
+      {
+        const Index atLow = start(h) == low ? h : next(h);
+        const Index atHigh = start(h) == low ? next(h) : h;
+        const Index kept =
+          first.emplace(std::pair(fans.find(atLow), fans.find(atHigh)), h).first->second;
+        if (kept == h || partner[h] == kept)
+        {
+          continue;
+        }
+        for (const Index side : { h, partner[h] })
+        {
+          // The other side of the triangle at the lower end.
+          const Index other = side == none ? none
+            : start(side) == low           ? next(next(side))
+                                           : next(side);
+          if (other != none && partner[other] != none)
+          {
+            const auto [from, to] = endsOf(draft, other);
+            opened.insert(opened.end(), { from, to });
+            partner[partner[other]] = none;
+            partner[other] = none;
+            ++before;
+          }
+        }
+      }
+    }
+  }
+  return opened;
+}
+
+/// Gives each fan of triangles at a point a point of its own; that of the most triangles keeps the
+/// old one. \return the points that had several
+Indices splitFans(Draft& draft, const Indices& partner)
+{
+  Triangles& triangles = draft.triangles;
+  JoinedSets corners = fansOf(draft, partner);
+  const auto start = [&triangles](Index h) { return triangles[h / 3][h % 3]; };
   Indices fanOf(draft.points.size(), none); // the first
   Indices pinched;
   for (Index h = 0; h < static_cast<Index>(partner.size()); ++h)
@@ -492,7 +586,7 @@ void report(HealedSurface& result, SurfaceDefect defect, ElementKind kind, Indic
 
 /// Leaves out fins and specks, separates the rest where parts touch. The status is that of an edge
 /// where it is not clear which triangles go on with each other.
-Status separateParts(Draft& draft, Specks specksAre, HealedSurface& result)
+Status separateParts(Draft& draft, Defects defects, HealedSurface& result)
 {
   const std::vector<HalfedgeKey> sides = sortedSides(draft.triangles, draft.points.size());
   const std::vector<Indices> crowded = crowdedEdges(sides);
@@ -509,7 +603,7 @@ Status separateParts(Draft& draft, Specks specksAre, HealedSurface& result)
     const Parts sheets(draft, partner);
     for (const Indices& edge : crowded)
     {
-      if (!pairAtEdge(draft, sheets, edge, partner))
+      if (!pairAtEdge(draft, sheets, edge, partner) && defects != Defects::Separate)
       {
         Indices around;
         for (const Index h : edge)
@@ -519,6 +613,10 @@ Status separateParts(Draft& draft, Specks specksAre, HealedSurface& result)
         const auto [low, high] = endsOf(draft, edge.front());
         return crowdedEdge(low, high, around);
       }
+    }
+    if (defects == Defects::Separate)
+    {
+      partOneSided(draft, crowded, partner);
     }
   }
   const Parts parts(draft, partner);
@@ -541,7 +639,7 @@ Status separateParts(Draft& draft, Specks specksAre, HealedSurface& result)
   {
     const Index p = static_cast<Index>(part);
     const bool fin = cameOff[part] && parts.isFin(p);
-    leftOut[part] = fin || (specksAre == Specks::LeaveOut && parts.isSpeck(p)) ? 1 : 0;
+    leftOut[part] = fin || (defects != Defects::HealParts && parts.isSpeck(p)) ? 1 : 0;
     speckCount += leftOut[part] && !fin ? 1 : 0;
     cameOff[part] = fin ? 1 : 0;
   }
@@ -586,6 +684,8 @@ Status separateParts(Draft& draft, Specks specksAre, HealedSurface& result)
     partner = std::move(ofKept);
     takeOut(draft, [&placeOf](Index t) { return placeOf[t] == none; });
   }
+  const Indices opened = partAtEnds(draft, partner);
+  separated.insert(separated.end(), opened.begin(), opened.end());
   Indices pinched = splitFans(draft, partner);
   Indices onEdges = separated;
   std::sort(onEdges.begin(), onEdges.end());
@@ -653,13 +753,17 @@ void finish(const Draft& draft, HealedSurface& result)
 }
 
 HealedSurface heal(
-  const Points3& points, const Triangles& triangles, CoincidentPoints coincident, Specks specks)
+  const Points3& points, const Triangles& triangles, CoincidentPoints coincident, Defects defects)
 {
   HealedSurface sound;
   static_cast<PreparedSurface&>(sound) = prepareSurface(points, triangles, coincident);
+  if (defects == Defects::Refuse)
+  {
+    return sound;
+  }
   const StatusCode code = sound.status.code;
   const bool ok = code == StatusCode::Ok;
-  const bool hasSpecks = ok && specks == Specks::LeaveOut && hasSpeck(sound.mesh);
+  const bool hasSpecks = ok && defects != Defects::HealParts && hasSpeck(sound.mesh);
   const bool mendable = hasSpecks || (ok && hasNeedle(sound.mesh)) ||
     code == StatusCode::DegenerateTriangle || code == StatusCode::NonManifoldEdge ||
     code == StatusCode::NonManifoldVertex;
@@ -694,7 +798,7 @@ HealedSurface heal(
   report(result, SurfaceDefect::DoubledTriangles, ElementKind::Cells,
     takeOut(draft,
       [&doubled](Index t) { return std::binary_search(doubled.begin(), doubled.end(), t); }));
-  result.status = separateParts(draft, specks, result);
+  result.status = separateParts(draft, defects, result);
   if (!result.status.ok())
   {
     return result;
@@ -723,8 +827,8 @@ HealedSurface heal(
 }
 
 HealedSurface healSurface(
-  const Points3& points, const Triangles& triangles, CoincidentPoints coincident, Specks specks)
+  const Points3& points, const Triangles& triangles, CoincidentPoints coincident, Defects defects)
 {
-  return withinMemory([&] { return heal(points, triangles, coincident, specks); });
+  return withinMemory([&] { return heal(points, triangles, coincident, defects); });
 }
 }

@@ -16,17 +16,20 @@ enum class SurfaceDefect
   FlatTriangles,     ///< without area: taken out, what lies behind them is divided
   DoubledTriangles,  ///< with the same corners as another, in either orientation
   Fins,              ///< small parts that stand on an edge of two others
-  CrowdedEdges,      ///< of more than two triangles, between large parts: separated there
+  CrowdedEdges,      ///< of more than two triangles, between large parts: separated there, and
+                     ///< at an edge beside it where the triangles have both ends in common
   PinchedPoints,     ///< in which parts of the surface touch: doubled
   ReversedTriangles, ///< oriented against the majority of their part
   Specks,            ///< parts below a thousandth of the area of the largest: left out
 };
 
-/// Of a surface that has been cut, a small part may be a piece.
-enum class Specks
+/// What is done about defects of a surface.
+enum class Defects
 {
-  LeaveOut,
-  Keep,
+  Heal,      ///< where it is clear how, see healSurface()
+  HealParts, ///< the same, but for specks: of a surface that has been cut, they may be pieces
+  Separate,  ///< as Heal; an edge of more than two triangles comes apart where no rule decides
+  Refuse,    ///< but for triangles that are turned over
 };
 
 /// What was done about one kind of defect.
@@ -61,10 +64,10 @@ struct HealedSurface : PreparedSurface
 ///   or of one part, or in one plane by at least 30 degrees clearer than any other two that are
 ///   oriented alike, else than any other two. The others come off, and are fins below a hundredth
 ///   of the area of the largest part, or as single triangles below a tenth. Where none of it
-///   decides between large parts, the surface is refused.
+///   decides between large parts, the surface is refused, or all come off.
 ///
 /// It takes linear time, and where the surface has no defect returns prepareSurface()'s to the last
 /// bit. Which triangle of doubled ones stays is all that depends on their order.
 HealedSurface healSurface(const Points3& points, const Triangles& triangles,
-  CoincidentPoints coincident = CoincidentPoints::Automatic, Specks specks = Specks::LeaveOut);
+  CoincidentPoints coincident = CoincidentPoints::Automatic, Defects defects = Defects::Heal);
 }

@@ -62,8 +62,22 @@ void weld(
           (distance > 0.0
               ? "at most " + shortNumber(welded.farthest * request.millimetres) + " mm off"
               : std::string("on")) +
-          ", as " + (request.weld ? "--weld asks" : "the format of the file doubles points"));
+          (request.weld         ? ", as --weld asks"
+              : request.doubled ? ", as the format of the file doubles points"
+                                : ", as most of the boundary does; --no-weld keeps it open"));
   }
+}
+
+/// Whether most edges of the boundary lie on each other, as where texture seams double points.
+bool isMostlyUnjoined(const TriangleList& list, double size)
+{
+  const std::vector<BoundaryLoop> loops = boundaryLoops(list);
+  std::size_t edges = 0;
+  for (const BoundaryLoop& loop : loops)
+  {
+    edges += loop.points.size();
+  }
+  return 2 * unjoinedEdges(list, loops, weldDistance * size, 0.0).coincident.count > edges;
 }
 
 /// Triangles that close the loop; none where it cannot be closed.
@@ -181,7 +195,8 @@ MendedSurface mendSurface(const DataSet& surface, const MendingRequest& request)
       weldBoundary(list, weldDistance * size, 0.0);
     }
   };
-  if (request.weld || (request.doubled && !soup))
+  if (request.weld || (request.doubled && !soup) ||
+    (request.likely && !soup && isMostlyUnjoined(list, size)))
   {
     weld(list, size, request, mended.notes);
   }

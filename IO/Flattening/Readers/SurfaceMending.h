@@ -15,6 +15,7 @@ struct MendingRequest
   /// Join points of the boundary up to this distance apart, in mm; 0: those that coincide.
   std::optional<double> weld = std::nullopt;
   bool doubled = false;     ///< the same, because the file's format doubles points
+  bool likely = false;      ///< the same where most of the boundary lies on itself
   double fillHoles = 0.0;   ///< close openings up to so many millimetres across
   double millimetres = 1.0; ///< of the unit of the surface
   bool outerSide = false;   ///< of a closed sheet with thickness take the outer side alone

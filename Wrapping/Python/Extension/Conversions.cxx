@@ -309,6 +309,7 @@ Settings::Settings(const std::string& owner, const py::dict& values)
       option->set(this->structures, valueOf(*option, values[option->property.c_str()]));
     }
   }
+  this->structures.proposes = last == OptionOwner::Suggestion;
   FlatteningOptions& flattening = this->structures.flattening;
   if (last == OptionOwner::Conformal)
   {
