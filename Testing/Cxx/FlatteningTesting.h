@@ -13,6 +13,7 @@
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkFlatPieceAlgorithm.h"
+#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -25,6 +26,7 @@
 #include "vtkVariant.h"
 #include "vtkXMLPolyDataReader.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -111,6 +113,32 @@ private:
 };
 
 using Cell = std::vector<vtkIdType>;
+
+/// An array of what a function gives for 0, 1, ...
+template <class Array, class Value>
+vtkSmartPointer<Array> arrayOf(const char* name, vtkIdType count, const Value& value)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    array->InsertNextValue(value(k));
+  }
+  return array;
+}
+
+template <class Array, class Value>
+vtkSmartPointer<Array> arrayOf(const char* name, const std::vector<Value>& values)
+{
+  return arrayOf<Array>(name, static_cast<vtkIdType>(values.size()),
+    [&values](vtkIdType k) { return values[static_cast<std::size_t>(k)]; });
+}
+
+/// A value of an array of cells.
+inline double cellValue(vtkPolyData* data, const char* array, vtkIdType cell)
+{
+  return data->GetCellData()->GetArray(array)->GetComponent(cell, 0);
+}
 
 inline vtkSmartPointer<vtkPolyData> makePolyData(
   const std::vector<std::array<double, 3>>& coordinates, const std::vector<Cell>& polygons)
@@ -229,13 +257,7 @@ inline vtkSmartPointer<vtkPolyData> makeCurves(
   }
   if (!types.empty())
   {
-    vtkNew<vtkIntArray> array;
-    array->SetName("CurveType");
-    for (const int type : types)
-    {
-      array->InsertNextValue(type);
-    }
-    curves->GetCellData()->AddArray(array);
+    curves->GetCellData()->AddArray(arrayOf<vtkIntArray>("CurveType", types));
   }
   return curves;
 }
@@ -354,6 +376,7 @@ inline bool isEmpty(vtkPolyData* data)
 {
   return data->GetNumberOfPoints() == 0 && data->GetNumberOfCells() == 0;
 }
+
 /// Equal to the last bit.
 inline void samePoints(Checks& check, vtkPolyData* a, vtkPolyData* b, const std::string& what)
 {

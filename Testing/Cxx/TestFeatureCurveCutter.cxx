@@ -39,11 +39,9 @@ void aDartOpens(Checks& check)
   double boundary = 0.0;
   for (vtkIdType w = 0; w < wires->GetNumberOfLines(); ++w)
   {
-    const double type = wires->GetCellData()->GetArray("CurveType")->GetComponent(w, 0);
-    check.equal(
-      wires->GetCellData()->GetArray("Boundary")->GetComponent(w, 0), 1.0, "the wire is boundary");
-    (type == 2.0 ? dart : boundary) +=
-      wires->GetCellData()->GetArray("RestLength")->GetComponent(w, 0);
+    check.equal(cellValue(wires, "Boundary", w), 1.0, "the wire is boundary");
+    (cellValue(wires, "CurveType", w) == 2.0 ? dart : boundary) +=
+      cellValue(wires, "RestLength", w);
   }
   check.near(dart, 2 * 0.5, 1e-12, "length of both sides of the dart");
   check.near(boundary, 4.0, 1e-12, "length of the square's boundary");

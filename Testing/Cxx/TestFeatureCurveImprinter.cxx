@@ -4,7 +4,6 @@
 #include "FlatteningTesting.h"
 
 #include "vtkFeatureCurveImprinter.h"
-#include "vtkIdTypeArray.h"
 #include "vtkWireWarpingFilter.h"
 
 using namespace flatteningTesting;
@@ -19,16 +18,10 @@ vtkSmartPointer<vtkPolyData> makeCrossing()
     {});
   addLine(curves, { 0, 1, 2 });
   addLine(curves, { 3, 4, 5 });
-  vtkNew<vtkStringArray> types;
-  types->SetName("CurveType");
-  types->InsertNextValue("key");
-  types->InsertNextValue("accessory");
-  curves->GetCellData()->AddArray(types);
-  vtkNew<vtkDoubleArray> weights;
-  weights->SetName("Thread");
-  weights->InsertNextValue(7.5);
-  weights->InsertNextValue(8.5);
-  curves->GetCellData()->AddArray(weights);
+  curves->GetCellData()->AddArray(
+    arrayOf<vtkStringArray>("CurveType", std::vector<std::string>{ "key", "accessory" }));
+  curves->GetCellData()->AddArray(
+    arrayOf<vtkDoubleArray>("Thread", std::vector<double>{ 7.5, 8.5 }));
   return curves;
 }
 
@@ -51,21 +44,12 @@ double length(vtkPolyData* lines, vtkIdType line)
 void dataOfTheInputComeAlong(Checks& check)
 {
   const auto grid = makeGrid(7, 5);
-  vtkNew<vtkDoubleArray> linear; // reproduced exactly by linear interpolation
-  linear->SetName("Linear");
-  vtkNew<vtkIntArray> label;
-  label->SetName("Label");
-  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
-  {
-    const double* x = grid->GetPoint(p);
-    linear->InsertNextValue(2.0 * x[0] - 3.0 * x[1] + 1.0);
-  }
-  for (vtkIdType t = 0; t < grid->GetNumberOfCells(); ++t)
-  {
-    label->InsertNextValue(static_cast<int>(1000 + t));
-  }
-  grid->GetPointData()->AddArray(linear);
-  grid->GetCellData()->AddArray(label);
+  const auto linear = [](const double* x) { return 2.0 * x[0] - 3.0 * x[1] + 1.0; };
+  // Reproduced exactly by linear interpolation.
+  grid->GetPointData()->AddArray(arrayOf<vtkDoubleArray>(
+    "Linear", grid->GetNumberOfPoints(), [&](vtkIdType p) { return linear(grid->GetPoint(p)); }));
+  grid->GetCellData()->AddArray(arrayOf<vtkIntArray>(
+    "Label", grid->GetNumberOfCells(), [](vtkIdType t) { return static_cast<int>(1000 + t); }));
   const auto filter = updated<vtkFeatureCurveImprinter>(grid, makeCrossing());
   vtkPolyData* surface = filter->GetOutput(0);
   vtkDataArray* values = surface->GetPointData()->GetArray("Linear");
@@ -82,9 +66,7 @@ void dataOfTheInputComeAlong(Checks& check)
   check.that(surface->GetNumberOfPoints() > grid->GetNumberOfPoints(), "there are new points");
   for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
   {
-    double x[3];
-    surface->GetPoint(p, x);
-    check.near(values->GetComponent(p, 0), 2.0 * x[0] - 3.0 * x[1] + 1.0, 1e-14, "point data");
+    check.near(values->GetComponent(p, 0), linear(surface->GetPoint(p)), 1e-14, "point data");
     const vtkIdType expected = p < grid->GetNumberOfPoints() ? p : -1;
     check.equal(points->GetValue(p), expected, "original point");
   }
@@ -125,14 +107,8 @@ void severalDataSetsOfCurvesGiveTheirCommonArrays(Checks& check)
   const auto one = makeCrossing();
   const auto two = makePolyData({ { 0.2, 0.3, 0 }, { 0.8, 0.35, 0 } }, {});
   addLine(two, { 0, 1 });
-  vtkNew<vtkDoubleArray> thread;
-  thread->SetName("Thread");
-  thread->InsertNextValue(9.5);
-  two->GetCellData()->AddArray(thread);
-  vtkNew<vtkDoubleArray> alone;
-  alone->SetName("Alone");
-  alone->InsertNextValue(1.0);
-  two->GetCellData()->AddArray(alone);
+  two->GetCellData()->AddArray(filled<vtkDoubleArray>("Thread", 1, 1, 9.5));
+  two->GetCellData()->AddArray(filled<vtkDoubleArray>("Alone", 1, 1, 1.0));
   vtkNew<vtkFeatureCurveImprinter> filter;
   filter->SetInputData(makeGrid(3, 3));
   filter->AddInputData(1, one);

@@ -4,7 +4,6 @@
 #include "FlatteningTesting.h"
 
 #include "vtkFeatureEdges.h"
-#include "vtkIdTypeArray.h"
 #include "vtkTrivialProducer.h"
 #include "vtkWireWarpingFilter.h"
 
@@ -12,18 +11,6 @@ using namespace flatteningTesting;
 
 namespace
 {
-vtkSmartPointer<vtkStringArray> makeStrings(
-  const char* name, const std::vector<std::string>& values)
-{
-  auto array = vtkSmartPointer<vtkStringArray>::New();
-  array->SetName(name);
-  for (const std::string& value : values)
-  {
-    array->InsertNextValue(value);
-  }
-  return array;
-}
-
 vtkIdType curveCount(vtkWireWarpingFilter* filter)
 {
   return filter->GetCurves()->GetNumberOfRows();
@@ -35,13 +22,13 @@ void typesMayBeNumbersOrNames(Checks& check)
   const std::vector<Cell> lines = { { 10, 11, 12 }, { 2, 7 }, { 14, 13 }, { 15, 16, 17, 18, 19 } };
   const auto byNumber = makeCurves(grid, lines, { 0, 1, 2, 3 });
   const auto byName = makeCurves(grid, lines);
-  byName->GetCellData()->AddArray(makeStrings("CurveType", { "accessory", "key", "dart", "seam" }));
+  const std::vector<std::string> types{ "accessory", "key", "dart", "seam" };
+  byName->GetCellData()->AddArray(arrayOf<vtkStringArray>("CurveType", types));
   for (vtkPolyData* curves : { byNumber.Get(), byName.Get() })
   {
     const auto filter = updated<vtkWireWarpingFilter>(grid, curves);
     check.equal(std::string(filter->GetStatusName()), "Ok", "status");
     check.equal(curveCount(filter), 4, "number of curves");
-    const std::array<const char*, 4> types{ "accessory", "key", "dart", "seam" };
     for (int c = 0; c < 4; ++c)
     {
       check.equal(text(filter->GetCurves(), "Type", c), types[c], "type");
@@ -58,7 +45,7 @@ void curvesComeFromSeveralDataSets(Checks& check)
   const auto grid = makeGrid(4, 4);
   addLine(grid, { 10, 11, 12, 13, 14 });
   const auto first = makeCurves(grid, { { 2, 7, 12 } });
-  first->GetCellData()->AddArray(makeStrings("CurveName", { "waist" }));
+  first->GetCellData()->AddArray(filled<vtkStringArray>("CurveName", 1, 1, "waist"));
   const auto second = makeCurves(grid, { { 22, 17, 12 } });
   vtkNew<vtkWireWarpingFilter> filter;
   filter->SetInputData(grid);
@@ -98,7 +85,8 @@ void namesKeepTwoPointLinesApart(Checks& check)
 {
   const auto grid = makeGrid(4, 4);
   const auto curves = makeCurves(grid, { { 10, 11 }, { 11, 12 }, { 12, 13 }, { 13, 14 } });
-  curves->GetCellData()->AddArray(makeStrings("CurveName", { "left", "left", "right", "right" }));
+  curves->GetCellData()->AddArray(arrayOf<vtkStringArray>(
+    "CurveName", std::vector<std::string>{ "left", "left", "right", "right" }));
   const auto filter = updated<vtkWireWarpingFilter>(grid, curves);
   check.equal(curveCount(filter), 2, "number of curves");
   check.equal(text(filter->GetCurves(), "Name", 0), "left", "first name");

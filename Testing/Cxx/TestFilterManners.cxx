@@ -3,14 +3,11 @@
 // modification times, runs after an abort, and attributes that still mean something in the plane.
 #include "FlatteningTesting.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkErrorCode.h"
-#include "vtkExecutive.h"
 #include "vtkLeastSquaresConformalFilter.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkSurfaceDevelopability.h"
 #include "vtkWireWarpingFilter.h"
-#include "vtkXMLPolyDataReader.h"
 
 #include <new>
 #include <stdexcept>

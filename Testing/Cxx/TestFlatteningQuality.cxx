@@ -3,7 +3,6 @@
 #include "FlatteningTesting.h"
 
 #include "vtkFlatteningQuality.h"
-#include "vtkIdTypeArray.h"
 #include "vtkWireWarpingFilter.h"
 
 using namespace flatteningTesting;
@@ -21,11 +20,6 @@ vtkSmartPointer<vtkPolyData> mapped(
     flat->GetPoints()->SetPoint(p, position[0], position[1], 0.0);
   }
   return flat;
-}
-
-double cellValue(vtkPolyData* data, const char* name, vtkIdType cell)
-{
-  return data->GetCellData()->GetArray(name)->GetComponent(cell, 0);
 }
 
 void edgesChooseWhatCounts(Checks& check)

@@ -2,7 +2,6 @@
 // The comparison method: Table 1's row of the quarter-sphere, darts, pins.
 #include "FlatteningTesting.h"
 
-#include "vtkIdTypeArray.h"
 #include "vtkLeastSquaresConformalFilter.h"
 
 using namespace flatteningTesting;

@@ -6,7 +6,6 @@
 #include "vtkBoundingBox.h"
 #include "vtkFeatureCurveCutter.h"
 #include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkLeastSquaresConformalFilter.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkWireWarpingFilter.h"
@@ -145,14 +144,9 @@ void listsWithoutRowsAreNoArrays(Checks& check)
   // Lists that the input has from an earlier run do not pass for those of this one.
   for (const char* name : { "SeamPairs", "GrainAngle" })
   {
-    vtkNew<vtkIdTypeArray> stale;
-    stale->SetName(name);
-    stale->InsertNextValue(7);
-    surface->GetFieldData()->AddArray(stale);
+    surface->GetFieldData()->AddArray(filled<vtkIdTypeArray>(name, 1, 1, 7));
   }
-  vtkNew<vtkIdTypeArray> own;
-  own->SetName("OwnList");
-  surface->GetFieldData()->AddArray(own);
+  surface->GetFieldData()->AddArray(filled<vtkIdTypeArray>("OwnList", 1, 0, 0));
   filter->SetInputData(surface);
   vtkNew<vtkFeatureCurveCutter> cutter;
   cutter->SetInputData(surface);

@@ -13,8 +13,6 @@
 #include "vtkSurfaceDevelopability.h"
 #include "vtkWireWarpingFilter.h"
 
-#include <algorithm>
-
 using namespace flatteningTesting;
 
 namespace

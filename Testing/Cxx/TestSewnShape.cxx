@@ -2,7 +2,6 @@
 // vtkSewnShape: distances are those that VTK's locator finds, and what cannot be sewn is refused.
 #include "FlatteningTesting.h"
 
-#include "vtkIdTypeArray.h"
 #include "vtkSewnShape.h"
 #include "vtkStaticCellLocator.h"
 #include "vtkWireWarpingFilter.h"

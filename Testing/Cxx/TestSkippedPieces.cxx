@@ -3,7 +3,6 @@
 #include "FlatteningTesting.h"
 
 #include "vtkAppendPolyData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkLeastSquaresConformalFilter.h"
 #include "vtkWireWarpingFilter.h"
 
@@ -45,20 +44,10 @@ vtkSmartPointer<vtkPolyData> together(const std::vector<vtkSmartPointer<vtkPolyD
   }
   append->Update();
   vtkSmartPointer<vtkPolyData> result = append->GetOutput();
-  vtkNew<vtkIntArray> cells;
-  cells->SetName("CellNumber");
-  for (vtkIdType k = 0; k < result->GetNumberOfCells(); ++k)
-  {
-    cells->InsertNextValue(static_cast<int>(k));
-  }
-  result->GetCellData()->AddArray(cells);
-  vtkNew<vtkDoubleArray> points;
-  points->SetName("PointNumber");
-  for (vtkIdType k = 0; k < result->GetNumberOfPoints(); ++k)
-  {
-    points->InsertNextValue(static_cast<double>(k));
-  }
-  result->GetPointData()->AddArray(points);
+  result->GetCellData()->AddArray(arrayOf<vtkIntArray>(
+    "CellNumber", result->GetNumberOfCells(), [](vtkIdType k) { return static_cast<int>(k); }));
+  result->GetPointData()->AddArray(arrayOf<vtkDoubleArray>("PointNumber",
+    result->GetNumberOfPoints(), [](vtkIdType k) { return static_cast<double>(k); }));
   return result;
 }
 

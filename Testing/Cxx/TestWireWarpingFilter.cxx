@@ -3,7 +3,6 @@
 // data.
 #include "FlatteningTesting.h"
 
-#include "vtkIdTypeArray.h"
 #include "vtkWireWarpingFilter.h"
 
 #include <set>
@@ -106,14 +105,13 @@ void outputsAreAsDocumented(Checks& check)
   double arc = 0.0;
   for (vtkIdType w = 0; w < wires->GetNumberOfLines(); ++w)
   {
-    auto value = [wires, w](const char* name) {
-      return wires->GetCellData()->GetArray(name)->GetComponent(w, 0);
-    };
-    (value("Boundary") == 1.0 ? boundary : arc) += value("RestLength");
+    const auto value = [wires, w](const char* name) { return cellValue(wires, name, w); };
+    const bool isBoundary = value("Boundary") == 1.0;
+    (isBoundary ? boundary : arc) += value("RestLength");
     check.near(value("FlatLength"), value("RestLength"), 1e-10, "length of a wire");
     check.near(value("LengthError"), 0.0, 1e-10, "length error of a wire");
-    check.equal(value("CurveType"), value("Boundary") == 1.0 ? -1.0 : 0.0, "CurveType of a wire");
-    check.equal(value("CurveId"), value("Boundary") == 1.0 ? -1.0 : 0.0, "CurveId of a wire");
+    check.equal(value("CurveType"), isBoundary ? -1.0 : 0.0, "CurveType of a wire");
+    check.equal(value("CurveId"), isBoundary ? -1.0 : 0.0, "CurveId of a wire");
   }
   check.near(boundary, 16 * edge, 1e-12, "length of the boundary");
   check.near(arc, 4 * edge, 1e-12, "length of the arc");
@@ -142,24 +140,11 @@ void outputsAreAsDocumented(Checks& check)
 void dataIsCarriedAndTheInputIsLeftAlone(Checks& check)
 {
   const auto surface = makeQuarterSphere();
-  vtkNew<vtkDoubleArray> pointValues;
-  pointValues->SetName("PointValue");
-  for (vtkIdType p = 0; p < 37; ++p)
-  {
-    pointValues->InsertNextValue(0.5 * static_cast<double>(p));
-  }
-  surface->GetPointData()->SetScalars(pointValues);
-  vtkNew<vtkStringArray> cellValues;
-  cellValues->SetName("CellValue");
-  for (vtkIdType c = 0; c < 56; ++c)
-  {
-    cellValues->InsertNextValue("cell " + std::to_string(c));
-  }
-  surface->GetCellData()->AddArray(cellValues);
-  vtkNew<vtkIntArray> season;
-  season->SetName("Season");
-  season->InsertNextValue(2008);
-  surface->GetFieldData()->AddArray(season);
+  surface->GetPointData()->SetScalars(arrayOf<vtkDoubleArray>(
+    "PointValue", 37, [](vtkIdType p) { return 0.5 * static_cast<double>(p); }));
+  surface->GetCellData()->AddArray(arrayOf<vtkStringArray>(
+    "CellValue", 56, [](vtkIdType c) { return "cell " + std::to_string(c); }));
+  surface->GetFieldData()->AddArray(filled<vtkIntArray>("Season", 1, 1, 2008));
   vtkNew<vtkPolyData> before;
   before->DeepCopy(surface);
   const vtkMTimeType time = surface->GetMTime();

@@ -6,8 +6,6 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkWireWarpingFilter.h"
 
-#include <algorithm>
-
 using namespace flatteningTesting;
 
 namespace

@@ -3,7 +3,6 @@
 // but for a row in the table of pieces.
 #include "FlatteningTesting.h"
 
-#include "vtkIdTypeArray.h"
 #include "vtkWireWarpingFilter.h"
 
 #include <limits>

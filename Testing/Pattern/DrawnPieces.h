@@ -8,8 +8,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <iterator>
+#include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 /// What tests of drawings share.
 namespace drawnpieces
@@ -82,21 +87,29 @@ inline double areaOf(const Points2& polygon)
   return doubleArea(polygon) / 2.0;
 }
 
+inline PatternSource onePiece(const Points2& positions, const Triangles& triangles,
+  const std::vector<SourceWire>& wires, const std::vector<SewnEdges>& sewn = {})
+{
+  PatternSource source;
+  source.positions = positions;
+  source.triangles = triangles;
+  source.pieceOfTriangle.assign(triangles.size(), 0);
+  source.wires = wires;
+  source.sewn = sewn;
+  return source;
+}
+
 /// A square of 200 with a dart of depth 120 in the middle of its upper side and a mouth of 40, as
 /// a fan of triangles around a point below the tip. Unit: millimetre.
 inline PatternSource dartedSquare()
 {
-  PatternSource source;
   // 0..3 corners, 4 and 6 the mouth, 5 the tip, 7 the centre of the fan.
-  source.positions = { { 0.0, 0.0 }, { 200.0, 0.0 }, { 200.0, 200.0 }, { 0.0, 200.0 },
-    { 120.0, 200.0 }, { 100.0, 80.0 }, { 80.0, 200.0 }, { 100.0, 40.0 } };
-  source.triangles = { { 0, 1, 7 }, { 1, 2, 5 }, { 2, 4, 5 }, { 6, 3, 5 }, { 3, 0, 5 }, { 1, 5, 7 },
-    { 5, 0, 7 } };
-  source.pieceOfTriangle.assign(source.triangles.size(), 0);
-  source.wires = { { { 4, 2, 1, 0, 3, 6 }, WireType::Boundary, none, 0, "boundary" },
-    { { 4, 5 }, WireType::Dart, 0, 0, "dart" }, { { 6, 5 }, WireType::Dart, 0, 0, "dart" } };
-  source.sewn = { { { 4, 5 }, { 6, 5 } } };
-  return source;
+  return onePiece({ { 0.0, 0.0 }, { 200.0, 0.0 }, { 200.0, 200.0 }, { 0.0, 200.0 },
+                    { 120.0, 200.0 }, { 100.0, 80.0 }, { 80.0, 200.0 }, { 100.0, 40.0 } },
+    { { 0, 1, 7 }, { 1, 2, 5 }, { 2, 4, 5 }, { 6, 3, 5 }, { 3, 0, 5 }, { 1, 5, 7 }, { 5, 0, 7 } },
+    { { { 4, 2, 1, 0, 3, 6 }, WireType::Boundary, none, 0, "boundary" },
+      { { 4, 5 }, WireType::Dart, 0, 0, "dart" }, { { 6, 5 }, WireType::Dart, 0, 0, "dart" } },
+    { { { 4, 5 }, { 6, 5 } } });
 }
 
 /// Whether a text of a piece is this.

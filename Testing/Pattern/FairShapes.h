@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 /// Pieces of known shapes with smooth borders, measured by rules of their own.
@@ -92,5 +94,11 @@ struct Smoothed
     EXPECT_TRUE(findBorders(this->all).ok());
     this->borders = std::make_unique<FairBorders>(this->all);
   }
+
+  std::vector<FairSpan> curve(std::size_t wire) const
+  {
+    return this->borders->curveOf(this->source.wires[wire]);
+  }
+  const FairPieceReport& report() const { return this->borders->reports()[0]; }
 };
 }

@@ -3,7 +3,13 @@
 
 #include "Outlines/PlaneGeometry.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cmath>
+#include <random>
+#include <string>
+#include <vector>
 
 /// What tests without drawings share.
 namespace shapes

@@ -3,11 +3,6 @@
 
 #include "Shapes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 namespace
 {
 using namespace shapes;

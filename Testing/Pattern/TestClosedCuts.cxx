@@ -2,8 +2,6 @@
 // A square with a dart that was closed at its mouth, or all along.
 #include "DrawnPieces.h"
 
-#include <gtest/gtest.h>
-
 namespace
 {
 using namespace drawnpieces;
@@ -13,20 +11,18 @@ using namespace drawnpieces;
 /// up to `width` apart.
 PatternSource square(double width)
 {
-  PatternSource source;
-  // 0..3 corners; 4, 5, 6 the right bank, 7 the tip, 8, 9, 10 the left bank.
-  source.positions = { { 0.0, 0.0 }, { 200.0, 0.0 }, { 200.0, 200.0 }, { 0.0, 200.0 },
-    { 100.0, 200.0 }, { 100.0, 160.0 }, { 100.0 + width / 2.0, 120.0 }, { 100.0, 80.0 },
-    { 100.0 - width / 2.0, 120.0 }, { 100.0, 160.0 }, { 100.0, 200.0 } };
-  source.triangles = { { 0, 1, 7 }, { 2, 4, 5 }, { 2, 5, 6 }, { 2, 6, 7 }, { 2, 7, 1 }, { 3, 0, 7 },
-    { 3, 7, 8 }, { 3, 8, 9 }, { 3, 9, 10 } };
-  source.pieceOfTriangle.assign(source.triangles.size(), 0);
-  source.wires = { { { 4, 2, 1, 0, 3, 10 }, WireType::Boundary, none, 0, "boundary" },
-    { { 4, 5, 6, 7 }, WireType::Dart, 0, 0, "dart" },
-    { { 10, 9, 8, 7 }, WireType::Dart, 0, 0, "dart" } };
-  source.sewn = { { { 4, 5 }, { 10, 9 }, true }, { { 5, 6 }, { 9, 8 }, width == 0.0 },
-    { { 6, 7 }, { 8, 7 }, width == 0.0 } };
-  return source;
+  // 0..3 corners; 4, 5, 6 the right side of the cut, 7 the tip, 8, 9, 10 the left one.
+  return onePiece(
+    { { 0.0, 0.0 }, { 200.0, 0.0 }, { 200.0, 200.0 }, { 0.0, 200.0 }, { 100.0, 200.0 },
+      { 100.0, 160.0 }, { 100.0 + width / 2.0, 120.0 }, { 100.0, 80.0 },
+      { 100.0 - width / 2.0, 120.0 }, { 100.0, 160.0 }, { 100.0, 200.0 } },
+    { { 0, 1, 7 }, { 2, 4, 5 }, { 2, 5, 6 }, { 2, 6, 7 }, { 2, 7, 1 }, { 3, 0, 7 }, { 3, 7, 8 },
+      { 3, 8, 9 }, { 3, 9, 10 } },
+    { { { 4, 2, 1, 0, 3, 10 }, WireType::Boundary, none, 0, "boundary" },
+      { { 4, 5, 6, 7 }, WireType::Dart, 0, 0, "dart" },
+      { { 10, 9, 8, 7 }, WireType::Dart, 0, 0, "dart" } },
+    { { { 4, 5 }, { 10, 9 }, true }, { { 5, 6 }, { 9, 8 }, width == 0.0 },
+      { { 6, 7 }, { 8, 7 }, width == 0.0 } });
 }
 
 PatternPiece drawnPlainly(const PatternSource& source)

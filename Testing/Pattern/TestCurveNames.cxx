@@ -4,13 +4,6 @@
 
 #include "Shapes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 using namespace shapes;
 
 namespace

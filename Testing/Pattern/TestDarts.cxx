@@ -2,12 +2,6 @@
 // A strip with one dart, whose numbers are known by construction.
 #include "DrawnPieces.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
 namespace
 {
 using namespace drawnpieces;
@@ -66,17 +60,16 @@ TEST(Darts, LegsFoldLineNotchesAndDrillHoleAreWhereTheyBelong)
 
 TEST(Darts, TheFoldLineOfADartFromAHoleEndsAtItsMouth)
 {
-  PatternSource source;
   // A square with a hole, whose upper sides from 5 and 7 to the tip 6 are the legs.
-  source.positions = { { 0.0, 0.0 }, { 200.0, 0.0 }, { 200.0, 200.0 }, { 0.0, 200.0 },
-    { 100.0, 60.0 }, { 110.0, 100.0 }, { 100.0, 150.0 }, { 90.0, 100.0 } };
-  source.triangles = { { 0, 1, 4 }, { 1, 5, 4 }, { 1, 2, 5 }, { 2, 6, 5 }, { 2, 3, 6 }, { 3, 7, 6 },
-    { 3, 0, 7 }, { 0, 4, 7 } };
-  source.pieceOfTriangle.assign(source.triangles.size(), 0);
-  source.wires = { { { 0, 1, 2, 3, 0 }, WireType::Boundary, none, 0, "boundary" },
-    { { 7, 4, 5 }, WireType::Boundary, none, 0, "boundary" },
-    { { 5, 6 }, WireType::Dart, 0, 0, "dart" }, { { 7, 6 }, WireType::Dart, 0, 0, "dart" } };
-  source.sewn = { { { 5, 6 }, { 7, 6 } } };
+  const PatternSource source =
+    onePiece({ { 0.0, 0.0 }, { 200.0, 0.0 }, { 200.0, 200.0 }, { 0.0, 200.0 }, { 100.0, 60.0 },
+               { 110.0, 100.0 }, { 100.0, 150.0 }, { 90.0, 100.0 } },
+      { { 0, 1, 4 }, { 1, 5, 4 }, { 1, 2, 5 }, { 2, 6, 5 }, { 2, 3, 6 }, { 3, 7, 6 }, { 3, 0, 7 },
+        { 0, 4, 7 } },
+      { { { 0, 1, 2, 3, 0 }, WireType::Boundary, none, 0, "boundary" },
+        { { 7, 4, 5 }, WireType::Boundary, none, 0, "boundary" },
+        { { 5, 6 }, WireType::Dart, 0, 0, "dart" }, { { 7, 6 }, WireType::Dart, 0, 0, "dart" } },
+      { { { 5, 6 }, { 7, 6 } } });
   const auto fold = linesOf(drawn(source, inMillimetres(10.0)), LineKind::DartFold);
   ASSERT_EQ(fold.size(), 1U);
   EXPECT_NEAR((fold[0].points[1] - fold[0].points[0]).norm(), 50.0, 1e-9);

@@ -3,9 +3,6 @@
 #include "FairShapes.h"
 #include "Shapes.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace
 {
 using namespace fairshapes;
@@ -71,7 +68,7 @@ TEST(FairBorders, ARoundPolygonBecomesARingOfItsLengthWithFewCurves)
 {
   const double radius = 50.0;
   const Smoothed smoothed(disc(48, radius), 0.2);
-  const auto curve = smoothed.borders->curveOf(smoothed.source.wires[0]);
+  const auto curve = smoothed.curve(0);
   const double length = 48 * 2.0 * radius * std::sin(pi / 48);
   EXPECT_NEAR(lengthOf(curve), length, 1e-9);
   EXPECT_LE(curve.size(), 6U);
@@ -120,11 +117,11 @@ TEST(FairBorders, SidesThatAreNearlyStraightBecomeStraightAndKeepTheirLengths)
     }
   }
   const Smoothed smoothed(polygon(corners), 0.2);
-  const FairPieceReport& report = smoothed.borders->reports()[0];
+  const FairPieceReport& report = smoothed.report();
   EXPECT_EQ(report.straightened, 4U);
   EXPECT_EQ(report.segments, 4U);
   EXPECT_EQ(report.splines, 0U);
-  const auto curve = smoothed.borders->curveOf(smoothed.source.wires[0]);
+  const auto curve = smoothed.curve(0);
   EXPECT_NEAR(lengthOf(curve), edgesOf(corners, corners.size()), 1e-9);
   EXPECT_TRUE(
     std::all_of(curve.begin(), curve.end(), [](const FairSpan& span) { return span.straight(); }));
@@ -135,7 +132,7 @@ TEST(FairBorders, WhatCannotKeepToTheToleranceStaysAndIsNamed)
   // The chords of twelve edges are 1.7 mm inside the circle: a ring as long as they cuts their
   // corners.
   const Smoothed smoothed(disc(12, 50.0), 0.01);
-  const FairPieceReport& report = smoothed.borders->reports()[0];
+  const FairPieceReport& report = smoothed.report();
   EXPECT_EQ(report.left, std::vector<std::string>{ "boundary" });
   EXPECT_GT(report.worstLeft, 0.1);
   EXPECT_EQ(report.segments, 12U);
@@ -160,10 +157,10 @@ TEST(FairBorders, OneCurveIsSmoothAndTheRestOfTheBorderStays)
   options.fairToleranceOfCurve = { { "arc", 0.2 } };
   const Smoothed smoothed(source, 0.0, 0.0, options);
   const double side = 2.0 * 50.0 * std::sin(pi / 48);
-  const auto smooth = smoothed.borders->curveOf(smoothed.source.wires[0]);
+  const auto smooth = smoothed.curve(0);
   EXPECT_LE(smooth.size(), 4U);
   EXPECT_NEAR(lengthOf(smooth), 24 * side, 1e-9);
-  const auto left = smoothed.borders->curveOf(smoothed.source.wires[1]);
+  const auto left = smoothed.curve(1);
   EXPECT_EQ(left.size(), 24U);
   for (const FairSpan& span : left)
   {
@@ -194,7 +191,7 @@ TEST(FairBorders, ACurveWithinMeetsTheBorderAtItsLength)
   const Smoothed smoothed(source, 0.5);
   for (std::size_t wire = 1; wire < source.wires.size(); ++wire)
   {
-    const auto curve = smoothed.borders->curveOf(smoothed.source.wires[wire]);
+    const auto curve = smoothed.curve(wire);
     const Index start = source.wires[wire].points.front();
     const Index end = source.wires[wire].points.back();
     const Point2 first = smoothed.borders->alongEdge(start, start + 1).front().control[0];
@@ -218,7 +215,7 @@ TEST(FairBorders, ALongWavyCurveIsDrawnWithFewSplinesAndItsExactLength)
   PatternSource source = polygon(corners);
   source.positions[0] = Point2(450.0, 300.0);
   const Smoothed smoothed(source, 1.0);
-  const FairPieceReport& report = smoothed.borders->reports()[0];
+  const FairPieceReport& report = smoothed.report();
   EXPECT_TRUE(report.left.empty());
   EXPECT_EQ(report.segments, 3U);
   EXPECT_GE(
@@ -242,7 +239,7 @@ TEST(FairBorders, ACornerThatCannotBeRoundedLeavesTheRestOfItsSideSmooth)
     angle += k == 19 ? 25.0 * pi / 180.0 : 0.06;
   }
   const Smoothed smoothed(polygon(corners), 0.1);
-  const FairPieceReport& report = smoothed.borders->reports()[0];
+  const FairPieceReport& report = smoothed.report();
   EXPECT_EQ(report.left, std::vector<std::string>{ "boundary" });
   EXPECT_GT(report.worstLeft, 0.3);
   EXPECT_EQ(report.segments, 1U); // from end to end
@@ -262,7 +259,7 @@ TEST(FairBorders, ACornerBesideASharperOneIsACorner)
   const Smoothed smoothed(polygon({ -slant - Point2(100.0, 0.0), Point2(100.0, 0.0) - slant,
                             slant + Point2(100.0, 0.0), slant - Point2(100.0, 0.0) }),
     1.0);
-  const FairPieceReport& report = smoothed.borders->reports()[0];
+  const FairPieceReport& report = smoothed.report();
   EXPECT_EQ(report.segments, 4U);
   EXPECT_EQ(report.splines, 0U);
 }
@@ -271,13 +268,13 @@ TEST(FairBorders, APieceIsDrawnNearerToItsPointsWhereItWouldBeStrained)
 {
   // A ring as long as a polygon of ten corners lies within it by a sixtieth of its radius.
   PatternSource source = disc(10, 50.0);
-  EXPECT_GT(Smoothed(source, 2.0).borders->reports()[0].deviation, 0.5);
+  EXPECT_GT(Smoothed(source, 2.0).report().deviation, 0.5);
   for (const Point2& p : source.positions)
   {
     source.inSpace.emplace_back(p.x(), p.y(), 0.0);
   }
   const Smoothed smoothed(source, 2.0);
-  const FairPieceReport& report = smoothed.borders->reports()[0];
+  const FairPieceReport& report = smoothed.report();
   EXPECT_LT(report.share, 1.0);
   EXPECT_LE(report.strain, 0.003);
   for (std::size_t v = 1; v < source.positions.size(); ++v)
@@ -303,7 +300,7 @@ TEST(FairBorders, AnEdgeOfAnyPartOfTheBorderIsDrawnWithAllLengths)
       {
         const double tolerance = 0.002 * size;
         const Smoothed smoothed(polygon(corners), tolerance, notches);
-        const auto border = smoothed.borders->curveOf(smoothed.source.wires[0]);
+        const auto border = smoothed.curve(0);
         EXPECT_NEAR(lengthOf(border), (8.0 - (2.0 - std::sqrt(2.0)) * part) * size, 1e-8 * size);
         for (const Point2& corner : corners)
         {
@@ -364,7 +361,7 @@ TEST(FairBorders, BordersThatHaveCollapsedAreDrawnAsTheyAre)
           for (const double tolerance : { 0.2, 1e3 })
           {
             const Smoothed smoothed(source, tolerance);
-            EXPECT_LE(smoothed.borders->reports()[0].deviation, tolerance);
+            EXPECT_LE(smoothed.report().deviation, tolerance);
             for (const Point2& p : smoothed.borders->positions())
             {
               EXPECT_TRUE(p.allFinite());
@@ -393,7 +390,7 @@ TEST(FairBorders, RoundingErrorsDoNotChangeTheCurves)
     corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
   }
   const Smoothed smoothed(polygon(corners), 0.1);
-  const auto curve = smoothed.borders->curveOf(smoothed.source.wires[0]);
+  const auto curve = smoothed.curve(0);
   EXPECT_LT(curve.size(), corners.size() / 2);
   for (const double factor : { 1.0 + 1e-13, 1.0 - 3e-13, 1.0 + 2e-13 })
   {
@@ -403,7 +400,7 @@ TEST(FairBorders, RoundingErrorsDoNotChangeTheCurves)
       others.emplace_back(factor * corner);
     }
     const Smoothed other(polygon(others), 0.1);
-    const auto same = other.borders->curveOf(other.source.wires[0]);
+    const auto same = other.curve(0);
     ASSERT_EQ(same.size(), curve.size());
     for (std::size_t k = 0; k < curve.size(); ++k)
     {

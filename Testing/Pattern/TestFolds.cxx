@@ -2,10 +2,6 @@
 // Pieces cut on the fold, whose numbers are known by construction.
 #include "DrawnPieces.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 namespace
 {
 using namespace drawnpieces;
@@ -15,27 +11,20 @@ using namespace drawnpieces;
 /// \param bend how far the middle of the centre line is moved across
 PatternSource trapezium(double askew, double bend = 0.0)
 {
-  PatternSource source;
-  source.positions = { { 0.0, 0.0 }, { 100.0, 0.0 }, { 200.0, 0.0 }, { 150.0 + askew, 300.0 },
-    { 100.0, 300.0 }, { 50.0, 300.0 }, { 100.0 + bend, 150.0 } };
-  source.triangles = { { 0, 1, 6 }, { 0, 6, 5 }, { 6, 4, 5 }, { 1, 2, 6 }, { 2, 3, 6 },
-    { 3, 4, 6 } };
-  source.pieceOfTriangle.assign(source.triangles.size(), 0);
-  source.wires = { { { 0, 1, 2, 3, 4, 5, 0 }, WireType::Boundary, none, 0, "boundary" },
-    { { 1, 6, 4 }, WireType::Key, 0, 0, "centre" } };
-  return source;
+  return onePiece({ { 0.0, 0.0 }, { 100.0, 0.0 }, { 200.0, 0.0 }, { 150.0 + askew, 300.0 },
+                    { 100.0, 300.0 }, { 50.0, 300.0 }, { 100.0 + bend, 150.0 } },
+    { { 0, 1, 6 }, { 0, 6, 5 }, { 6, 4, 5 }, { 1, 2, 6 }, { 2, 3, 6 }, { 3, 4, 6 } },
+    { { { 0, 1, 2, 3, 4, 5, 0 }, WireType::Boundary, none, 0, "boundary" },
+      { { 1, 6, 4 }, WireType::Key, 0, 0, "centre" } });
 }
 
 /// Its right half, with the centre line on its border.
 PatternSource halfOfIt()
 {
-  PatternSource source;
-  source.positions = { { 100.0, 0.0 }, { 200.0, 0.0 }, { 150.0, 300.0 }, { 100.0, 300.0 } };
-  source.triangles = { { 0, 1, 2 }, { 0, 2, 3 } };
-  source.pieceOfTriangle.assign(source.triangles.size(), 0);
-  source.wires = { { { 0, 1, 2, 3 }, WireType::Boundary, none, 0, "boundary" },
-    { { 3, 0 }, WireType::Accessory, 0, 0, "centre" } };
-  return source;
+  return onePiece({ { 100.0, 0.0 }, { 200.0, 0.0 }, { 150.0, 300.0 }, { 100.0, 300.0 } },
+    { { 0, 1, 2 }, { 0, 2, 3 } },
+    { { { 0, 1, 2, 3 }, WireType::Boundary, none, 0, "boundary" },
+      { { 3, 0 }, WireType::Accessory, 0, 0, "centre" } });
 }
 
 PatternOptions onFold(const std::string& curve)
@@ -49,14 +38,11 @@ PatternOptions onFold(const std::string& curve)
 /// A trapezium, upright and symmetric about x = 100, with a line across it. Unit: millimetre.
 PatternSource beltedTrapezium(double askew)
 {
-  PatternSource source;
-  source.positions = { { 0.0, 0.0 }, { 200.0, 0.0 }, { 150.0 + askew, 300.0 }, { 50.0, 300.0 },
-    { 20.0, 120.0 }, { 180.0, 120.0 } };
-  source.triangles = { { 0, 1, 5 }, { 0, 5, 4 }, { 4, 5, 2 }, { 4, 2, 3 } };
-  source.pieceOfTriangle.assign(source.triangles.size(), 0);
-  source.wires = { { { 0, 1, 5, 2, 3, 4, 0 }, WireType::Boundary, none, 0, "boundary" },
-    { { 4, 5 }, WireType::Accessory, 0, 0, "waist" } };
-  return source;
+  return onePiece({ { 0.0, 0.0 }, { 200.0, 0.0 }, { 150.0 + askew, 300.0 }, { 50.0, 300.0 },
+                    { 20.0, 120.0 }, { 180.0, 120.0 } },
+    { { 0, 1, 5 }, { 0, 5, 4 }, { 4, 5, 2 }, { 4, 2, 3 } },
+    { { { 0, 1, 5, 2, 3, 4, 0 }, WireType::Boundary, none, 0, "boundary" },
+      { { 4, 5 }, WireType::Accessory, 0, 0, "waist" } });
 }
 
 PatternOptions wherePiecesAreSymmetric()

@@ -4,10 +4,6 @@
 #include "DrawnPieces.h"
 #include "Outlines/PlaneGeometry.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 namespace
 {
 using namespace drawnpieces;

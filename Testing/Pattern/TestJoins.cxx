@@ -6,13 +6,6 @@
 #include "Formats/PatternFile.h"
 #include "Shapes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <string>
-
 namespace
 {
 using namespace drawnpieces;

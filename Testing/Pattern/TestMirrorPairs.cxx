@@ -4,10 +4,6 @@
 
 #include "Shapes.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 namespace
 {
 using namespace shapes;

@@ -3,11 +3,6 @@
 
 #include "Shapes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
-
 using namespace shapes;
 
 TEST(NoFitRegion, NoShapeSticksOutOfTheClothForBeingRounded)

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DrawnPieces.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 namespace
 {
 using namespace drawnpieces;
@@ -13,14 +8,11 @@ using namespace drawnpieces;
 /// A square of 200 whose lower side, from right to left, is an edge with a name. Unit: millimetre.
 PatternSource squareWithHem()
 {
-  PatternSource source;
-  source.positions = { { 0.0, 0.0 }, { 120.0, 0.0 }, { 200.0, 0.0 }, { 200.0, 200.0 },
-    { 0.0, 200.0 } };
-  source.triangles = { { 0, 1, 4 }, { 1, 3, 4 }, { 1, 2, 3 } };
-  source.pieceOfTriangle.assign(source.triangles.size(), 0);
-  source.wires = { { { 2, 3, 4, 0 }, WireType::Boundary, none, 0, "boundary" },
-    { { 2, 1, 0 }, WireType::Accessory, 0, 0, "hem" } };
-  return source;
+  return onePiece(
+    { { 0.0, 0.0 }, { 120.0, 0.0 }, { 200.0, 0.0 }, { 200.0, 200.0 }, { 0.0, 200.0 } },
+    { { 0, 1, 4 }, { 1, 3, 4 }, { 1, 2, 3 } },
+    { { { 2, 3, 4, 0 }, WireType::Boundary, none, 0, "boundary" },
+      { { 2, 1, 0 }, WireType::Accessory, 0, 0, "hem" } });
 }
 
 /// Two squares of 200, each with a point in the middle of the seam between them.

@@ -2,9 +2,6 @@
 // Outlines that are drawn as their own mirror images, measured on what is drawn.
 #include "FairShapes.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace
 {
 using namespace fairshapes;
@@ -86,9 +83,9 @@ Points2 samplesOf(const std::vector<FairSpan>& curve)
 /// How far the image of a curve is from another, at most: of the outline from itself.
 double missOf(const Smoothed& smoothed, std::size_t wire = 0, std::size_t other = 0)
 {
-  const auto curve = smoothed.borders->curveOf(smoothed.source.wires[wire]);
-  const auto image = smoothed.borders->curveOf(smoothed.source.wires[other]);
-  const MirrorAxis axis = smoothed.borders->reports()[0].mirror.value_or(MirrorAxis());
+  const auto curve = smoothed.curve(wire);
+  const auto image = smoothed.curve(other);
+  const MirrorAxis axis = smoothed.report().mirror.value_or(MirrorAxis());
   double miss = 0.0;
   for (const Point2& p : samplesOf(curve))
   {
@@ -109,17 +106,17 @@ TEST(OutlineMirror, BothSidesFollowTheSameCurvesThoughTheirPointsDiffer)
       EXPECT_GT(missOf(Smoothed(shirt(more), 0.5)), 0.002) << more;
     }
     const Smoothed smoothed(shirt(more), 0.5, 60.0, symmetrized());
-    ASSERT_TRUE(smoothed.borders->reports()[0].mirror) << more;
+    ASSERT_TRUE(smoothed.report().mirror) << more;
     EXPECT_LT(missOf(smoothed), 2e-5) << more; // what chords of the measure leave
-    EXPECT_LT(smoothed.borders->reports()[0].mirrorMiss, 1e-7) << more;
-    EXPECT_GT(smoothed.borders->reports()[0].splines, 3U) << more;
+    EXPECT_LT(smoothed.report().mirrorMiss, 1e-7) << more;
+    EXPECT_GT(smoothed.report().splines, 3U) << more;
   }
 }
 
 TEST(OutlineMirror, NoPointIsFartherThanTheTolerance)
 {
   const Smoothed smoothed(shirt(2), 0.5, 60.0, symmetrized());
-  const auto curve = smoothed.borders->curveOf(smoothed.source.wires[0]);
+  const auto curve = smoothed.curve(0);
   double most = 0.0;
   for (const Index v : smoothed.source.wires[0].points)
   {
@@ -127,7 +124,7 @@ TEST(OutlineMirror, NoPointIsFartherThanTheTolerance)
       std::max(most, distanceFrom(curve, smoothed.source.positions[static_cast<std::size_t>(v)]));
   }
   EXPECT_LE(most, 0.5 + 1e-5);
-  EXPECT_NEAR(most, smoothed.borders->reports()[0].deviation, 0.02);
+  EXPECT_NEAR(most, smoothed.report().deviation, 0.02);
 }
 
 TEST(OutlineMirror, EveryIntervalKeepsItsLengthThoughNotchesOfBothSidesDiffer)
@@ -139,7 +136,7 @@ TEST(OutlineMirror, EveryIntervalKeepsItsLengthThoughNotchesOfBothSidesDiffer)
   PatternOptions options = symmetrized();
   options.notchesOfCurve = notches;
   const Smoothed smoothed(shirt(2), 0.5, 0.0, options);
-  ASSERT_TRUE(smoothed.borders->reports()[0].mirror);
+  ASSERT_TRUE(smoothed.report().mirror);
   for (const std::size_t wire : { 1U, 2U })
   {
     const SourceWire& own = smoothed.source.wires[wire];
@@ -162,24 +159,23 @@ TEST(OutlineMirror, SidesThatDifferLittleGetTheirMeanAndOthersAreRefusedByName)
 {
   const double length = 11 * side;
   const Smoothed smoothed(shirt(1, 1.0 + 0.06 / side), 0.5, 0.0, symmetrized());
-  const FairPieceReport& report = smoothed.borders->reports()[0];
+  const FairPieceReport& report = smoothed.report();
   ASSERT_TRUE(report.mirror) << report.whyNotMirrored;
   for (const std::size_t wire : { 1U, 2U })
   {
-    EXPECT_NEAR(
-      lengthOf(smoothed.borders->curveOf(smoothed.source.wires[wire])), length + 0.03, 1e-8);
+    EXPECT_NEAR(lengthOf(smoothed.curve(wire)), length + 0.03, 1e-8);
   }
   EXPECT_NEAR(report.lengthDifference, 0.06, 1e-9);
   EXPECT_NEAR(report.lengthChange, 0.03, 1e-9);
   EXPECT_LT(missOf(smoothed), 2e-5);
 
   const Smoothed refused(shirt(1, 1.0 + 0.3 / side), 0.5, 0.0, symmetrized());
-  const FairPieceReport& other = refused.borders->reports()[0];
+  const FairPieceReport& other = refused.report();
   EXPECT_FALSE(other.mirror);
   EXPECT_EQ(other.whyNotMirrored,
     "stretches of right_side and left_side that are mirror images differ by 0.3 mm in length, more "
     "than 0.1 mm");
-  EXPECT_NEAR(lengthOf(refused.borders->curveOf(refused.source.wires[2])), length + 0.3, 1e-8);
+  EXPECT_NEAR(lengthOf(refused.curve(2)), length + 0.3, 1e-8);
   EXPECT_EQ(other.lengthChange, 0.0);
 }
 
@@ -206,10 +202,9 @@ TEST(OutlineMirror, WhatIsSewnToASideGetsItsLength)
   source.wires.push_back(
     { { first + 11, first + 12, first }, WireType::Boundary, none, 1, "boundary" });
   const Smoothed smoothed(source, 0.5, 70.0, symmetrized());
-  const auto lengthOfWire = [&smoothed](std::size_t wire) {
-    return lengthOf(smoothed.borders->curveOf(smoothed.source.wires[wire]));
-  };
-  ASSERT_TRUE(smoothed.borders->reports()[0].mirror);
+  const auto lengthOfWire = [&smoothed](
+                              std::size_t wire) { return lengthOf(smoothed.curve(wire)); };
+  ASSERT_TRUE(smoothed.report().mirror);
   EXPECT_FALSE(smoothed.borders->reports()[1].mirror);
   EXPECT_NEAR(lengthOfWire(1), lengthOfWire(2), 1e-9);
   EXPECT_NEAR(lengthOfWire(1), lengthOfWire(3), 1e-9);
@@ -225,9 +220,9 @@ TEST(OutlineMirror, CurvesWithinEndOnTheSymmetricBorderAtTheirLengths)
     PatternSource source = shirt(2);
     source.wires.push_back({ { 5, 0, end }, WireType::Accessory, 9, 0, "within" });
     const Smoothed smoothed(source, 0.5, 0.0, symmetrized());
-    ASSERT_TRUE(smoothed.borders->reports()[0].mirror) << end;
+    ASSERT_TRUE(smoothed.report().mirror) << end;
     EXPECT_LT(missOf(smoothed), 2e-5) << end;
-    const auto curve = smoothed.borders->curveOf(smoothed.source.wires[3]);
+    const auto curve = smoothed.curve(3);
     const Point2 first = smoothed.borders->alongEdge(5, 6).front().control[0];
     const Point2 last = smoothed.borders->alongEdge(end, end + 1).front().control[0];
     EXPECT_NEAR((curve.front().control[0] - first).norm(), 0.0, 1e-6) << end;

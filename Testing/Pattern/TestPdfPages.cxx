@@ -7,14 +7,8 @@
 
 #include "DrawnPieces.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <random>
-#include <string>
-#include <vector>
 
 namespace
 {

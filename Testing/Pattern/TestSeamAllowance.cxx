@@ -6,10 +6,6 @@
 #include "Shapes.h"
 
 #include <clipper.hpp>
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
 
 namespace
 {

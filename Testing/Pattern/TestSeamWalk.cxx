@@ -2,10 +2,6 @@
 // Walks whose lengths and angles are known by construction.
 #include "DrawnPieces.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 namespace
 {
 using namespace drawnpieces;

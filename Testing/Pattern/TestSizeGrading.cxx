@@ -4,9 +4,6 @@
 
 #include "Shapes.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <cstdio>
 #include <limits>
 
