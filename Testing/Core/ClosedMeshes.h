@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Surface/TriangleMesh.h"
+#include "TestMeshes.h"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
-#include <utility>
 
 /// Surfaces that close on themselves, for the tests of Core.
 namespace testmeshes
@@ -32,6 +29,48 @@ TriangleMesh rolledUp(Index around, Index across, const Place& place)
         triangles.push_back({ a, b, b + around });
         triangles.push_back({ a, b + around, a + around });
       }
+    }
+  }
+  return { std::move(points), std::move(triangles) };
+}
+
+/// A tube of this height around the z axis. \param radius at a share of the height
+inline TriangleMesh revolved(
+  Index around, Index across, double height, const std::function<double(double)>& radius)
+{
+  return rolledUp(around, across, [&](double turn, double share) {
+    const double r = radius(share);
+    return Point3(r * std::cos(turn), r * std::sin(turn), height * share);
+  });
+}
+inline TriangleMesh revolved(Index around, Index across, double height, double radius = 1.0)
+{
+  return revolved(around, across, height, [radius](double) { return radius; });
+}
+
+/// Closed at two poles, vertices 0 and 1; the i-th vertex of ring j = 1 .. along - 1 is
+/// 2 + (j - 1) around + i. Places come from the turn, and from the angle from the first pole.
+inline TriangleMesh betweenPoles(
+  Index around, Index along, const std::function<Point3(double, double)>& place)
+{
+  Points3 points{ place(0.0, 0.0), place(0.0, pi) };
+  for (Index j = 1; j < along; ++j)
+  {
+    for (Index i = 0; i < around; ++i)
+    {
+      points.push_back(place(2.0 * pi * i / around, pi * j / along));
+    }
+  }
+  const auto vertex = [&](Index i, Index j) { return 2 + (j - 1) * around + i % around; };
+  Triangles triangles;
+  for (Index i = 0; i < around; ++i)
+  {
+    triangles.push_back({ 0, vertex(i, 1), vertex(i + 1, 1) });
+    triangles.push_back({ 1, vertex(i + 1, along - 1), vertex(i, along - 1) });
+    for (Index j = 1; j + 1 < along; ++j)
+    {
+      triangles.push_back({ vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1) });
+      triangles.push_back({ vertex(i, j), vertex(i + 1, j + 1), vertex(i + 1, j) });
     }
   }
   return { std::move(points), std::move(triangles) };
@@ -79,12 +118,9 @@ inline TriangleMesh sphere(int halvings)
 /// A ball with limbs, that is no mirror image of itself.
 inline TriangleMesh limbedBall(int halvings, double limbs)
 {
-  const TriangleMesh ball = sphere(halvings);
   const Points3 directions{ { 1.0, 0.2, 0.1 }, { -0.8, 0.7, 0.1 }, { -0.5, -1.0, 0.3 },
     { 0.2, 0.1, 1.0 }, { 0.3, -0.3, -1.0 } };
-  Points3 points;
-  for (const Point3& p : ball.points())
-  {
+  return moved(sphere(halvings), [&](const Point3& p) -> Point3 {
     double radius = 0.5;
     double length = limbs;
     for (const Point3& direction : directions)
@@ -92,8 +128,7 @@ inline TriangleMesh limbedBall(int halvings, double limbs)
       radius += length * std::exp(12.0 * (p.dot(direction.normalized()) - 1.0));
       length *= 0.9;
     }
-    points.push_back(radius * p);
-  }
-  return { std::move(points), ball.triangles() };
+    return radius * p;
+  });
 }
 }

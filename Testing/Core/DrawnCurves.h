@@ -5,12 +5,6 @@
 #include "Editing/CurveEditor.h"
 #include "TestMeshes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
 #include <memory>
 
 namespace drawncurves

@@ -4,6 +4,8 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "WiredSurface.h"
 
+#include <stdexcept>
+
 namespace testmeshes
 {
 inline FlatteningOptions withScheme(Scheme scheme)
@@ -36,6 +38,18 @@ inline FlatteningResult flatten(const Surface& surface, const FlatteningOptions&
   const Execution& execution = {}, FlatteningCache* cache = nullptr)
 {
   return flattenSurface(surface.mesh, surface.curves, options, execution, cache);
+}
+
+/// Expects no warning either; there is a result to look at.
+inline FlatteningResult flattenOk(const Surface& surface, const FlatteningOptions& options = {})
+{
+  FlatteningResult result = flatten(surface, options);
+  EXPECT_TRUE(result.status.ok()) << result.status.message;
+  if (result.status.refused())
+  {
+    throw std::runtime_error("there is no result");
+  }
+  return result;
 }
 
 /// Of the edges of wires, connectors left out.

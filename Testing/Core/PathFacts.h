@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Paths/PathPoints.h"
 #include "Surface/SurfaceTrace.h"
 #include "Surface/VertexFan.h"
+#include "TestMeshes.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
 #include <set>
 
 /// What can be said of paths over surfaces without knowing how they were found.
@@ -101,6 +99,12 @@ inline SurfacePoint randomPoint(const TriangleMesh& mesh, std::mt19937& random)
     position += weights[k] * mesh.point(mesh.triangle(t)[k]);
   }
   return { SurfacePointType::Face, t, weights, position };
+}
+
+inline SurfacePoint nearestPoint(const TriangleMesh& mesh, const Point3& point)
+{
+  const ClosestPoint closest = SurfaceLocator(mesh).closest(point);
+  return snapToMesh(mesh, SnapDistance(mesh, 1e-9), closest);
 }
 
 /// Where a point lies in an unrolling of the surface.

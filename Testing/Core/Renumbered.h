@@ -3,10 +3,6 @@
 
 #include "TestMeshes.h"
 
-#include <algorithm>
-#include <numeric>
-#include <random>
-
 namespace testmeshes
 {
 /// The same surface with vertex v as place[v].

@@ -5,13 +5,6 @@
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
 #include "Suggestion/CurveSuggestion.h"
-#include "TestMeshes.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
 
 namespace testmeshes
 {
@@ -28,15 +21,54 @@ inline TriangleMesh twoBumps()
 
 /// What the caller gets who takes the proposals and flattens.
 inline FlatteningResult flattened(const TriangleMesh& mesh, std::vector<Polyline> curves,
-  const CurveSuggestions& suggestions, const FlatteningOptions& options = {})
+  const std::vector<SuggestedCurve>& cuts, const FlatteningOptions& options = {})
 {
-  for (const SuggestedCurve& cut : suggestions.curves)
+  for (const SuggestedCurve& cut : cuts)
   {
     curves.push_back(cut.curve);
   }
   const ImprintedSurface surface = imprintCurves(mesh, curves, {});
   EXPECT_TRUE(surface.status.ok()) << surface.status.message;
   return flattenSurface(surface.mesh, surface.curves, options, {});
+}
+
+inline FlatteningResult flattened(const TriangleMesh& mesh, const std::vector<Polyline>& curves,
+  const CurveSuggestions& suggestions, const FlatteningOptions& options = {})
+{
+  return flattened(mesh, curves, suggestions.curves, options);
+}
+
+/// Whether some cut is the mirror image of another.
+inline bool hasPairs(const CurveSuggestions& suggestions)
+{
+  return std::any_of(suggestions.curves.begin(), suggestions.curves.end(),
+    [](const SuggestedCurve& cut) { return cut.mirrorOf != none; });
+}
+
+/// To the last bit.
+inline void expectSameCurves(const CurveSuggestions& one, const CurveSuggestions& other)
+{
+  ASSERT_EQ(one.curves.size(), other.curves.size());
+  for (std::size_t k = 0; k < one.curves.size(); ++k)
+  {
+    EXPECT_EQ(one.curves[k].curve.points, other.curves[k].curve.points);
+    EXPECT_EQ(one.curves[k].gain, other.curves[k].gain);
+    EXPECT_EQ(one.curves[k].predictedGain, other.curves[k].predictedGain);
+  }
+}
+
+/// A curve over vertices of a mesh.
+inline Polyline lineOver(const TriangleMesh& mesh, const Indices& vertices,
+  CurveType type = CurveType::Accessory, const std::string& name = {})
+{
+  Polyline line;
+  line.type = type;
+  line.name = name;
+  for (const Index v : vertices)
+  {
+    line.points.push_back(mesh.point(v));
+  }
+  return line;
 }
 
 /// The largest 95 % strain of its pieces.
@@ -60,9 +92,12 @@ inline double totalLength(const std::vector<SuggestedCurve>& cuts)
   return length;
 }
 
-inline SuggestionOptions optionsOf(double bound, Index most)
+inline SuggestionOptions optionsOf(double bound, Index most,
+  SuggestedCuts cuts = SuggestedCuts::All, double work = SearchOptions().maximumWork)
 {
   SuggestionOptions options;
+  options.search.cuts = cuts;
+  options.search.maximumWork = work;
   options.search.bound = bound;
   options.search.maximumCuts = most;
   options.search.trials = 8;

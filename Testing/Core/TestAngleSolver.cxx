@@ -8,9 +8,6 @@
 
 #include <Eigen/QR>
 #include <Eigen/SparseCholesky>
-#include <gtest/gtest.h>
-
-#include <random>
 
 using namespace flattening;
 using namespace testmeshes;

@@ -4,11 +4,6 @@
 #include "Base/Orientation.h"
 #include "TestMeshes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <random>
-
 using namespace flattening;
 using namespace testmeshes;
 

@@ -6,47 +6,16 @@
 #include "Suggestion/SeamDrawing.h"
 #include "SuggestionTesting.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
-#include <string>
-#include <utility>
 
 using namespace flattening;
 using namespace testmeshes;
 
 namespace
 {
-/// Round the z axis, closed at both poles.
-TriangleMesh turned(Index around, Index along, const std::function<Point3(double, double)>& place)
-{
-  Points3 points{ place(0.0, 0.0), place(0.0, pi) };
-  for (Index j = 1; j < along; ++j)
-  {
-    for (Index i = 0; i < around; ++i)
-    {
-      points.push_back(place(2.0 * pi * i / around, pi * j / along));
-    }
-  }
-  const auto at = [&](Index i, Index j) { return 2 + (j - 1) * around + i % around; };
-  Triangles triangles;
-  for (Index i = 0; i < around; ++i)
-  {
-    triangles.push_back({ 0, at(i, 1), at(i + 1, 1) });
-    triangles.push_back({ 1, at(i + 1, along - 1), at(i, along - 1) });
-    for (Index j = 1; j + 1 < along; ++j)
-    {
-      triangles.push_back({ at(i, j), at(i, j + 1), at(i + 1, j + 1) });
-      triangles.push_back({ at(i, j), at(i + 1, j + 1), at(i + 1, j) });
-    }
-  }
-  return { std::move(points), std::move(triangles) };
-}
-
 TriangleMesh ball(double radius, Index around = 24, double x = 0.0)
 {
-  return turned(around, around / 2 + 2, [radius, x](double turn, double down) {
+  return betweenPoles(around, around / 2 + 2, [radius, x](double turn, double down) {
     return Point3(x + radius * std::sin(down) * std::cos(turn),
       radius * std::sin(down) * std::sin(turn), radius * std::cos(down));
   });
@@ -55,7 +24,7 @@ TriangleMesh ball(double radius, Index around = 24, double x = 0.0)
 /// Without a mirror plane.
 TriangleMesh bean()
 {
-  return turned(24, 16, [](double turn, double down) {
+  return betweenPoles(24, 16, [](double turn, double down) {
     const double r = std::sin(down) * (1.0 + 0.25 * std::sin(2.0 * down));
     return Point3(r * std::cos(turn) + 0.4 * down * down / pi,
       1.3 * r * std::sin(turn + 0.2 * down), 2.0 * std::cos(down) + 0.1 * r * std::sin(turn));
@@ -65,7 +34,7 @@ TriangleMesh bean()
 /// Bulges at its ends, and a bent waist.
 TriangleMesh pear()
 {
-  return turned(24, 18, [](double turn, double down) {
+  return betweenPoles(24, 18, [](double turn, double down) {
     const double r = std::sin(down) *
       (1.0 - 0.25 * std::cos(3.0 * down) + 0.1 * std::cos(2.0 * turn) * std::sin(down));
     return Point3(1.2 * r * std::cos(turn) + 0.6 * std::sin(2.0 * down),
@@ -74,19 +43,12 @@ TriangleMesh pear()
 }
 
 std::vector<SuggestedCurve> chartsOf(const TriangleMesh& mesh, double bound,
-  const std::optional<SymmetryPlane>& plane, const Execution& execution = {})
+  const std::optional<SymmetryPlane>& plane = {}, const Execution& execution = {})
 {
   ChartOptions options;
   options.bound = bound;
   TrialBudget budget(30e6);
   return chartCuts(mesh, plane, options, budget, execution);
-}
-
-FlatteningResult flattenedWith(const TriangleMesh& mesh, const std::vector<SuggestedCurve>& cuts)
-{
-  CurveSuggestions suggestions;
-  suggestions.curves = cuts;
-  return flattened(mesh, {}, suggestions);
 }
 }
 
@@ -96,9 +58,9 @@ TEST(ChartCuts, PartClosedBodiesIntoDisksWithinTheBound)
   {
     for (const TriangleMesh& mesh : { ball(1.0), bean(), torus(16, 3.0) })
     {
-      const std::vector<SuggestedCurve> cuts = chartsOf(mesh, bound, std::nullopt);
+      const std::vector<SuggestedCurve> cuts = chartsOf(mesh, bound);
       ASSERT_FALSE(cuts.empty());
-      const FlatteningResult flat = flattenedWith(mesh, cuts);
+      const FlatteningResult flat = flattened(mesh, {}, cuts);
       ASSERT_TRUE(flat.status.ok()) << flat.status.message;
       EXPECT_TRUE(flat.leftOut.empty());
       EXPECT_LE(worstStrain(flat), bound);
@@ -112,7 +74,7 @@ TEST(ChartCuts, TakeLessSeamForALooserBound)
   double before = std::numeric_limits<double>::infinity();
   for (double bound : { 0.025, 0.05, 0.1, 0.2 })
   {
-    const double length = totalLength(chartsOf(bean(), bound, std::nullopt));
+    const double length = totalLength(chartsOf(bean(), bound));
     EXPECT_LT(length, before) << bound;
     before = length;
   }
@@ -123,7 +85,7 @@ TEST(ChartCuts, MakePiecesThatHardlyWind)
   // The convex hulls of pieces that wind take 1.8 to 2.6 times their area.
   for (const TriangleMesh& mesh : { ball(1.0), bean(), pear(), torus(16, 3.0) })
   {
-    const FlatteningResult flat = flattenedWith(mesh, chartsOf(mesh, 0.1, std::nullopt));
+    const FlatteningResult flat = flattened(mesh, {}, chartsOf(mesh, 0.1));
     ASSERT_TRUE(flat.status.ok()) << flat.status.message;
     std::vector<Points2> pieces(flat.pieces.size());
     for (Index h = 0; h < flat.cut->mesh.halfedgeCount(); ++h)
@@ -141,10 +103,9 @@ TEST(ChartCuts, MakePiecesThatHardlyWind)
 
 TEST(ChartCuts, AreTheSameInEveryUnitAndForAnyNumberOfThreads)
 {
-  const std::vector<SuggestedCurve> one = chartsOf(ball(1.0), 0.08, std::nullopt);
-  const std::vector<SuggestedCurve> threads =
-    chartsOf(ball(1.0), 0.08, std::nullopt, withThreads(3));
-  const std::vector<SuggestedCurve> large = chartsOf(ball(1024.0), 0.08, std::nullopt);
+  const std::vector<SuggestedCurve> one = chartsOf(ball(1.0), 0.08);
+  const std::vector<SuggestedCurve> threads = chartsOf(ball(1.0), 0.08, {}, withThreads(3));
+  const std::vector<SuggestedCurve> large = chartsOf(ball(1024.0), 0.08);
   ASSERT_EQ(one.size(), threads.size());
   ASSERT_EQ(one.size(), large.size());
   for (std::size_t k = 0; k < one.size(); ++k)
@@ -170,17 +131,17 @@ TEST(ChartCuts, ComeInPairsOfEqualLengthWhereThereIsAMirror)
     }
   }
   EXPECT_GT(pairs, 0u);
-  EXPECT_LE(worstStrain(flattenedWith(mesh, cuts)), 0.05);
+  EXPECT_LE(worstStrain(flattened(mesh, {}, cuts)), 0.05);
 }
 
 TEST(ChartCuts, PartMoreTrianglesThanTheyAreFoundOn)
 {
   const TriangleMesh mesh = ball(1.0, 182);
   ASSERT_GT(mesh.triangleCount(), 30000);
-  const std::vector<SuggestedCurve> cuts = chartsOf(mesh, 0.05, std::nullopt);
+  const std::vector<SuggestedCurve> cuts = chartsOf(mesh, 0.05);
   ASSERT_FALSE(cuts.empty());
   // Drawn on others than they were found on.
-  EXPECT_LE(worstStrain(flattenedWith(mesh, cuts)), 0.05);
+  EXPECT_LE(worstStrain(flattened(mesh, {}, cuts)), 0.05);
 }
 
 TEST(ChartCuts, MakeAsManyPiecesAsAreWanted)
@@ -249,15 +210,11 @@ TEST(ChartCuts, LieFlatWhereTheSearchIsInterrupted)
       ASSERT_TRUE(found.status.ok()) << found.status.message;
       const FlatteningResult flat = flattened(body, {}, found);
       ASSERT_FALSE(flat.status.refused()) << flat.status.message;
-      double strain = 0.0;
-      std::size_t overlapping = 0;
-      for (const auto& piece : flat.pieces)
-      {
-        strain = std::max(strain, piece.quality.strainP95);
-        overlapping += piece.overlaps.count > 0 ? 1 : 0;
-      }
+      const double strain = worstStrain(flat);
+      const auto overlapping = std::count_if(flat.pieces.begin(), flat.pieces.end(),
+        [](const PieceReport& piece) { return piece.overlaps.count > 0; });
       // Seams that are drawn along their chains are not tried.
-      EXPECT_LE(overlapping, 1u);
+      EXPECT_LE(overlapping, 1);
       EXPECT_LE(strain, 3.0 * options.search.bound);
       EXPECT_NEAR(found.strainAfter, strain, 1e-6 * strain);
     }
@@ -322,8 +279,7 @@ TEST(ChartCuts, KeepToTheMirrorThatIsStated)
   {
     SuggestionOptions options = optionsOf(0.1, 0);
     options.search.symmetric = text;
-    const std::vector<Polyline> curves{ middle };
-    const CurveSuggestions suggestions = suggestCurves(mesh, curves, options);
+    const CurveSuggestions suggestions = suggestCurves(mesh, { middle }, options);
     ASSERT_TRUE(suggestions.status.ok()) << text << suggestions.status.message;
     ASSERT_TRUE(suggestions.mirror && suggestions.mirror->plane()) << text;
     const SymmetryPlane& plane = *suggestions.mirror->plane();
@@ -348,8 +304,7 @@ TEST(ChartCuts, AreMappedToTheOtherSideWhereAMirrorIsForced)
   ASSERT_TRUE(forced.mirror.has_value());
   const FlatteningResult flat = flattened(bean(), {}, forced);
   EXPECT_TRUE(flat.status.ok());
-  EXPECT_TRUE(std::any_of(forced.curves.begin(), forced.curves.end(),
-    [](const SuggestedCurve& cut) { return cut.mirrorOf != none; }));
+  EXPECT_TRUE(hasPairs(forced));
 }
 
 TEST(ChartCuts, ReachTheirBoundWithLegsOfDartsThatFold)
@@ -383,16 +338,16 @@ TEST(ChartCuts, KeepToTheirSideOfASlit)
   ASSERT_TRUE(surface.status.ok()) << surface.status.message;
   const TriangleMesh open = cutSurface(surface.mesh, surface.curves).mesh;
   ASSERT_EQ(open.boundaryLoops().size(), 1U);
-  const std::vector<SuggestedCurve> cuts = chartsOf(open, 0.05, std::nullopt);
+  const std::vector<SuggestedCurve> cuts = chartsOf(open, 0.05);
   ASSERT_FALSE(cuts.empty());
-  const FlatteningResult flat = flattenedWith(open, cuts);
+  const FlatteningResult flat = flattened(open, {}, cuts);
   EXPECT_TRUE(flat.status.ok()) << flat.status.message;
   EXPECT_LE(worstStrain(flat), 0.05);
 }
 
 TEST(ChartCuts, LeaveWhatLiesFlatAsItIs)
 {
-  EXPECT_TRUE(chartsOf(unitSquares(8, 8).mesh, 0.05, std::nullopt).empty());
+  EXPECT_TRUE(chartsOf(unitSquares(8, 8).mesh, 0.05).empty());
 }
 
 TEST(SeamDrawing, DrawsNothingWhereThereIsNoWay)

@@ -5,10 +5,6 @@
 #include "Editing/CurveEditor.h"
 #include "Paths/PathPoints.h"
 
-#include <gtest/gtest.h>
-
-#include <random>
-
 using namespace drawncurves;
 using namespace flattening;
 
@@ -362,10 +358,8 @@ TEST(CurveEditor, TwoNodesOnATubeGirthItAndOnASheetAreRefused)
 {
   // A tube of radius 2 with 40 sides: the girth square to its axis is their sum.
   const Index sides = 40;
-  CurveEditor tube(std::make_shared<const DrawingSurface>(
-    testmeshes::rolledUp(sides, 10, [](double turn, double across) {
-      return Point3(2.0 * std::cos(turn), 2.0 * std::sin(turn), 10.0 * across);
-    })));
+  CurveEditor tube(
+    std::make_shared<const DrawingSurface>(testmeshes::revolved(sides, 10, 10.0, 2.0)));
   ASSERT_TRUE(
     tube.add(through(tube.surface(), { { 2, 0.1, 4.5 }, { -2, 0.1, 4.5 } }, SegmentKind::Section))
       .ok());
@@ -382,11 +376,8 @@ TEST(CurveEditor, AClosedCurvePulledTightIsTheShortestRoundThereAndIsUndone)
 {
   // A tube of 16 sides with a waist at half its height.
   const Index sides = 16;
-  const auto surface = std::make_shared<const DrawingSurface>(
-    testmeshes::rolledUp(sides, 8, [](double turn, double across) {
-      const double radius = 1.0 + 0.8 * (2.0 * across - 1.0) * (2.0 * across - 1.0);
-      return Point3(radius * std::cos(turn), radius * std::sin(turn), 2.0 * across);
-    }));
+  const auto surface = std::make_shared<const DrawingSurface>(testmeshes::revolved(sides, 8, 2.0,
+    [](double share) { return 1.0 + 0.8 * (2.0 * share - 1.0) * (2.0 * share - 1.0); }));
   CurveEditor editor(surface);
   EditedCurve curve =
     through(*surface, { Point3(1.5, 0.2, 1.7), Point3(-0.9, 1.2, 1.3), Point3(-0.8, -1.1, 1.6) });

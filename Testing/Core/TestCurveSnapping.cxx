@@ -3,8 +3,6 @@
 #include "DrawnCurves.h"
 #include "Editing/CurveSnapping.h"
 
-#include <gtest/gtest.h>
-
 using namespace flattening;
 using namespace drawncurves;
 

@@ -2,11 +2,6 @@
 #include "Suggestion/CutCandidates.h"
 #include "TestMeshes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 using namespace flattening;
 using namespace testmeshes;
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Types.h"
 #include "Flattened.h"
-#include "WiredSurface.h"
-
-#include <gtest/gtest.h>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -17,7 +14,7 @@ FeatureCurve dart(const std::string& name, Index column, Index from, Index to)
   Indices vertices;
   for (Index j = from; j != to; j += from < to ? 1 : -1)
   {
-    vertices.push_back(j * (cushionSize + 1) + column);
+    vertices.push_back(at(cushionSize, column, j));
   }
   return curveOf(CurveType::Dart, name, vertices);
 }

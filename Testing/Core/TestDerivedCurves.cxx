@@ -5,10 +5,6 @@
 #include "Editing/DerivedCurves.h"
 #include "Paths/PathPoints.h"
 
-#include <gtest/gtest.h>
-
-#include <random>
-
 using namespace flattening;
 using namespace drawncurves;
 

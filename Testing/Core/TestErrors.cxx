@@ -3,19 +3,11 @@
 #include "Cloth/ClothMaterial.h"
 #include "Flattening/SurfaceFlattening.h"
 #include "Imprint/CurveImprint.h"
-#include "MeshTriangles.h"
 #include "StatusTesting.h"
-#include "Surface/SurfacePreparation.h"
 #include "WiredSurface.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
 #include <cfenv>
 #include <fstream>
-#include <limits>
-#include <random>
 #include <sstream>
 
 using namespace flattening;

@@ -3,8 +3,6 @@
 #include "Sewing/BodyContact.h"
 #include "TestMeshes.h"
 
-#include <gtest/gtest.h>
-
 using namespace flattening;
 using namespace testmeshes;
 
@@ -162,28 +160,20 @@ TEST(FlattenableSurface, RefusesWhatMeansNothingAndStopsWhenTold)
 namespace
 {
 /// A surface over a square with a height (x, y), its normals upwards or, turned, downwards.
-Surface heightField(const std::function<double(double, double)>& height, bool turned)
+Surface overSquare(const std::function<double(double, double)>& height, bool turned)
 {
-  Surface surface = patch(12, 12, [&height](double i, double j) {
-    const double x = i / 6.0 - 1.0;
-    const double y = j / 6.0 - 1.0;
-    return Point3(x, y, height(x, y));
-  });
-  Triangles triangles = surface.mesh.triangles();
+  const TriangleMesh mesh = heightField(12, height).mesh;
+  Triangles triangles = mesh.triangles();
   for (Triangle& c : triangles)
   {
-    if (turned)
-    {
-      std::swap(c[1], c[2]);
-    }
+    std::swap(c[1], c[turned ? 2 : 1]);
   }
-  surface.mesh = TriangleMesh(surface.mesh.points(), std::move(triangles));
-  return surface;
+  return { TriangleMesh(mesh.points(), std::move(triangles)), {}, {} };
 }
 
 Surface saddle(double height, bool turned)
 {
-  return heightField([height](double x, double y) { return height * (x * x - y * y); }, turned);
+  return overSquare([height](double x, double y) { return height * (x * x - y * y); }, turned);
 }
 
 FlattenableSurface withBias(const Surface& surface, double bias)
@@ -246,14 +236,14 @@ TEST(FlattenableSurface, AFullBiasReachesTheBoundOnSaddlesOfAllHeights)
     // No plane of symmetry between rise and fall; three valleys.
     for (const double height : { 0.2, 0.45, 0.7 })
     {
-      reaches(heightField(
+      reaches(overSquare(
                 [height](double x, double y) {
                   return height * ((x * x - y * y) * (1.0 + 0.3 * x) + 0.2 * std::sin(3.0 * x + y));
                 },
                 turned),
         "skew saddle " + std::to_string(height));
       reaches(
-        heightField(
+        overSquare(
           [height](double x, double y) { return height * (x * x * x - 3.0 * x * y * y); }, turned),
         "three valleys " + std::to_string(height));
     }
@@ -266,13 +256,13 @@ TEST(FlattenableSurface, AShortfallIsToldWithWhatWasNotFreeToMove)
   for (const double height : { 0.3, 0.5, 0.8 })
   {
     const auto dome = [height](double x, double y) { return height * (1.2 - x * x - y * y); };
-    const FlattenableSurface result = withBias(heightField(dome, false), 1.0);
+    const FlattenableSurface result = withBias(overSquare(dome, false), 1.0);
     ASSERT_FALSE(result.status.refused());
     EXPECT_FALSE(result.boundMet);
     EXPECT_NE(result.hindrance.find("further moves hardly lower the strain: 1"), std::string::npos)
       << result.hindrance;
     EXPECT_NE(result.hindrance.find("outwards only"), std::string::npos) << result.hindrance;
-    EXPECT_TRUE(withBias(heightField(dome, true), 1.0).boundMet);
+    EXPECT_TRUE(withBias(overSquare(dome, true), 1.0).boundMet);
   }
 }
 

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattened.h"
 #include "SameResult.h"
-#include "TestMeshes.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 using namespace flattening;
 using namespace testmeshes;

@@ -2,13 +2,6 @@
 // What must not change a result: where the surface lies, its unit, the order of its parts, threads.
 #include "Flattened.h"
 #include "Renumbered.h"
-#include "WiredSurface.h"
-
-#include <gtest/gtest.h>
-
-#include <numeric>
-#include <random>
-#include <vector>
 
 using namespace flattening;
 using namespace testmeshes;

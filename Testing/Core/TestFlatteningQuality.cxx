@@ -4,7 +4,6 @@
 #include "TestMeshes.h"
 
 #include <Eigen/SVD>
-#include <gtest/gtest.h>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -23,11 +22,8 @@ Points2 mapped(const Points2& points, const Eigen::Matrix2d& matrix)
 
 Indices allHalfedges(const TriangleMesh& mesh)
 {
-  Indices edges;
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
-  {
-    edges.push_back(h);
-  }
+  Indices edges(mesh.halfedgeCount());
+  std::iota(edges.begin(), edges.end(), 0);
   return edges;
 }
 }

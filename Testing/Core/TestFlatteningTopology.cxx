@@ -2,13 +2,6 @@
 // Curves anywhere on a surface: holes, darts that meet, wires that end or float inside.
 #include "ClosedMeshes.h"
 #include "Flattened.h"
-#include "MeshTriangles.h"
-#include "WiredSurface.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -17,9 +10,10 @@ namespace
 {
 constexpr Index size = 8;
 
+/// Vertex (i, j).
 Index at(Index i, Index j)
 {
-  return j * (size + 1) + i;
+  return testmeshes::at(size, i, j);
 }
 
 FeatureCurve dart(Indices vertices)
@@ -254,17 +248,9 @@ namespace
 /// Meridians from a pole through parallels, sagging by a height.
 TriangleMesh dome(Index meridians, Index parallels, double height)
 {
-  Points3 points{ { 0.0, 0.0, height } };
-  for (Index j = 1; j <= parallels; ++j)
-  {
-    const double r = static_cast<double>(j) / parallels;
-    for (Index i = 0; i < meridians; ++i)
-    {
-      const double a = 2.0 * pi * i / meridians;
-      points.emplace_back(r * std::cos(a), r * std::sin(a), height * std::cos(1.3 * r));
-    }
-  }
-  return { std::move(points), ringTriangles(meridians, parallels, meridians) };
+  return disk(parallels, meridians, [height](double r, double turn) {
+    return Point3(r * std::cos(turn), r * std::sin(turn), height * std::cos(1.3 * r));
+  });
 }
 void expectExactLengths(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
   const std::vector<Scheme>& chosen, const Execution& execution = {})

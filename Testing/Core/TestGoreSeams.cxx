@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Suggestion/CurveSuggestion.h"
 
 #include "SuggestionTesting.h"
-
-#include <Eigen/Geometry>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -98,10 +91,7 @@ TEST(GoreSeams, PartZonesOfRevolutionFromEdgeToEdge)
 
 TEST(GoreSeams, OpenADevelopableZoneOnce)
 {
-  const TriangleMesh cone = rolledUp(60, 10, [](double around, double share) {
-    const double radius = 1.0 + share;
-    return Point3(radius * std::cos(around), radius * std::sin(around), 2.0 * share);
-  });
+  const TriangleMesh cone = revolved(60, 10, 2.0, [](double share) { return 1.0 + share; });
   const Cut cut = cutInto(cone, [](SearchOptions& search) { search.bound = 0.05; });
   ASSERT_EQ(cut.found.curves.size(), 1U);
   EXPECT_NEAR(cut.found.curves.front().length, std::sqrt(5.0), 1e-9);

@@ -4,9 +4,6 @@
 #include "Flattened.h"
 #include "Quality/FlatteningQuality.h"
 #include "Reference/InteriorRelaxation.h"
-#include "WiredSurface.h"
-
-#include <gtest/gtest.h>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -46,16 +43,6 @@ Points2 pinnedBy(const WiredSurface& wired, const std::function<Point2(const Poi
 Point2 shadow(const Point3& p)
 {
   return { 1.05 * p.x() + 0.1 * p.y() * p.y(), p.y() + 0.1 * p.x() };
-}
-
-double largestDistance(const Points2& a, const Points2& b)
-{
-  double most = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    most = std::max(most, (a[i] - b[i]).norm());
-  }
-  return most;
 }
 }
 

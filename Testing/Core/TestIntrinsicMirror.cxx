@@ -5,11 +5,6 @@
 
 #include "SuggestionTesting.h"
 
-#include <Eigen/Geometry>
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 using namespace flattening;
 using namespace testmeshes;
 
@@ -103,10 +98,9 @@ TEST(IntrinsicMirror, CutsComeInPairsOfTheSameLength)
   constexpr double angle = 1.0;
   for (const bool mirrored : { true, false }) // triangle by triangle
   {
-    SuggestionOptions options = optionsOf(0.0, 2);
-    options.search.cuts = SuggestedCuts::Darts;
     const CurveSuggestions suggestions =
-      suggestCurves(mirrored ? foldedBumps(angle) : unevenBumps(angle), {}, options);
+      suggestCurves(mirrored ? foldedBumps(angle) : unevenBumps(angle), {},
+        optionsOf(0.0, 2, SuggestedCuts::Darts));
     ASSERT_TRUE(suggestions.mirror.has_value());
     ASSERT_NE(suggestions.mirror->intrinsic(), nullptr);
     EXPECT_EQ(suggestions.mirror->error > 1e-6, !mirrored);

@@ -4,11 +4,6 @@
 #include "ModelDerivatives.h"
 #include "WiredSurface.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-
 using namespace flattening;
 using namespace testmeshes;
 

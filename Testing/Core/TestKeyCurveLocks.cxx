@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WiredSurface.h"
 
-#include <gtest/gtest.h>
-
 using namespace flattening;
 using namespace testmeshes;
 

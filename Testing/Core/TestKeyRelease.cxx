@@ -3,11 +3,7 @@
 #include "Angles/KeyRelease.h"
 #include "Angles/ReleaseAdvice.h"
 #include "Flattened.h"
-#include "WiredSurface.h"
 
-#include <gtest/gtest.h>
-
-#include <functional>
 #include <set>
 
 using namespace flattening;

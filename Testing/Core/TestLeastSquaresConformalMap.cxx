@@ -5,7 +5,6 @@
 #include "WiredSurface.h"
 
 #include <Eigen/QR>
-#include <gtest/gtest.h>
 
 using namespace flattening;
 using namespace testmeshes;

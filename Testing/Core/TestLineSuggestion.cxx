@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Design/LineSuggestion.h"
 
-#include "Flattening/SurfaceFlattening.h"
-#include "Imprint/CurveImprint.h"
-#include "TestMeshes.h"
-
-#include <gtest/gtest.h>
+#include "SuggestionTesting.h"
 
 using namespace flattening;
 using namespace testmeshes;
@@ -189,12 +185,7 @@ TEST(LineSuggestion, IsTheSameForAnyNumberOfThreadsAndEndsWhenItIsCancelled)
   const TriangleMesh mesh = tallBumps();
   const CurveSuggestions alone = suggestLines(mesh, {}, {});
   const CurveSuggestions many = suggestLines(mesh, {}, {}, withThreads(3));
-  ASSERT_EQ(alone.curves.size(), many.curves.size());
-  for (std::size_t k = 0; k < alone.curves.size(); ++k)
-  {
-    EXPECT_EQ(alone.curves[k].curve.points, many.curves[k].curve.points);
-    EXPECT_EQ(alone.curves[k].gain, many.curves[k].gain);
-  }
+  expectSameCurves(alone, many);
   Execution cancelled;
   cancelled.cancel = [] { return true; };
   EXPECT_EQ(suggestLines(mesh, {}, {}, cancelled).status.code, StatusCode::Cancelled);
@@ -207,14 +198,7 @@ TEST(LineSuggestion, LeavesOutKeysThatCollapseATriangle)
     return Point3(0.1 * i, 0.15 * j, 0.3 * std::sin(0.3 * i) * std::sin(0.3 * j));
   }).mesh;
   const CurveSuggestions suggestions = suggestLines(mesh, {}, {});
-  std::vector<Polyline> curves;
-  for (const SuggestedCurve& line : suggestions.curves)
-  {
-    curves.push_back(line.curve);
-  }
-  const ImprintedSurface surface = imprintCurves(mesh, curves, {});
-  ASSERT_TRUE(surface.status.ok());
-  const FlatteningResult result = flattenSurface(surface.mesh, surface.curves, {}, {});
+  const FlatteningResult result = flattened(mesh, {}, suggestions);
   EXPECT_TRUE(result.status.ok()) << result.status.message;
   for (const TriangleQuality& triangle : result.triangles)
   {

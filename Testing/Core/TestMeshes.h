@@ -4,16 +4,26 @@
 #include "Base/Execution.h"
 #include "Base/ThreadedLoop.h"
 #include "Cut/SurfaceCut.h"
+#include "MeshTriangles.h"
 #include "Surface/SurfacePreparation.h"
 #include "Surface/TriangleMesh.h"
 
 #include <Eigen/Geometry>
+#include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <functional>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
-/// Surfaces made in code, for the tests of Core.
+/// Surfaces made in code, for the tests of Core. What nearly all of these need is included here.
 namespace testmeshes
 {
 using namespace flattening;
@@ -41,6 +51,19 @@ inline FeatureCurve curveOf(CurveType type, const std::string& name, Indices ver
   return curve;
 }
 
+/// Largest distance between corresponding points; infinite where their numbers differ.
+template <class Point>
+double largestDistance(const std::vector<Point>& a, const std::vector<Point>& b)
+{
+  double most = a.size() == b.size() ? 0.0 : HUGE_VAL;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+  {
+    const double distance = (a[i] - b[i]).norm();
+    most = std::isnan(distance) ? HUGE_VAL : std::max(most, distance);
+  }
+  return most;
+}
+
 /// The mesh with each vertex where a function of its place puts it.
 template <class Place>
 TriangleMesh moved(const TriangleMesh& mesh, const Place& place)
@@ -53,8 +76,14 @@ TriangleMesh moved(const TriangleMesh& mesh, const Place& place)
   return { std::move(points), mesh.triangles() };
 }
 
-/// (columns + 1) x (rows + 1) vertices, vertex (i, j) = j (columns + 1) + i, whose places come from
-/// two functions of (i, j); the diagonals alternate.
+/// Vertex (i, j) of a patch().
+inline Index at(Index columns, Index i, Index j)
+{
+  return j * (columns + 1) + i;
+}
+
+/// (columns + 1) x (rows + 1) vertices whose places come from two functions of (i, j); the
+/// diagonals alternate.
 inline Surface patch(Index columns, Index rows, const std::function<Point3(double, double)>& place,
   const std::function<Point2(double, double)>& unroll = {})
 {
@@ -94,6 +123,31 @@ inline Surface patch(Index columns, Index rows, const std::function<Point3(doubl
   }
   surface.mesh = TriangleMesh(std::move(points), std::move(triangles));
   return surface;
+}
+
+/// A height over the square of [-1, 1] x [-1, 1], of n x n cells.
+inline Surface heightField(Index n, const std::function<double(double, double)>& height)
+{
+  return patch(n, n, [&](double i, double j) {
+    const double x = 2.0 * i / n - 1.0;
+    const double y = 2.0 * j / n - 1.0;
+    return Point3(x, y, height(x, y));
+  });
+}
+
+/// Rings of n vertices around vertex 0, the k-th of ring j is 1 + (j - 1) n + k. Places come from
+/// the share of the way to the last ring, and the angle.
+inline TriangleMesh disk(Index rings, Index n, const std::function<Point3(double, double)>& place)
+{
+  Points3 points{ place(0.0, 0.0) };
+  for (Index j = 1; j <= rings; ++j)
+  {
+    for (Index k = 0; k < n; ++k)
+    {
+      points.push_back(place(static_cast<double>(j) / rings, 2.0 * pi * k / n));
+    }
+  }
+  return { std::move(points), ringTriangles(n, rings, n) };
 }
 
 /// A flat sheet of unit squares where z = 0.

@@ -5,11 +5,6 @@
 #include "TestGraphs.h"
 #include "TestMeshes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <numeric>
-
 using namespace flattening;
 using namespace testmeshes;
 

@@ -120,6 +120,17 @@ DenseModel nearestTo(const Eigen::VectorXd& goal)
   return model;
 }
 
+/// Least of x H x / 2 + b x, and a constant.
+DenseModel quadratic(const Eigen::MatrixXd& h, const Eigen::VectorXd& b, double constant = 0.0)
+{
+  DenseModel model;
+  model.unknowns = static_cast<Index>(b.size());
+  model.f = [=](const Eigen::VectorXd& x) { return constant + 0.5 * x.dot(h * x) + b.dot(x); };
+  model.gradient = [=](const Eigen::VectorXd& x) { return Eigen::VectorXd(h * x + b); };
+  model.hessian = [=](const Eigen::VectorXd&) { return h; };
+  return model;
+}
+
 /// With all unknowns on the unit circle.
 DenseModel onTheCircle(DenseModel model = {})
 {
@@ -178,17 +189,8 @@ TEST(NewtonKkt, KeepsTheFactorInDoublePrecisionWhereSingleIsNotEnough)
 {
   // Along the line y = 2 x it is (1e-9 / 2 + 2 + 1.2) x^2 + 2 x. The first pivot is so small that
   // it swamps what the second column says of itself.
-  DenseModel model;
-  model.f = [](const Eigen::VectorXd& x) {
-    return 0.5e-9 * x[0] * x[0] + x[0] * x[1] + 0.3 * x[1] * x[1] + x[1];
-  };
-  model.gradient = [](const Eigen::VectorXd& x) {
-    return Eigen::Vector2d(1e-9 * x[0] + x[1], x[0] + 0.6 * x[1] + 1.0);
-  };
-  model.hessian = [](const Eigen::VectorXd&) {
-    return Eigen::MatrixXd(Eigen::Matrix2d{ { 1e-9, 1.0 }, { 1.0, 0.6 } });
-  };
-  model = onThePlane(Eigen::Vector2d(-2.0, 1.0), 0.0, model);
+  DenseModel model = onThePlane(Eigen::Vector2d(-2.0, 1.0), 0.0,
+    quadratic(Eigen::Matrix2d{ { 1e-9, 1.0 }, { 1.0, 0.6 } }, Eigen::Vector2d(0.0, 1.0)));
   const NewtonKktState end =
     minimize(model, { Eigen::Vector2d(3.0, 1.0), {} }, inSinglePrecision(model), {}, {});
   EXPECT_TRUE(end.converged());
@@ -209,13 +211,7 @@ TEST(NewtonKkt, AFactorInSinglePrecisionEndsAtTheSameMinimumWhereTheMultiplierIs
   const Eigen::MatrixXd h = waves * bent.asDiagonal() * waves.transpose();
   const Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(n, 0.3, 1.7);
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, -1.0, 2.0);
-  const Eigen::VectorXd pull = s * a + b;
-  DenseModel model;
-  model.unknowns = n;
-  model.f = [&](const Eigen::VectorXd& x) { return 1.0 + 0.5 * x.dot(h * x) + pull.dot(x); };
-  model.gradient = [&](const Eigen::VectorXd& x) { return Eigen::VectorXd(h * x + pull); };
-  model.hessian = [&](const Eigen::VectorXd&) { return h; };
-  model = onThePlane(a, 0.0, model);
+  DenseModel model = onThePlane(a, 0.0, quadratic(h, s * a + b, 1.0));
   NewtonKktOptions options;
   options.stepTolerance = 0.0;
 
@@ -240,12 +236,7 @@ TEST(NewtonKkt, AFactorInSinglePrecisionStaysWhereRefiningLeavesLittle)
   const Eigen::VectorXd bent = pow(10.0, Eigen::ArrayXd::LinSpaced(n, -7.0, 0.0)).matrix();
   const Eigen::MatrixXd h = waves * bent.asDiagonal() * waves.transpose();
   const Eigen::VectorXd b = 1e-3 * waves.col(0);
-  DenseModel model;
-  model.unknowns = n;
-  model.f = [&](const Eigen::VectorXd& x) { return 0.5 * x.dot(h * x) - b.dot(x) + 1.0; };
-  model.gradient = [&](const Eigen::VectorXd& x) { return Eigen::VectorXd(h * x - b); };
-  model.hessian = [&](const Eigen::VectorXd&) { return h; };
-  model = onThePlane(waves.col(1), 0.0, model);
+  DenseModel model = onThePlane(waves.col(1), 0.0, quadratic(h, -b, 1.0));
   std::atomic<std::int64_t> work{ 0 };
   Execution execution;
   execution.factorized = &work;
@@ -316,16 +307,8 @@ TEST(NewtonKkt, EndsAtAMinimumNotAtASaddleWhereTheHessianIsIndefinite)
 {
   // x y on the unit circle: maxima on the diagonal, minima -1/2 across it. The start lies next to
   // a maximum, where Newton's method without regard to the inertia stays.
-  DenseModel model = onTheCircle();
-  model.f = [](const Eigen::VectorXd& x) { return x[0] * x[1]; };
-  model.gradient = [](const Eigen::VectorXd& x) {
-    return Eigen::VectorXd(Eigen::Vector2d(x[1], x[0]));
-  };
-  model.hessian = [](const Eigen::VectorXd&) {
-    Eigen::MatrixXd h(2, 2);
-    h << 0.0, 1.0, 1.0, 0.0;
-    return h;
-  };
+  DenseModel model =
+    onTheCircle(quadratic(Eigen::Matrix2d{ { 0.0, 1.0 }, { 1.0, 0.0 } }, Eigen::Vector2d::Zero()));
   const NewtonKktState end = solved(model, Eigen::Vector2d(0.71, 0.70));
   EXPECT_TRUE(end.converged());
   EXPECT_NEAR(end.x[0] * end.x[1], -0.5, 1e-9);

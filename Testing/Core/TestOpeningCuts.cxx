@@ -19,12 +19,10 @@ TEST(OpeningCuts, MakeADiskOfATorus)
 
 TEST(OpeningCuts, JoinTheEndsOfATubeAndLeaveASmallHole)
 {
-  const auto tube = [](Index from) {
-    const TriangleMesh whole = rolledUp(24, 16, [](double turn, double across) {
-      return Point3(std::cos(turn), std::sin(turn), 3.2 * across);
-    });
+  const auto tube = [](Index missing) {
+    const TriangleMesh whole = revolved(24, 16, 3.2);
     Triangles triangles = whole.triangles();
-    triangles.erase(triangles.begin() + 350, triangles.begin() + 350 + from);
+    triangles.erase(triangles.begin() + 350, triangles.begin() + 350 + missing);
     return TriangleMesh(whole.points(), triangles);
   };
   EXPECT_EQ(openingCuts(tube(0)).size(), 1u);
@@ -59,23 +57,17 @@ TEST(OpeningCuts, LeaveAWideHoleInASheetThatLiesFlat)
 TEST(OpeningCuts, JoinTheEndsOfAFrustum)
 {
   // Its edges turn by less than a hole's: by the sine of the angle between its wall and its axis.
-  const TriangleMesh frustum = rolledUp(30, 6, [](double turn, double across) {
-    return Point3((1.0 + across) * std::cos(turn), (1.0 + across) * std::sin(turn), across);
-  });
-  EXPECT_EQ(openingCuts(frustum).size(), 1u);
+  const auto frustum = [](double share) { return 1.0 + share; };
+  EXPECT_EQ(openingCuts(revolved(30, 6, 1.0, frustum)).size(), 1u);
 }
 
 TEST(OpeningCuts, KeepOffKeyCurves)
 {
   // Straight across the tube all ways are equally long, and the key takes half of one end.
-  const TriangleMesh tube = rolledUp(24, 6,
-    [](double turn, double across) { return Point3(std::cos(turn), std::sin(turn), across); });
-  Polyline key;
-  key.type = CurveType::Key;
-  for (Index v = 0; v <= 12; ++v)
-  {
-    key.points.push_back(tube.point(v));
-  }
+  const TriangleMesh tube = revolved(24, 6, 1.0);
+  Indices half(13);
+  std::iota(half.begin(), half.end(), 0);
+  const Polyline key = lineOver(tube, half, CurveType::Key);
   const CurveSuggestions suggestions = suggestCurves(tube, { key }, optionsOf(0.02, 4));
   ASSERT_EQ(suggestions.curves.size(), 1u);
   EXPECT_TRUE(suggestions.boundMet);

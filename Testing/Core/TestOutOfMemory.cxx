@@ -3,22 +3,23 @@
 #include "Base/Memory.h"
 #include "Flattened.h"
 #include "Reference/SuperLUFactorization.h"
-#include "Surface/SurfacePreparation.h"
 #include "TestGraphs.h"
-
-#include <gtest/gtest.h>
 
 #include <sys/resource.h>
 
 #include <cstdlib>
 #include <fstream>
-#include <functional>
 
 using namespace flattening;
 using namespace testmeshes;
 
 namespace
 {
+struct Result
+{
+  Status status;
+};
+
 std::size_t addressSpace()
 {
   std::size_t pages = 0;
@@ -80,10 +81,6 @@ TEST(OutOfMemory, IsTheStatusOfARunWhoseFactorsMayNotBeAsLargeAndTellsHowLargeTh
 TEST(OutOfMemory, DoesNotEndTheProgramInTheLibraryOfThePapersSolver)
 {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  struct Result
-  {
-    Status status;
-  };
   const Eigen::SparseMatrix<double> matrix = testgraphs::gridLaplacian(120);
   const Eigen::MatrixXd rightHandSides = Eigen::MatrixXd::Ones(matrix.rows(), 2);
   const auto solve = [&]() -> Result {
@@ -114,10 +111,6 @@ TEST(OutOfMemory, OnAnotherThreadReachesTheCaller)
 
 TEST(OutOfMemory, OfAVectorThatNoMachineHoldsIsToldAsWell)
 {
-  struct Result
-  {
-    Status status;
-  };
   const Result result = withinMemory([]() -> Result {
     std::vector<double> endless;
     endless.reserve(endless.max_size());

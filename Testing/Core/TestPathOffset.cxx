@@ -6,21 +6,12 @@
 #include "Paths/PathDistance.h"
 #include "Paths/PathPoints.h"
 #include "Paths/StraightPath.h"
-#include "TestMeshes.h"
-
-#include <gtest/gtest.h>
 
 using namespace flattening;
 using namespace testmeshes;
 
 namespace
 {
-SurfacePoint nearest(const TriangleMesh& mesh, const Point3& point)
-{
-  const ClosestPoint closest = SurfaceLocator(mesh).closest(point);
-  return snapToMesh(mesh, SnapDistance(mesh, 1e-9), closest);
-}
-
 SurfacePath through(const PathGraph& graph, const std::vector<SurfacePoint>& points)
 {
   SurfacePath path;
@@ -45,7 +36,7 @@ SurfacePath through(const PathGraph& graph, const Points3& points)
   std::vector<SurfacePoint> nodes;
   for (const Point3& point : points)
   {
-    nodes.push_back(nearest(graph.mesh(), point));
+    nodes.push_back(nearestPoint(graph.mesh(), point));
   }
   return through(graph, nodes);
 }
@@ -252,9 +243,7 @@ TEST(PathOffset, OfALineThatMeetsTheSideAtAnAngleEndsOnTheSide)
 TEST(PathOffset, RoundACylinderIsTheNextRound)
 {
   // Forty sides, closed, so that every round is a polygon of one length.
-  const TriangleMesh mesh = rolledUp(40, 10, [](double turn, double across) {
-    return Point3(std::cos(turn), std::sin(turn), 3.0 * across);
-  });
+  const TriangleMesh mesh = revolved(40, 10, 3.0);
   const PathGraph graph(mesh);
   std::vector<SurfacePoint> ring;
   for (Index i = 0; i <= 4; ++i)

@@ -6,8 +6,6 @@
 #include "Paths/PathPoints.h"
 #include "Paths/StraightPath.h"
 
-#include <gtest/gtest.h>
-
 using namespace flattening;
 using namespace testmeshes;
 using namespace drawncurves;

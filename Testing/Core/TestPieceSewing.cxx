@@ -2,12 +2,8 @@
 #include "ClosedMeshes.h"
 #include "Cloth/ClothMaterial.h"
 #include "Flattened.h"
-#include "MeshTriangles.h"
 #include "Renumbered.h"
 #include "Sewing/PieceSewing.h"
-#include "TestMeshes.h"
-
-#include <gtest/gtest.h>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -39,10 +35,8 @@ SewingOptions panel(double thickness = 1e-3)
 Surface frustum(Index columns, Index rows, double upperRadius)
 {
   Surface surface;
-  surface.mesh = rolledUp(columns, rows, [=](double angle, double height) {
-    const double radius = 1.0 + (upperRadius - 1.0) * height;
-    return Point3(radius * std::cos(angle), radius * std::sin(angle), 2.0 * height);
-  });
+  surface.mesh =
+    revolved(columns, rows, 2.0, [=](double height) { return 1.0 + (upperRadius - 1.0) * height; });
   for (const Index i : { Index(0), columns / 2 })
   {
     Indices vertices;
@@ -187,11 +181,7 @@ TEST(PieceSewing, ThreadsChangeNoBit)
   const FlatteningResult pieces = flatten(dome());
   const SewingResult one = sewPieces(*pieces.cut, pieces.positions, panel(), {});
   const SewingResult three = sewPieces(*pieces.cut, pieces.positions, panel(), withThreads(3));
-  ASSERT_EQ(one.points.size(), three.points.size());
-  for (std::size_t v = 0; v < one.points.size(); ++v)
-  {
-    EXPECT_EQ(one.points[v], three.points[v]);
-  }
+  EXPECT_EQ(one.points, three.points);
   EXPECT_EQ(one.shapes.front().measures.distanceMean, three.shapes.front().measures.distanceMean);
 }
 
@@ -217,10 +207,9 @@ TEST(PieceSewing, RefusesWhatItCannotSew)
 
 TEST(PieceSewing, LeavesNothingWhenItIsCancelled)
 {
-  const FlatteningResult pieces = flatten(dome());
   Execution run;
   run.cancel = [] { return true; };
-  const SewingResult cancelled = sewPieces(*pieces.cut, pieces.positions, panel(), run);
+  const SewingResult cancelled = sewn(dome(), panel(), run);
   EXPECT_EQ(cancelled.status.code, StatusCode::Cancelled);
   EXPECT_TRUE(cancelled.points.empty());
 }
@@ -231,44 +220,19 @@ namespace
 Surface sphereOfGores(Index perGore, Index rows)
 {
   const Index columns = 8 * perGore;
-  Points3 points{ { 0.0, 0.0, 1.0 }, { 0.0, 0.0, -1.0 } };
-  const auto at = [&](Index i, Index j) {
-    return j == 0 ? 0 : j == rows ? 1 : 2 + (j - 1) * columns + i % columns;
-  };
-  Triangles triangles;
-  for (Index j = 1; j < rows; ++j)
-  {
-    for (Index i = 0; i < columns; ++i)
-    {
-      const double polar = pi * j / rows;
-      const double angle = 2.0 * pi * i / columns;
-      points.emplace_back(
-        std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle), std::cos(polar));
-    }
-  }
-  for (Index j = 0; j < rows; ++j)
-  {
-    for (Index i = 0; i < columns; ++i)
-    {
-      if (j > 0)
-      {
-        triangles.push_back({ at(i, j), at(i, j + 1), at(i + 1, j) });
-      }
-      if (j < rows - 1)
-      {
-        triangles.push_back({ at(i + 1, j), at(i, j + 1), at(i + 1, j + 1) });
-      }
-    }
-  }
   Surface surface;
-  surface.mesh = TriangleMesh(std::move(points), std::move(triangles));
+  surface.mesh = betweenPoles(columns, rows, [](double angle, double polar) {
+    return Point3(
+      std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle), std::cos(polar));
+  });
   for (Index i = 0; i < columns; i += perGore)
   {
-    Indices vertices;
-    for (Index j = 0; j <= rows; ++j)
+    Indices vertices{ 0 };
+    for (Index j = 1; j < rows; ++j)
     {
-      vertices.push_back(at(i, j));
+      vertices.push_back(2 + (j - 1) * columns + i);
     }
+    vertices.push_back(1);
     surface.curves.push_back(curveOf(CurveType::Seam, "seam" + std::to_string(i), vertices));
   }
   return surface;
@@ -424,7 +388,6 @@ TEST(SewnCloth, ALongFlatPanelSagsUnderItsWeightAsASupportedBeam)
   // wide. Edges along and across and one diagonal: what bends as a cylinder bends as a plate.
   const Index columns = 16;
   const Index rows = 10 * columns;
-  const auto at = [columns](Index i, Index j) { return j * (columns + 1) + i; };
   Surface plate =
     patch(columns, rows, [=](double i, double j) -> Point3 { return Point3(i, j, 0.0) / columns; });
   plate.mesh = TriangleMesh(plate.mesh.points(), gridTriangles(columns, rows));
@@ -436,7 +399,7 @@ TEST(SewnCloth, ALongFlatPanelSagsUnderItsWeightAsASupportedBeam)
   options.secondStart = false;
   const SewingResult result = sewn(plate, options);
   ASSERT_TRUE(result.status.ok()) << result.status.message;
-  const double sag = -result.points[at(columns / 2, rows / 2)].z();
+  const double sag = -result.points[at(columns, columns / 2, rows / 2)].z();
   EXPECT_NEAR(sag * 384.0 / 5.0 * thickness * thickness / 12.0 / weight, 1.0, 0.005);
 }
 

@@ -3,9 +3,6 @@
 #include "Cut/PieceTopology.h"
 #include "Flattened.h"
 #include "SameResult.h"
-#include "WiredSurface.h"
-
-#include <gtest/gtest.h>
 
 #include <set>
 
@@ -37,9 +34,7 @@ TriangleMesh torusWithAHole()
 
 Surface partOf(TriangleMesh mesh)
 {
-  Surface part;
-  part.mesh = std::move(mesh);
-  return part;
+  return { std::move(mesh), {}, {} };
 }
 
 /// Curves of every type, so that what refers to vertices, edges and pieces has something to say.

@@ -2,9 +2,6 @@
 #include "Flattened.h"
 #include "Flattening/PieceWires.h"
 #include "Reference/ProgressiveWarping.h"
-#include "WiredSurface.h"
-
-#include <gtest/gtest.h>
 
 using namespace flattening;
 using namespace testmeshes;

@@ -2,37 +2,17 @@
 #include "Quality/ScaleFactor.h"
 
 #include "ClosedMeshes.h"
-#include "MeshTriangles.h"
 #include "Quality/IntrinsicDelaunay.h"
-#include "TestMeshes.h"
 
 #include <Eigen/LU>
-#include <gtest/gtest.h>
 
-#include <algorithm>
 #include <map>
-#include <numeric>
 
 using namespace flattening;
 using namespace testmeshes;
 
 namespace
 {
-/// Rings of vertices around one in the middle, which is vertex 0; the k-th of ring j of n is
-/// 1 + (j - 1) n + k. Places come from a function of ring and angle.
-TriangleMesh rings(Index count, Index n, const std::function<Point3(double, double)>& place)
-{
-  Points3 points{ place(0.0, 0.0) };
-  for (Index j = 1; j <= count; ++j)
-  {
-    for (Index k = 0; k < n; ++k)
-    {
-      points.push_back(place(static_cast<double>(j) / count, 2.0 * pi * k / n));
-    }
-  }
-  return { std::move(points), ringTriangles(n, count, n) };
-}
-
 /// Vertices 0, 1, ... of ring 0 to count along the first spoke, from the rim to the middle.
 Indices spoke(Index count, Index n)
 {
@@ -96,7 +76,7 @@ double squareIntegral(const TriangleMesh& mesh, const std::vector<double>& u)
 /// The sphere's cap down to an angle from its pole.
 TriangleMesh cap(double angle, Index count)
 {
-  return rings(count, 6 * count, [=](double r, double turn) {
+  return disk(count, 6 * count, [=](double r, double turn) {
     return Point3(std::sin(angle * r) * std::cos(turn), std::sin(angle * r) * std::sin(turn),
       std::cos(angle * r));
   });
@@ -188,7 +168,7 @@ TEST(ScaleFactor, ADartToTheApexOfAConeOpensByItsAngleDefect)
 {
   const Index count = 6;
   const Index n = 24;
-  const TriangleMesh mesh = rings(count, n, [](double r, double turn) {
+  const TriangleMesh mesh = disk(count, n, [](double r, double turn) {
     return Point3(r * std::cos(turn), r * std::sin(turn), 0.5 * (1.0 - r));
   });
   double defect = 2.0 * pi;
@@ -248,17 +228,11 @@ TEST(ScaleFactor, ADartInsideIsClosedAtBothEndsAndOpensAtAWaist)
 TEST(ScaleFactor, ADartIntoASaddleIsToldToOverlap)
 {
   const auto saddle = [](double sign) {
-    return patch(16, 16, [=](double i, double j) {
-      const double x = i / 8.0 - 1.0;
-      const double y = j / 8.0 - 1.0;
-      return Point3(x, y, 0.3 * (x * x + sign * y * y));
-    }).mesh;
+    return heightField(16, [=](double x, double y) { return 0.3 * (x * x + sign * y * y); }).mesh;
   };
   const Indices cut = columnCurve(16, 8, 8).vertices;
-  const TriangleMesh dome = saddle(1.0);
-  const TriangleMesh dip = saddle(-1.0);
-  EXPECT_GT(ScaleFactor(dome, {}, {}).forecast(cut).opening(0.0), 0.0);
-  EXPECT_LT(ScaleFactor(dip, {}, {}).forecast(cut).leastOpening(), -0.01);
+  EXPECT_GT(ScaleFactor(saddle(1.0), {}, {}).forecast(cut).opening(0.0), 0.0);
+  EXPECT_LT(ScaleFactor(saddle(-1.0), {}, {}).forecast(cut).leastOpening(), -0.01);
 }
 
 TEST(ScaleFactor, FindsTheBestCutThroughFewClustersAsThroughAllVertices)

@@ -5,12 +5,8 @@
 #include "ModelDerivatives.h"
 #include "Sewing/SewingModel.h"
 #include "Sewing/SheetDensity.h"
-#include "TestMeshes.h"
 
 #include <Eigen/Eigenvalues>
-#include <gtest/gtest.h>
-
-#include <random>
 
 using namespace flattening;
 using namespace testmeshes;

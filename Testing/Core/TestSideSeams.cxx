@@ -3,8 +3,6 @@
 
 #include "SuggestionTesting.h"
 
-#include <cmath>
-#include <functional>
 #include <map>
 #include <set>
 

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MeshTriangles.h"
 #include "PathFacts.h"
 #include "Paths/GeodesicStraightening.h"
 #include "Paths/PathPoints.h"
 #include "Paths/StraightPath.h"
 #include "Renumbered.h"
-#include "TestMeshes.h"
-
-#include <gtest/gtest.h>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -19,24 +15,17 @@ constexpr double exactly = 1e-9;
 /// A whole cone (a regular pyramid of many sides) with its apex, vertex 0.
 TriangleMesh wholeCone(Index sides, Index rings)
 {
-  Points3 points{ Point3(0.0, 0.0, 1.0) };
-  for (Index j = 1; j <= rings; ++j)
-  {
-    for (Index i = 0; i < sides; ++i)
-    {
-      const double turn = 2.0 * pi * i / sides;
-      const double r = static_cast<double>(j) / rings;
-      points.emplace_back(0.5 * r * std::cos(turn), 0.5 * r * std::sin(turn), 1.0 - r);
-    }
-  }
-  return { std::move(points), ringTriangles(sides, rings, sides) };
+  return disk(rings, sides, [](double r, double turn) {
+    return Point3(0.5 * r * std::cos(turn), 0.5 * r * std::sin(turn), 1.0 - r);
+  });
 }
 
 /// A flat square of 12 x 12 squares without the 6 x 6 at its upper right.
 TriangleMesh flatAngle()
 {
-  const Surface square = patch(12, 12, [](double i, double j) { return Point3(i, j, 0.0); });
-  return partWhere(square.mesh, [](const Point3& p) { return p.x() < 6.0 || p.y() < 6.0; }).mesh;
+  return partWhere(unitSquares(12, 12).mesh, [](const Point3& p) {
+    return p.x() < 6.0 || p.y() < 6.0;
+  }).mesh;
 }
 
 Index vertexAt(const TriangleMesh& mesh, const Point3& point)
@@ -127,7 +116,7 @@ TEST(StraightPath, BendsRoundACornerOfTheBoundaryOnly)
 
 TEST(StraightPath, GoesAlongEdgesWhereTheyAreStraight)
 {
-  const Surface surface = patch(20, 20, [](double i, double j) { return Point3(i, j, 0.0); });
+  const Surface surface = unitSquares(20, 20);
   const StraightPath path = straightPath(PathGraph(surface.mesh), vertexPoint(surface.mesh, 3 * 21),
     vertexPoint(surface.mesh, 3 * 21 + 20));
   EXPECT_EQ(path.path.points.size(), 21U);

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Suggestion/CurveSuggestion.h"
 
 #include "SuggestionTesting.h"
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
 
 using namespace flattening;
 using namespace testmeshes;

@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Suggestion/CurveSuggestion.h"
 
 #include "SuggestionTesting.h"
-#include "TestMeshes.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <limits>
-#include <utility>
 
 using namespace flattening;
 using namespace testmeshes;
 
 namespace
 {
-Point3 middleOf(const TriangleMesh& mesh, Index triangle)
-{
-  const auto& [a, b, c] = mesh.triangle(triangle);
-  return (mesh.point(a) + mesh.point(b) + mesh.point(c)) / 3.0;
-}
-
 /// By triangle, of its middle.
 template <class Weight>
 RegionWeights weightsOf(const TriangleMesh& mesh, Weight&& weight)
@@ -28,7 +14,7 @@ RegionWeights weightsOf(const TriangleMesh& mesh, Weight&& weight)
   RegionWeights weights;
   for (Index t = 0; t < mesh.triangleCount(); ++t)
   {
-    weights.push_back(static_cast<double>(weight(middleOf(mesh, t))));
+    weights.push_back(static_cast<double>(weight(mesh.centroid(t))));
   }
   return weights;
 }
@@ -40,7 +26,7 @@ double strainOfSide(const FlatteningResult& result, double side)
   double area = 0.0;
   for (Index t = 0; t < result.cut->mesh.triangleCount(); ++t)
   {
-    if (middleOf(result.cut->mesh, t).x() * side > 0.0)
+    if (result.cut->mesh.centroid(t).x() * side > 0.0)
     {
       const TriangleQuality& quality = result.triangles[t];
       strains.emplace_back(
@@ -73,9 +59,8 @@ TEST(CurveSuggestion, ProposesADartInsideAtAWaist)
     const double radius = 1.0 - 0.25 * std::exp(-y * y / 0.36);
     return Point3(radius * std::sin(turn), y, radius * std::cos(turn));
   }).mesh;
-  SuggestionOptions options = optionsOf(0.0, 1);
-  options.search.cuts = SuggestedCuts::Darts;
-  const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
+  const CurveSuggestions suggestions =
+    suggestCurves(mesh, {}, optionsOf(0.0, 1, SuggestedCuts::Darts));
   ASSERT_EQ(suggestions.curves.size(), 1u);
   const Polyline& dart = suggestions.curves[0].curve;
   EXPECT_EQ(dart.type, CurveType::Dart);
@@ -100,8 +85,7 @@ TEST(CurveSuggestion, ProposesADartInsideAtAWaist)
 TEST(CurveSuggestion, CutsTheBumpWhereDistortionMatters)
 {
   const TriangleMesh mesh = twoBumps();
-  SuggestionOptions options = optionsOf(0.0, 1);
-  options.search.cuts = SuggestedCuts::Darts;
+  SuggestionOptions options = optionsOf(0.0, 1, SuggestedCuts::Darts);
   for (double side : { 1.0, -1.0 })
   {
     options.weights = weightsOf(mesh, [side](const Point3& p) { return p.x() * side > 0.0; });
@@ -123,8 +107,7 @@ TEST(CurveSuggestion, CutsTheBumpWhereDistortionMatters)
 TEST(CurveSuggestion, KeepsTheMirrorOfMirroredWeights)
 {
   const TriangleMesh mesh = twoBumps();
-  SuggestionOptions options = optionsOf(0.0, 2);
-  options.search.cuts = SuggestedCuts::Darts;
+  SuggestionOptions options = optionsOf(0.0, 2, SuggestedCuts::Darts);
   options.weights = weightsOf(mesh, [](const Point3& p) { return 1.0 + std::abs(p.x()); });
   const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
   EXPECT_TRUE(suggestions.mirror.has_value());
@@ -139,14 +122,8 @@ TEST(CurveSuggestion, DoesTheSameWhereAllWeightsAreEqual)
   const CurveSuggestions without = suggestCurves(mesh, {}, options);
   options.weights.assign(mesh.triangleCount(), 3.7);
   const CurveSuggestions with = suggestCurves(mesh, {}, options);
-  ASSERT_EQ(without.curves.size(), with.curves.size());
   ASSERT_FALSE(with.curves.empty());
-  for (std::size_t k = 0; k < with.curves.size(); ++k)
-  {
-    EXPECT_EQ(without.curves[k].curve.points, with.curves[k].curve.points);
-    EXPECT_EQ(without.curves[k].gain, with.curves[k].gain);
-    EXPECT_EQ(without.curves[k].predictedGain, with.curves[k].predictedGain);
-  }
+  expectSameCurves(without, with);
 }
 
 TEST(CurveSuggestion, RefusesWhatAreNoWeights)

@@ -3,7 +3,6 @@
 #include "Sewing/PieceSewing.h"
 #include "SuggestionTesting.h"
 
-#include <array>
 #include <map>
 
 using namespace flattening;
@@ -14,14 +13,10 @@ namespace
 /// A closed body that is its own mirror image in x = 0, and in no other plane.
 TriangleMesh pear()
 {
-  const TriangleMesh ball = sphere(3);
-  Points3 points;
-  for (const Point3& p : ball.points())
-  {
-    points.emplace_back(
+  return moved(sphere(3), [](const Point3& p) {
+    return Point3(
       p.x() * (1.0 + 0.3 * p.y()), 1.3 * p.y() + 0.2 * p.z() * p.z(), p.z() * (1.0 + 0.2 * p.z()));
-  }
-  return { std::move(points), ball.triangles() };
+  });
 }
 
 constexpr Index hipColumns = 32;
@@ -52,14 +47,13 @@ Skirt sewnSkirt()
   Skirt result;
   for (Index column : { 6, 12, 20, 26 })
   {
-    Polyline dart;
-    dart.type = CurveType::Dart;
-    dart.name = "designed at " + std::to_string(column);
+    Indices vertices;
     for (Index row = hipRows; row >= 12; --row)
     {
-      dart.points.push_back(body.point(row * (hipColumns + 1) + column));
+      vertices.push_back(at(hipColumns, column, row));
     }
-    result.darts.push_back(dart);
+    result.darts.push_back(
+      lineOver(body, vertices, CurveType::Dart, "designed at " + std::to_string(column)));
   }
   const ImprintedSurface surface = imprintCurves(body, result.darts, {});
   const FlatteningResult pattern = flattenSurface(surface.mesh, surface.curves, {}, {});
@@ -104,9 +98,8 @@ TEST(SuggestedSets, AClosedBodyThatIsNotOpenedWithinTheWorkMeetsNoBound)
   {
     for (const double work : { 0.001, 0.005, 0.02 })
     {
-      SuggestionOptions options = optionsOf(bound, 9);
-      options.search.maximumWork = work;
-      const CurveSuggestions suggestions = suggestCurves(pear(), {}, options);
+      const CurveSuggestions suggestions =
+        suggestCurves(pear(), {}, optionsOf(bound, 9, SuggestedCuts::All, work));
       ASSERT_TRUE(std::isnan(suggestions.strainAfter)) << work;
       EXPECT_EQ(suggestions.end, SearchEnd::WorkUsedUp) << work;
       EXPECT_FALSE(suggestions.boundMet);
@@ -116,9 +109,8 @@ TEST(SuggestedSets, AClosedBodyThatIsNotOpenedWithinTheWorkMeetsNoBound)
 
 TEST(SuggestedSets, HalvesOfAClosedBodyAreCutAlike)
 {
-  SuggestionOptions options = optionsOf(0.1, 9);
-  options.search.maximumWork = 8.0;
-  const CurveSuggestions suggestions = suggestCurves(pear(), {}, options);
+  const CurveSuggestions suggestions =
+    suggestCurves(pear(), {}, optionsOf(0.1, 9, SuggestedCuts::All, 8.0));
   ASSERT_TRUE(suggestions.mirror && suggestions.mirror->plane());
   // Closed it has no flattening of which anything could be said.
   EXPECT_TRUE(std::isnan(suggestions.strainBefore));
@@ -161,21 +153,15 @@ TEST(SuggestedSets, HalvesAreImagesWhereCoordinatesHaveSixDigits)
   {
     for (double scale : { 1.0, 80.0 })
     {
-      const TriangleMesh body = pear();
-      Points3 points;
-      for (const Point3& p : body.points())
-      {
+      const TriangleMesh body = moved(pear(), [&](const Point3& p) -> Point3 {
         const Point3 turned(p.x() * std::cos(turn) - p.y() * std::sin(turn),
           p.x() * std::sin(turn) + p.y() * std::cos(turn), p.z());
-        points.push_back((1e5 * turned).array().round().matrix() * 1e-5 * scale);
-      }
-      SuggestionOptions options = optionsOf(0.15, 9);
-      options.search.maximumWork = 3.0;
+        return (1e5 * turned).array().round().matrix() * 1e-5 * scale;
+      });
       const CurveSuggestions suggestions =
-        suggestCurves({ std::move(points), body.triangles() }, {}, options);
+        suggestCurves(body, {}, optionsOf(0.15, 9, SuggestedCuts::All, 3.0));
       EXPECT_TRUE(suggestions.mirror.has_value()) << turn << ' ' << scale;
-      EXPECT_TRUE(std::any_of(suggestions.curves.begin(), suggestions.curves.end(),
-        [](const SuggestedCurve& cut) { return cut.mirrorOf != none; }));
+      EXPECT_TRUE(hasPairs(suggestions));
     }
   }
 }
@@ -183,10 +169,8 @@ TEST(SuggestedSets, HalvesAreImagesWhereCoordinatesHaveSixDigits)
 TEST(SuggestedSets, FindTheDartsThatASkirtWasSewnWith)
 {
   const Skirt sewn = sewnSkirt();
-  SuggestionOptions options = optionsOf(0.004, 4);
-  options.search.cuts = SuggestedCuts::Darts;
-  options.search.maximumWork = 40.0;
-  const CurveSuggestions suggestions = suggestCurves(sewn.mesh, {}, options);
+  const CurveSuggestions suggestions =
+    suggestCurves(sewn.mesh, {}, optionsOf(0.004, 4, SuggestedCuts::Darts, 40.0));
   EXPECT_EQ(suggestions.curves.size(), 4U);
   const double size = std::sqrt(sewn.mesh.area() / pi);
   for (const Polyline& dart : sewn.darts)
@@ -200,50 +184,23 @@ namespace
 /// A box whose faces are divided along each side; turned, so that no face lies along an axis.
 TriangleMesh box(const Point3& size, Index divisions, double scale)
 {
-  std::map<std::array<Index, 3>, Index> ids;
-  Points3 points;
-  Triangles triangles;
-  const auto vertex = [&](std::array<Index, 3> at) {
-    const auto found = ids.emplace(at, static_cast<Index>(points.size()));
-    if (found.second)
-    {
-      const Point3 p =
-        scale / static_cast<double>(divisions) * size.cwiseProduct(Point3(at[0], at[1], at[2]));
-      points.emplace_back(0.6 * p.x() - 0.8 * p.y(), 0.8 * p.x() + 0.6 * p.y(), p.z());
-    }
-    return found.first->second;
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  std::vector<Surface> faces;
+  for (Index axis = 0; axis < 3; ++axis)
   {
-    for (Index side : { 0, divisions })
+    for (const bool far : { false, true })
     {
-      for (Index i = 0; i < divisions; ++i)
-      {
-        for (Index j = 0; j < divisions; ++j)
-        {
-          const auto corner = [&](Index a, Index b) {
-            std::array<Index, 3> at{};
-            at[axis] = side;
-            at[(axis + 1) % 3] = i + a;
-            at[(axis + 2) % 3] = j + b;
-            return vertex(at);
-          };
-          const std::array<Index, 4> square{ corner(0, 0), corner(1, 0), corner(1, 1),
-            corner(0, 1) };
-          for (Triangle t : { Triangle{ square[0], square[1], square[2] },
-                 Triangle{ square[0], square[2], square[3] } })
-          {
-            if (side == 0)
-            {
-              std::swap(t[1], t[2]);
-            }
-            triangles.push_back(t);
-          }
-        }
-      }
+      faces.push_back(patch(divisions, divisions, [&](double i, double j) {
+        Point3 at;
+        at[axis] = far ? divisions : 0.0;
+        at[(axis + 1) % 3] = far ? i : j;
+        at[(axis + 2) % 3] = far ? j : i;
+        const Point3 p = scale / divisions * size.cwiseProduct(at);
+        return Point3(0.6 * p.x() - 0.8 * p.y(), 0.8 * p.x() + 0.6 * p.y(), p.z());
+      }));
     }
   }
-  return { std::move(points), std::move(triangles) };
+  const TriangleMesh apart = together(faces).mesh;
+  return prepareSurface(apart.points(), apart.triangles(), CoincidentPoints::Join).mesh;
 }
 
 /// A pyramid without its base.
@@ -264,33 +221,22 @@ TriangleMesh pyramid(Index sides, double height)
 /// A closed can with a polygon for its rim.
 TriangleMesh can(Index sides, double height)
 {
-  Points3 points;
-  Triangles triangles;
+  const TriangleMesh wall = revolved(sides, 1, height);
+  Points3 points = wall.points();
+  Triangles triangles = wall.triangles();
+  points.insert(points.end(), { Point3(0.0, 0.0, 0.0), Point3(0.0, 0.0, height) });
   for (Index k = 0; k < sides; ++k)
   {
-    const double angle = 2.0 * pi * k / sides;
     const Index next = (k + 1) % sides;
-    points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
-    triangles.push_back({ k, next, sides + next });
-    triangles.push_back({ k, sides + next, sides + k });
     triangles.push_back({ next, k, 2 * sides });
     triangles.push_back({ sides + k, sides + next, 2 * sides + 1 });
   }
-  for (Index k = 0; k < sides; ++k)
-  {
-    points.push_back(points[k] + Point3(0.0, 0.0, height));
-  }
-  points.emplace_back(0.0, 0.0, 0.0);
-  points.emplace_back(0.0, 0.0, height);
   return { std::move(points), std::move(triangles) };
 }
 
 void expectExact(const TriangleMesh& mesh, SuggestedCuts cuts, std::size_t most)
 {
-  SuggestionOptions options = optionsOf(0.01, 8);
-  options.search.cuts = cuts;
-  options.search.maximumWork = 5.0;
-  const CurveSuggestions suggestions = suggestCurves(mesh, {}, options);
+  const CurveSuggestions suggestions = suggestCurves(mesh, {}, optionsOf(0.01, 8, cuts, 5.0));
   ASSERT_TRUE(suggestions.status.ok()) << suggestions.status.message;
   EXPECT_TRUE(suggestions.boundMet);
   EXPECT_FALSE(suggestions.curves.empty());

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/SurfaceCoarsening.h"
 
-#include "Flattening/SurfaceFlattening.h"
-#include "Imprint/CurveImprint.h"
 #include "Suggestion/PieceSurface.h"
-#include "TestMeshes.h"
-
-#include <gtest/gtest.h>
+#include "SuggestionTesting.h"
 
 using namespace flattening;
 using namespace testmeshes;
@@ -16,10 +12,8 @@ namespace
 /// A dome over the unit square of 24 x 24 squares.
 TriangleMesh dome()
 {
-  return patch(24, 24, [](double i, double j) {
-    const double x = i / 12.0 - 1.0;
-    const double y = j / 12.0 - 1.0;
-    return Point3(x, y, 0.4 * (1.0 - x * x) * (1.0 - y * y));
+  return heightField(24, [](double x, double y) {
+    return 0.4 * (1.0 - x * x) * (1.0 - y * y);
   }).mesh;
 }
 
@@ -101,19 +95,11 @@ TEST(SurfaceCoarsening, ACoarsePieceIsDistortedAlike)
 TEST(PieceSurface, FlattensAsThePieceDoes)
 {
   const TriangleMesh mesh = dome();
-  const auto line = [&](CurveType type, Index from, Index to, Index step) {
-    Polyline curve;
-    curve.type = type;
-    for (Index v = from; v <= to; v += step)
-    {
-      curve.points.push_back(mesh.point(v));
-    }
-    return curve;
-  };
   // A seam up the middle, on its right a dart from the hem and a girth that the seam divides.
-  const std::vector<Polyline> curves{ line(CurveType::Seam, 12, 24 * 25 + 12, 25),
-    line(CurveType::Dart, 18, 8 * 25 + 18, 25),
-    line(CurveType::Accessory, 16 * 25, 16 * 25 + 24, 1) };
+  const std::vector<Polyline> curves{ lineOver(
+                                        mesh, columnCurve(24, 24, 12).vertices, CurveType::Seam),
+    lineOver(mesh, columnCurve(24, 8, 18).vertices, CurveType::Dart),
+    lineOver(mesh, rowCurve(24, 16).vertices) };
   const ImprintedSurface surface = imprintCurves(mesh, curves, {});
   ASSERT_TRUE(surface.status.ok());
   const CutSurface cut = cutSurface(surface.mesh, surface.curves);

@@ -2,9 +2,6 @@
 #include "Cut/SurfaceCut.h"
 #include "WiredSurface.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
 #include <map>
 
 using namespace flattening;
@@ -12,12 +9,6 @@ using namespace testmeshes;
 
 namespace
 {
-/// Vertex (i, j) of a patch with n columns.
-Index at(Index n, Index i, Index j)
-{
-  return j * (n + 1) + i;
-}
-
 /// How many boundary vertices of the cut surface are copies of an original vertex.
 Index copiesOf(const CutSurface& cut, Index original)
 {

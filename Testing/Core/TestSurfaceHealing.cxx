@@ -3,9 +3,6 @@
 #include "Surface/SurfaceHealing.h"
 #include "TestMeshes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <numeric>
 #include <random>
 #include <set>

@@ -5,9 +5,6 @@
 #include "Paths/PathPoints.h"
 #include "Paths/PlaneSection.h"
 #include "Paths/StraightPath.h"
-#include "TestMeshes.h"
-
-#include <gtest/gtest.h>
 
 using namespace flattening;
 using namespace testmeshes;

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Surface/SurfacePreparation.h"
 #include "TestMeshes.h"
-
-#include <gtest/gtest.h>
-
-#include <limits>
 
 using namespace flattening;
 using namespace testmeshes;

@@ -3,25 +3,12 @@
 #include "PathFacts.h"
 #include "Paths/PathPoints.h"
 #include "Paths/SurfaceSpline.h"
-#include "TestMeshes.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <numeric>
 
 using namespace flattening;
 using namespace testmeshes;
 
 namespace
 {
-SurfacePoint nearest(const TriangleMesh& mesh, const Point3& point)
-{
-  const ClosestPoint closest = SurfaceLocator(mesh).closest(point);
-  return pointOf(mesh, closest.triangle, closest.weights);
-}
-
 /// The sharpest turn of the polygon of every n-th part of the curve's length.
 double sharpestTurn(const TriangleMesh& mesh, const SurfaceSpline& spline, int parts)
 {
@@ -48,7 +35,7 @@ TEST(SurfaceSpline, ThroughPointsOfACircleIsNearlyOne)
   std::vector<SurfacePoint> points;
   for (int k = 0; k < 8; ++k)
   {
-    points.push_back(nearest(surface.mesh,
+    points.push_back(nearestPoint(surface.mesh,
       Point3(0.7 * std::cos(pi * k / 4.0 + 0.1), 0.7 * std::sin(pi * k / 4.0 + 0.1), 0.0)));
   }
   const SurfaceSpline spline = surfaceSpline(graph, locator, points, true);
@@ -71,7 +58,7 @@ TEST(SurfaceSpline, ThroughPointsOfALineIsTheLine)
   std::vector<SurfacePoint> points;
   for (const double s : { 0.0, 0.1, 0.5, 0.6, 1.0 }) // uneven steps
   {
-    points.push_back(nearest(surface.mesh, (1.0 - s) * a.position + s * b.position));
+    points.push_back(nearestPoint(surface.mesh, (1.0 - s) * a.position + s * b.position));
   }
   const SurfaceSpline spline = surfaceSpline(graph, locator, points, false);
   ASSERT_TRUE(spline.status.ok());
@@ -87,7 +74,7 @@ TEST(SurfaceSpline, HasNoCorners)
   for (const Point3& p :
     { Point3(0.1, 0.2, 0), Point3(0.4, 0.7, 0.2), Point3(0.6, 0.3, 0.2), Point3(0.9, 0.8, 0.1) })
   {
-    points.push_back(nearest(surface.mesh, p));
+    points.push_back(nearestPoint(surface.mesh, p));
   }
   const SurfaceSpline corners = surfaceSpline(graph, locator, points, false, 0);
   const SurfaceSpline spline = surfaceSpline(graph, locator, points, false, 5);
@@ -151,9 +138,7 @@ TEST(SurfaceSpline, ThroughCornersIsTheSameInEveryUnitWhereTwoFacesAreEquallyNea
 {
   // A spline leaves a prism in the plane that halves the angle of an edge.
   const auto prism = [](Index sides, Index rows) {
-    const TriangleMesh wall = rolledUp(sides, rows, [rows](double turn, double across) {
-      return Point3(std::cos(turn), std::sin(turn), 0.7 * rows * across);
-    });
+    const TriangleMesh wall = revolved(sides, rows, 0.7 * rows);
     Triangles triangles = wall.triangles();
     for (const Index end : { 0, rows * sides })
     {

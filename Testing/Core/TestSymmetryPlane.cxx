@@ -3,11 +3,6 @@
 
 #include "TestMeshes.h"
 
-#include <Eigen/Geometry>
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 using namespace flattening;
 using namespace testmeshes;
 

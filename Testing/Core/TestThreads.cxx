@@ -8,9 +8,6 @@
 #include "Reshaping/FlattenableSurface.h"
 #include "Sewing/PieceSewing.h"
 #include "Suggestion/CurveSuggestion.h"
-#include "WiredSurface.h"
-
-#include <gtest/gtest.h>
 
 #include <atomic>
 #include <chrono>

@@ -3,11 +3,7 @@
 #include "Base/Types.h"
 #include "ClosedMeshes.h"
 #include "Surface/VertexFan.h"
-#include "TestMeshes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <set>
 
 using namespace flattening;
@@ -15,9 +11,7 @@ using namespace testmeshes;
 
 TEST(TriangleMesh, BoundaryLoopsAreClosedChainsWithTheLongestFirst)
 {
-  const TriangleMesh mesh = rolledUp(9, 1, [](double turn, double across) -> Point3 {
-    return (1.0 + across) * Point3(std::cos(turn), std::sin(turn), 0.0);
-  });
+  const TriangleMesh mesh = revolved(9, 1, 0.0, [](double share) { return 1.0 + share; });
   const std::vector<Indices> loops = mesh.boundaryLoops();
   ASSERT_EQ(loops.size(), 2U);
   for (const Indices& loop : loops)

@@ -4,8 +4,6 @@
 #include "Quality/FlatteningQuality.h"
 #include "WiredSurface.h"
 
-#include <gtest/gtest.h>
-
 using namespace flattening;
 using namespace testmeshes;
 

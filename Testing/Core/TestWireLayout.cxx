@@ -2,10 +2,6 @@
 #include "Angles/WireLayout.h"
 #include "WiredSurface.h"
 
-#include <gtest/gtest.h>
-
-#include <random>
-
 using namespace flattening;
 using namespace testmeshes;
 

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/CompressedRows.h"
-#include "TestMeshes.h"
 #include "WiredSurface.h"
 #include "Wires/WireNetwork.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <ctime>
-#include <random>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -67,11 +60,6 @@ double angleAt(const WiredSurface& wired, Index patch, Index vertex)
     }
   }
   return sum;
-}
-
-Index at(Index n, Index i, Index j)
-{
-  return j * (n + 1) + i;
 }
 
 Index connectorCount(const WireNetwork& network)
@@ -342,9 +330,7 @@ TEST(WireConnectors, CostLittleMoreForMoreHoles)
         }
       }
     }
-    const std::clock_t start = std::clock();
-    EXPECT_FALSE(findConnectors(mesh, isWire, root).empty());
-    return static_cast<double>(std::clock() - start);
+    return secondsOf([&] { EXPECT_FALSE(findConnectors(mesh, isWire, root).empty()); });
   };
   const double few = std::max({ seconds(60), seconds(60), seconds(60) });
   EXPECT_LT(seconds(240), 200.0 * few);

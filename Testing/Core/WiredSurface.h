@@ -5,7 +5,6 @@
 #include "TestMeshes.h"
 #include "Wires/KeyCurveLocks.h"
 
-#include <algorithm>
 #include <complex>
 
 namespace testmeshes
