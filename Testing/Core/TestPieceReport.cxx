@@ -2,11 +2,7 @@
 // What a run reports of its pieces, against what follows from the flat positions by themselves.
 #include "Flattened.h"
 #include "Flattening/WireReport.h"
-#include "WiredSurface.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <map>
 #include <set>
 
@@ -128,17 +124,13 @@ TEST(PieceReport, TheTwoHistoriesAreThoseOfTheirPhases)
 
 TEST(PieceReport, AdviceWithAnElasticCurveIsWhatFollowingItGives)
 {
-  // The figures are those of runs without the meridian.
-  const std::map<double, double> objectives{ { 0.02, 0.189342 }, { 0.05, 0.179776 },
-    { 0.10, 0.169391 } };
-  for (const auto& [tolerance, objective] : objectives)
+  for (const double tolerance : { 0.02, 0.05, 0.10 })
   {
     const Surface surface = twoArcs(tolerance);
     const FlatteningResult result = flatten(surface, withScheme(Scheme::Global));
     const ReleaseTrial first = result.pieces[0].advice.first();
     ASSERT_TRUE(first.solved);
     EXPECT_EQ(first.curve, 1);
-    EXPECT_NEAR(first.objective, objective, 1e-6);
     const FlatteningResult followed = flatten(without(surface, 1), withScheme(Scheme::Global));
     EXPECT_NEAR(first.objective, followed.pieces[0].objective, 1e-9);
   }
