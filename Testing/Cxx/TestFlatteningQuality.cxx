@@ -115,22 +115,18 @@ void looseTrianglesAreLeftOut(Checks& check)
       const auto grid = makeGrid(2, 2);
       const auto plain = makeGrid(2, 2);
       vtkNew<vtkCellArray> cells;
-      const auto addLoose = [&] {
-        const vtkIdType p = grid->GetPoints()->InsertNextPoint(0.3, 0.4, 0.0);
-        const vtkIdType q = three ? grid->GetPoints()->InsertNextPoint(0.3, 0.4, 0.0) : p;
-        cells->InsertNextCell({ p, q, p });
-      };
-      for (vtkIdType t = 0; t < plain->GetNumberOfCells(); ++t)
+      const vtkIdType p = grid->GetPoints()->InsertNextPoint(0.3, 0.4, 0.0);
+      const vtkIdType q = three ? grid->GetPoints()->InsertNextPoint(0.3, 0.4, 0.0) : p;
+      for (vtkIdType t = 0; t <= plain->GetNumberOfCells(); ++t)
       {
         if (t == before)
         {
-          addLoose();
+          cells->InsertNextCell({ p, q, p });
         }
-        cells->InsertNextCell(plain->GetCell(t));
-      }
-      if (before == plain->GetNumberOfCells())
-      {
-        addLoose();
+        if (t < plain->GetNumberOfCells())
+        {
+          cells->InsertNextCell(plain->GetCell(t));
+        }
       }
       grid->SetPolys(cells);
       vtkNew<vtkFlatteningQuality> quality;

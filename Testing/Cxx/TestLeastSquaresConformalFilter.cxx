@@ -10,7 +10,7 @@ namespace
 {
 // Table 1 prints E_len 64.3, E_ang 42.1 (in thousandths), E_h 0.582, E_r 0.672; more digits are
 // from a separate implementation.
-void tableOneIsReproduced(Checks& check)
+void tableOneOfTheConformalMapIsReproduced(Checks& check)
 {
   const auto surface = makeQuarterSphere();
   vtkNew<vtkLeastSquaresConformalFilter> filter;
@@ -59,7 +59,7 @@ void pinsAreChecked(Checks& check)
 int TestLeastSquaresConformalFilter(int, char*[])
 {
   Checks check;
-  tableOneIsReproduced(check);
+  tableOneOfTheConformalMapIsReproduced(check);
   dartsAreOpenedFirst(check);
   pinsAreChecked(check);
   return check.result();
