@@ -40,7 +40,7 @@ inline FlatteningResult flatten(const Surface& surface, const FlatteningOptions&
   return flattenSurface(surface.mesh, surface.curves, options, execution, cache);
 }
 
-/// Expects no warning either; there is a result to look at.
+/// Expects neither an error nor a warning.
 inline FlatteningResult flattenOk(const Surface& surface, const FlatteningOptions& options = {})
 {
   FlatteningResult result = flatten(surface, options);

@@ -2,12 +2,20 @@
 #include "Angles/AngleProblem.h"
 #include "Angles/AngleSolver.h"
 #include "Angles/DirectionsForm.h"
+#include "Angles/KeyRelease.h"
+#include "Angles/ReleaseAdvice.h"
+#include "Angles/WireLayout.h"
+#include "Flattened.h"
+#include "Flattening/PieceWires.h"
 #include "ModelDerivatives.h"
+#include "Reference/ProgressiveWarping.h"
 #include "Reference/SequentialAngleSolver.h"
 #include "WiredSurface.h"
 
 #include <Eigen/QR>
 #include <Eigen/SparseCholesky>
+
+#include <set>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -187,11 +195,9 @@ struct Everything
 
   static Surface surface()
   {
-    Surface surface = cushion(8, 8, 0.5);
-    surface.curves = { curveOf(CurveType::Key, "key", rowCurve(8, 6).vertices),
-      columnCurve(8, 8, 2), accessory("dangling", { 7, 16 }),
-      curveOf(CurveType::Dart, "eye", { 22, 31, 40 }) };
-    return surface;
+    return withCurves(cushion(8, 8, 0.5),
+      { curveOf(CurveType::Key, "key", rowCurve(8, 6).vertices), columnCurve(8, 8, 2),
+        accessory("dangling", { 7, 16 }), curveOf(CurveType::Dart, "eye", { 22, 31, 40 }) });
   }
 
   /// A point near the surface's angles, with some stretch.
@@ -235,18 +241,6 @@ TEST(AngleProblem, TheJacobianIsTheDerivativeOfTheResidual)
   }
 }
 
-TEST(DirectionsForm, ProjectedAnglesAreTheNearestThatMeetTheLinearConstraints)
-{
-  const WiredSurface wired(quarterSphere());
-  const AngleProblem problem = wired.problem();
-  const DirectionsForm form(problem);
-  const std::vector<double>& projected = form.projectedAngles();
-  // The gradient of the distance vanishes over all angles that the form can make.
-  const Eigen::VectorXd x = form.unknowns(projected);
-  EXPECT_LT(largestDifference(form.angles(x), projected), 1e-12);
-  EXPECT_LT(form.gradient(x).cwiseAbs().maxCoeff(), 1e-12);
-}
-
 TEST(DirectionsForm, TheKktMatrixHoldsTheDerivativesOfObjectiveClosureAndLagrangian)
 {
   const Everything all;
@@ -263,4 +257,295 @@ TEST(DirectionsForm, TheKktMatrixHoldsTheDerivativesOfObjectiveClosureAndLagrang
   const Eigen::VectorXd product =
     matrix.topRightCorner(form.unknownCount(), multipliers.size()) * multipliers;
   EXPECT_LT((product - kkt.transposedJacobianTimes(multipliers)).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+namespace
+{
+double worstLength(const WireNetwork& network, const Points2& positions)
+{
+  double worst = 0.0;
+  for (const WireEdge& edge : network.edges)
+  {
+    const double placed = (positions[edge.to] - positions[edge.from]).norm();
+    worst = std::max(worst, std::abs(placed - edge.length) / edge.length);
+  }
+  return worst;
+}
+
+Surface wiredCushion()
+{
+  return withCurves(cushion(8, 6, 0.3),
+    { rowCurve(8, 2), rowCurve(8, 4), columnCurve(8, 6, 3), accessory("dangling", { 6, 15 }) });
+}
+}
+
+TEST(WireLayout, AnglesWithNoiseStillGiveExactLengths)
+{
+  const WiredSurface wired(wiredCushion());
+  AngleSolution solution = wired.solve();
+  const Points2 exact = layOutWires(wired.network, solution.theta, solution.length);
+  std::mt19937 random(3);
+  for (double& theta : solution.theta)
+  {
+    theta += 1e-9 * (random() / 2147483648.0 - 1.0);
+  }
+  const Points2 noisy = layOutWires(wired.network, solution.theta, solution.length);
+  EXPECT_LT(worstLength(wired.network, noisy), 1e-13);
+  EXPECT_LT(rigidDistance(noisy, exact), 1e-7);
+}
+
+namespace
+{
+ProgressiveSolution warp(const WiredSurface& wired, AngleMethod method = AngleMethod::Newton)
+{
+  AngleSolverOptions options;
+  options.method = method;
+  return warpProgressively(wired.problem(), options, {});
+}
+
+/// With the repair of what does not close.
+PieceSolution warpAndRepair(const WiredSurface& wired)
+{
+  const Execution execution;
+  return solveWires({ wired.piece, wired.network, wired.cut, wired.curves,
+                      withScheme(Scheme::Progressive), execution },
+    {});
+}
+
+/// Four wire-patches in a row from y = 0 up.
+Surface fourBands()
+{
+  return withCurves(cushion(4, 8, 0.2), { rowCurve(4, 2), rowCurve(4, 4), rowCurve(4, 6) });
+}
+}
+
+TEST(ProgressiveWarping, StartsAtKeysAndGoesOnToTheLargestEvidence)
+{
+  // 12 nodes a patch. The key locks 5 of patches 2 and 3; patch 2 then gives 3 nodes to patch 1,
+  // which is fewer than the 5 of patch 3.
+  Surface surface = fourBands();
+  surface.curves[2].type = CurveType::Key;
+  const ProgressiveSolution solution = warp(WiredSurface(surface));
+  ASSERT_TRUE(solution.angles.status.ok());
+  EXPECT_EQ(solution.warpingOrder, (Indices{ 2, 3, 1, 0 }));
+}
+
+TEST(ProgressiveWarping, WithoutKeysStartsAtTheFirstPatchAndWalksToItsNeighbours)
+{
+  EXPECT_EQ(warp(WiredSurface(fourBands())).warpingOrder, (Indices{ 0, 1, 2, 3 }));
+  // A cross: the patches beside the first one know three nodes each, the one across none.
+  Surface cross = withCurves(cushion(4, 4, 0.2), { rowCurve(4, 2), columnCurve(4, 4, 2) });
+  const ProgressiveSolution solution = warp(WiredSurface(cross));
+  EXPECT_EQ(solution.warpingOrder, (Indices{ 0, 1, 2, 3 }));
+}
+
+TEST(ProgressiveWarping, TheFirstPatchIsFlattenedAsIfItWereAlone)
+{
+  Surface surface = quarterSphere();
+  const WiredSurface whole(surface);
+  const ProgressiveSolution solution = warp(whole);
+  EXPECT_TRUE(solution.closes());
+  surface.curves[0].type = CurveType::Seam;
+  const WiredSurface alone(surface); // the first of its two pieces
+  const AngleSolution single = alone.solve();
+  ASSERT_EQ(alone.network.nodeCount(), whole.network.loopBegin[1]);
+  for (Index i = 0; i < alone.network.nodeCount(); ++i)
+  {
+    const Index vertex = alone.original(alone.network.vertex[i]);
+    for (Index k = 0; k < whole.network.loopBegin[1]; ++k)
+    {
+      if (whole.original(whole.network.vertex[k]) == vertex)
+      {
+        EXPECT_NEAR(solution.angles.theta[k], single.theta[i], 1e-10);
+      }
+    }
+  }
+}
+
+TEST(ProgressiveWarping, AnglesAroundInnerVerticesSumToAWholeTurn)
+{
+  const WiredSurface wired(quarterSphere());
+  const AngleProblem problem = wired.problem();
+  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
+  {
+    const ProgressiveSolution solution = warp(wired, method);
+    ASSERT_TRUE(solution.angles.status.ok());
+    EXPECT_LT(worstConstraint(problem, solution.angles.theta), 1e-11);
+    EXPECT_GT(solution.angles.objective, 0.197157) << "the global optimum is below";
+  }
+}
+
+TEST(ProgressiveWarping, OfASinglePatchIsTheGlobalOptimum)
+{
+  Surface plain = cushion(8, 6, 0.4);
+  Surface dart = withCurves(plain, { curveOf(CurveType::Dart, "dart", { 4, 13, 22 }) });
+  Surface dangling = withCurves(plain, { accessory("dangling", { 4, 13, 22, 31 }) });
+  for (const Surface& surface : { plain, dart, dangling })
+  {
+    const WiredSurface wired(surface);
+    ASSERT_EQ(wired.network.loopCount(), 1);
+    const ProgressiveSolution solution = warp(wired);
+    ASSERT_TRUE(solution.angles.status.ok());
+    EXPECT_LT(largestDifference(solution.angles.theta, wired.solve().theta), 1e-9);
+  }
+}
+
+TEST(ProgressiveWarping, WiresMeetAlsoWhereTheLastPatchesHaveNoFreeAngle)
+{
+  // A grid of wires on a strongly curved surface: patches in the middle inherit all their angles.
+  Surface surface = cushion(6, 6, 0.4);
+  for (Index k = 1; k < 6; ++k)
+  {
+    surface.curves.push_back(rowCurve(6, k));
+    surface.curves.push_back(columnCurve(6, 6, k));
+  }
+  const WiredSurface wired(surface);
+  const AngleProblem problem = wired.problem();
+  const ProgressiveSolution progressive = warp(wired);
+  EXPECT_FALSE(progressive.closes());
+  EXPECT_STREQ(statusName(progressive.angles.status.code), "NotConverged");
+  EXPECT_EQ(progressive.warpingOrder.size(), 36U);
+  const PieceSolution solution = warpAndRepair(wired);
+  EXPECT_TRUE(solution.report.repaired);
+  ASSERT_TRUE(solution.angles.status.ok()) << solution.angles.status.message;
+  EXPECT_EQ(solution.report.warpingOrder.size(), 36U);
+  EXPECT_LT(solution.angles.closure, 1e-12 * perimeter(problem));
+  EXPECT_LT(worstConstraint(problem, solution.angles.theta), 1e-11);
+}
+
+namespace
+{
+struct Release
+{
+  Indices released;
+  Status status;
+  int solves = 0;
+};
+
+/// Key curves "key0", "key1", ... and what the search makes of a solver that succeeds where `works`
+/// says so of the released ones, with the objective that `cost` gives.
+template <class Works, class Cost>
+Release release(Index count, Works works, Cost cost)
+{
+  std::vector<FeatureCurve> curves;
+  Indices keys;
+  for (Index k = 0; k < count; ++k)
+  {
+    curves.push_back(curveOf(CurveType::Key, "key" + std::to_string(k), { k, k + 1 }));
+    keys.push_back(k);
+  }
+  Release result;
+  std::set<Indices> asked;
+  const KeyRelease found = releaseKeys(keys, [&](const Indices& next) -> std::optional<double> {
+    EXPECT_TRUE(asked.insert(next).second) << "solved the same trial twice";
+    const std::set<Index> released(next.begin(), next.end());
+    ++result.solves;
+    return works(released) ? std::optional<double>(cost(released)) : std::nullopt;
+  });
+  result.released = found.released;
+  result.status = describeRelease(curves, keys, found);
+  return result;
+}
+
+double one(const std::set<Index>&)
+{
+  return 1.0;
+}
+}
+
+TEST(KeyRelease, ReleasesOneCurveWhereOneIsEnough)
+{
+  const Release result = release(
+    5, [](const std::set<Index>& r) { return r.count(3) > 0; }, one);
+  EXPECT_EQ(result.released, (Indices{ 3 }));
+  EXPECT_STREQ(statusName(result.status.code), "IncompatibleKeys");
+  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::Curves, Indices{ 3 } }));
+  ASSERT_FALSE(result.status.remedies.empty());
+  EXPECT_EQ(result.status.remedies.front().remedy, Remedy::MakeAccessory);
+  EXPECT_EQ(result.status.remedies.front().subject, "\"key3\"");
+}
+
+TEST(KeyRelease, ReleasesTheFewestAndOfAsManyThoseOfTheLeastObjective)
+{
+  using Keys = std::set<Index>;
+  struct Case
+  {
+    Index count;
+    std::function<bool(const Keys&)> works;
+    std::function<double(const Keys&)> cost;
+    Indices released;
+    int solves = 1000000;
+  };
+  const std::vector<Case> cases{
+    { 5, [](const Keys&) { return true; }, [](const Keys& r) { return std::abs(*r.begin() - 2.2); },
+      { 2 } },
+    { 5, [](const Keys& r) { return r.count(0) && r.count(4); }, one, { 0, 4 } },
+    { 5, [](const Keys& r) { return r.size() == 5; }, one, { 0, 1, 2, 3, 4 } },
+    { 5, [](const Keys&) { return false; }, one, {} },
+    // One of each of three pairs that clash.
+    { 20,
+      [](const Keys& r) {
+        return (r.count(2) || r.count(11)) && (r.count(5) || r.count(6)) &&
+          (r.count(14) || r.count(19));
+      },
+      [](const Keys& r) {
+        return 10.0 - (r.count(11) ? 1.0 : 0.0) - (r.count(5) ? 2.0 : 0.0) -
+          (r.count(19) ? 3.0 : 0.0);
+      },
+      { 5, 11, 19 } },
+    // The innocent are left alone however many there are.
+    { 40, [](const Keys& r) { return r.count(3) && r.count(17) && r.count(18) && r.count(39); },
+      one, { 3, 17, 18, 39 }, 100 },
+    // One that clashes with four others.
+    { 20,
+      [](const Keys& r) {
+        return r.count(7) || (r.count(1) && r.count(4) && r.count(12) && r.count(16));
+      },
+      one, { 7 } },
+  };
+  for (const Case& c : cases)
+  {
+    const Release result = release(c.count, c.works, c.cost);
+    EXPECT_EQ(result.released, c.released);
+    EXPECT_LT(result.solves, c.solves);
+  }
+}
+
+TEST(KeyRelease, WhereAlmostAllClashNoneOfTheReleasedCanBeKept)
+{
+  const Release result = release(
+    20, [](const std::set<Index>& r) { return r.size() >= 12; }, one);
+  EXPECT_EQ(result.released.size(), 12u);
+  EXPECT_LT(result.solves, 200);
+}
+
+TEST(ReleaseAdvice, SensitivityIsTheChangeOfTheOptimumWhenACurveGrows)
+{
+  const WiredSurface wired(
+    withCurves(cushion(6, 8, 0.3), { columnCurve(6, 8, 3), rowCurve(6, 4) }));
+  const ReleaseAdvice advice = adviseRelease(wired.network, wired.curves, wired.solve());
+  for (Index curve = 0; curve < 2; ++curve)
+  {
+    const auto optimum = [&](double factor) {
+      AngleProblem problem = wired.problem();
+      for (Index e = 0; e < wired.network.edgeCount(); ++e)
+      {
+        if (wired.network.edges[e].curve == curve)
+        {
+          problem.length[e] *= factor;
+        }
+      }
+      return solveAnglesByNewton(problem, {}, {}).objective;
+    };
+    const double step = 1e-5;
+    const double slope = (optimum(1.0 + step) - optimum(1.0 - step)) / (2.0 * step);
+    EXPECT_NEAR(advice.sensitivity[curve], slope, 1e-4 * (1.0 + std::abs(slope)));
+  }
+}
+
+TEST(ReleaseAdvice, IsSilentWhereTheSolutionIsGood)
+{
+  const Surface surface = quarterSphere();
+  const FlatteningResult result = flatten(surface);
+  EXPECT_FALSE(result.pieces[0].advice.first().solved);
 }

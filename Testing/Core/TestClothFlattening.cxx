@@ -36,9 +36,7 @@ bool flattened(const FlatteningResult& result)
 /// A doubly curved piece with two accessory curves.
 Surface shell()
 {
-  Surface surface = cushion(10, 12, 0.25);
-  surface.curves = { columnCurve(10, 12, 5), rowCurve(10, 6) };
-  return surface;
+  return withCurves(cushion(10, 12, 0.25), { columnCurve(10, 12, 5), rowCurve(10, 6) });
 }
 
 /// The tangents of a helix between two distances from it. Each strip between neighbouring tangents

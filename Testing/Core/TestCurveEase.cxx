@@ -6,16 +6,16 @@ using namespace testmeshes;
 
 namespace
 {
-constexpr Index size = 10;
+constexpr Index cells = 10;
 
 /// A cushion that an elastic seam divides in two, with an elastic edge along one side.
 Surface seamedCushion(double tolerance)
 {
-  Surface surface = cushion(size, size, 0.4);
-  FeatureCurve seam = columnCurve(size, size, 4, CurveType::Seam);
+  Surface surface = cushion(cells, cells, 0.4);
+  FeatureCurve seam = columnCurve(cells, cells, 4, CurveType::Seam);
   seam.name = "seam";
   seam.tolerance = tolerance;
-  FeatureCurve hem = rowCurve(size, 0);
+  FeatureCurve hem = rowCurve(cells, 0);
   hem.name = "hem";
   hem.tolerance = tolerance;
   hem.vertices.erase(hem.vertices.begin() + 4, hem.vertices.end());
@@ -104,8 +104,8 @@ TEST(CurveEase, ACurveBringsItsOwnUnlessOneIsGivenForItsName)
 
 TEST(CurveEase, IsRefusedOfDartsWhoseSidesAreInOnePieceAndOfNoCurve)
 {
-  Surface surface = cushion(size, size, 0.4);
-  surface.curves = { curveOf(CurveType::Dart, "dart", { 4, 4 + 11, 4 + 22 }) };
+  Surface surface = withCurves(
+    cushion(cells, cells, 0.4), { curveOf(CurveType::Dart, "dart", { 4, 4 + 11, 4 + 22 }) });
   surface.curves[0].tolerance = 0.05;
   expectRefusal(flattened(surface, { { "dart", 0, 0.03 } }), { "both sides", "dart" });
   expectRefusal(flattened(surface, { { "cuff", 0, 0.03 } }), { "cuff" });
@@ -162,8 +162,7 @@ TEST(ElasticCurves, TheWiderTheBandTheLowerTheObjective)
 
 TEST(ElasticCurves, OfAFlatSurfaceKeepTheirLength)
 {
-  Surface surface = flatPatch(6, 6);
-  surface.curves = { rowCurve(6, 3), columnCurve(6, 6, 2) };
+  Surface surface = withCurves(flatPatch(6, 6), { rowCurve(6, 3), columnCurve(6, 6, 2) });
   surface.curves[0].tolerance = 0.1;
   const FlatteningResult result = flatten(surface);
   ASSERT_TRUE(result.status.ok()) << result.status.message;
@@ -175,8 +174,8 @@ TEST(ElasticCurves, ASeamBetweenTwoPiecesIsAsLongOnBothSides)
 {
   // One half of the surface is curved more than the other, so each by itself would choose another
   // length.
-  Surface surface = cushion(10, 8, 0.5);
-  surface.curves = { columnCurve(10, 8, 3, CurveType::Seam), rowCurve(10, 4) };
+  Surface surface =
+    withCurves(cushion(10, 8, 0.5), { columnCurve(10, 8, 3, CurveType::Seam), rowCurve(10, 4) });
   surface.curves[0].tolerance = 0.05;
   for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
   {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves drawn on surfaces by commands, and undone.
+// Curves drawn on surfaces by commands, and undone; what points snap to; offsets and strokes.
 #include "ClosedMeshes.h"
 #include "DrawnCurves.h"
 #include "Editing/CurveEditor.h"
+#include "Editing/CurveSnapping.h"
+#include "Editing/DerivedCurves.h"
 #include "Paths/PathPoints.h"
 
 using namespace drawncurves;
@@ -429,4 +431,221 @@ TEST(CurveNodes, AnEditedCurveStaysOnItsSideOfAHill)
     editor.undo();
   }
   EXPECT_EQ(editor.curveCount(), 0U);
+}
+
+TEST(CurveSnapping, PointsComeBeforeLinesAndLinesBeforeVertices)
+{
+  for (const double scale : { 1.0, 1e-3, 1e3 })
+  {
+    CurveEditor editor(drawing(plane(scale)));
+    EditedCurve dart =
+      through(editor.surface(), { scale * Point3(5, 0, 0), scale * Point3(5, 8.5, 0) });
+    dart.traits.type = CurveType::Dart;
+    ASSERT_TRUE(editor.add(dart).ok());
+    SnapOptions options;
+    options.reach = 0.4 * scale;
+    const auto snapped = [&](double x, double y) {
+      return snapPoint(editor.surface(), editor.state(),
+        editor.surface().pointNear(scale * Point3(x, y, 0)), options);
+    };
+    struct Case
+    {
+      Point3 from;
+      SnapTarget target;
+      Point3 to;
+    };
+    for (const Case& expected : { Case{ { 5.2, 8.7, 0 }, SnapTarget::DartTip, { 5, 8.5, 0 } },
+           Case{ { 5.2, 4.4, 0 }, SnapTarget::Curve, { 5, 4.4, 0 } },
+           Case{ { 5.2, 4.1, 0 }, SnapTarget::Vertex, { 5, 4, 0 } },
+           Case{ { 0.2, 0.1, 0 }, SnapTarget::Corner, { 0, 0, 0 } },
+           Case{ { 12.5, 0.3, 0 }, SnapTarget::Boundary, { 12.5, 0, 0 } },
+           Case{ { 12.1, 0.3, 0 }, SnapTarget::Vertex, { 12, 0, 0 } },
+           Case{ { 12.2, 7.1, 0 }, SnapTarget::Vertex, { 12, 7, 0 } },
+           Case{ { 12.5, 7.45, 0 }, SnapTarget::Nothing, { 12.5, 7.45, 0 } } })
+    {
+      const SnappedPoint result = snapped(expected.from.x(), expected.from.y());
+      EXPECT_EQ(result.target, expected.target) << expected.from.transpose();
+      EXPECT_LT((result.point.position - scale * expected.to).norm(), 1e-9 * scale)
+        << expected.from.transpose();
+    }
+    options.reach = 0.0;
+    EXPECT_EQ(snapped(5.2, 8.7).target, SnapTarget::Nothing);
+  }
+}
+
+TEST(CurveSnapping, APointNearTheMirrorPlaneGoesOntoIt)
+{
+  CurveEditor editor(drawing(hill()));
+  ASSERT_TRUE(editor.setMirror(MirrorPlane{ { 7.3, 0, 0 }, Point3::UnitX() }).ok());
+  SnapOptions options;
+  options.reach = 0.3;
+  const SurfacePoint near = editor.surface().pointNear({ 7.4, 9.6, 2.5 });
+  const SnappedPoint result = snapPoint(editor.surface(), editor.state(), near, options);
+  EXPECT_EQ(result.target, SnapTarget::MirrorPlane);
+  EXPECT_NEAR(result.point.position.x(), 7.3, 1e-9);
+  EXPECT_LT(
+    (editor.surface().pointNear(result.point.position).position - result.point.position).norm(),
+    1e-9);
+}
+
+TEST(CurveSnapping, WhoLooksAtTheSideMissesInDepthAndStillHitsTheBoundary)
+{
+  const CurveEditor editor(drawing(plane()));
+  SnapOptions options;
+  options.reach = 0.3;
+  const SurfacePoint deep = editor.surface().pointNear({ 7.1, 1.6, 0 });
+  EXPECT_EQ(snapPoint(editor.surface(), editor.state(), deep, options).target, SnapTarget::Nothing);
+  options.sight = SightMetric({ 0, 5, 0.1 });
+  const SnappedPoint snapped = snapPoint(editor.surface(), editor.state(), deep, options);
+  EXPECT_EQ(snapped.target, SnapTarget::Vertex);
+  EXPECT_EQ(snapped.point.position, Point3(7, 0, 0));
+  // What lies as far to the side stays out of reach.
+  const SurfacePoint beside = editor.surface().pointNear({ 1.6, 10.5, 0 });
+  EXPECT_EQ(
+    snapPoint(editor.surface(), editor.state(), beside, options).target, SnapTarget::Nothing);
+}
+
+TEST(CurveSnapping, TheCurveThatIsMovedDoesNotHoldItsNode)
+{
+  const CurveEditor editor = editorWith(hill(), { { 3, 3, 0 }, { 12, 13, 0 } });
+  SnapOptions options;
+  options.reach = 0.3;
+  options.vertex = false;
+  const SurfacePoint near =
+    editor.surface().pointNear(pointsAlong(editor.curve(0).segments)[5] + Point3(0.1, 0, 0));
+  EXPECT_EQ(snapPoint(editor.surface(), editor.state(), near, options).target, SnapTarget::Curve);
+  options.exceptCurve = 0;
+  EXPECT_EQ(snapPoint(editor.surface(), editor.state(), near, options).target, SnapTarget::Nothing);
+}
+
+namespace
+{
+testmeshes::Surface bulge(double height)
+{
+  return sheet([height](double i, double j) {
+    return height * std::sin(pi * i / 20) * std::sin(pi * j / 20);
+  });
+}
+}
+
+TEST(DerivedCurves, AnOffsetIsACurveOfItsOwnThatCanBeUndone)
+{
+  CurveEditor editor(drawing(plane()));
+  EditedCurve hem = through(editor.surface(), { { 0, 8, 0 }, { 20, 8, 0 } });
+  hem.traits.name = "hem";
+  hem.traits.type = CurveType::Key;
+  hem.traits.tolerance = 0.01;
+  ASSERT_TRUE(editor.add(hem).ok());
+  const CurveSet before = editor.state();
+  ASSERT_TRUE(editor.addOffset(0, 2.5).ok());
+  ASSERT_EQ(editor.curveCount(), 2U);
+  const EditedCurve& offset = editor.curve(1);
+  EXPECT_EQ(offset.traits.name, "hem offset");
+  EXPECT_EQ(offset.traits.type, CurveType::Key);
+  EXPECT_EQ(offset.traits.tolerance, 0.01);
+  ASSERT_EQ(offset.nodes.size(), 2U); // a straight line needs no more
+  EXPECT_NEAR(lengthOf(offset), 20.0, 1e-12);
+  EXPECT_LE((offset.nodes[0].position - Point3(0, 10.5, 0)).norm(), 1e-12);
+  editor.undo();
+  EXPECT_TRUE(identical(editor.state(), before));
+  EXPECT_EQ(editor.addOffset(0, 30.0).code, StatusCode::CurveLeavesSurface);
+  EXPECT_EQ(editor.addOffset(7, 1.0).code, StatusCode::InvalidOption);
+  EXPECT_TRUE(identical(editor.state(), before));
+}
+
+TEST(DerivedCurves, AnOffsetHasFewNodesAndKeepsItsDistance)
+{
+  for (const SegmentKind kind : { SegmentKind::Geodesic, SegmentKind::Spline })
+  {
+    CurveEditor editor =
+      editorWith(plane(), { { 3, 3, 0 }, { 9, 6, 0 }, { 15, 4, 0 }, { 18, 9, 0 } }, kind);
+    ASSERT_TRUE(editor.addOffset(0, 1.5).ok());
+    const EditedCurve& offset = editor.curve(1);
+    EXPECT_LT(offset.nodes.size(), 30U) << static_cast<int>(kind);
+    EXPECT_EQ(offset.kinds[0], kind);
+    const Points3 source = pointsAlong(editor.curve(0).segments);
+    for (const Point3& point : pointsAlong(offset.segments))
+    {
+      // 3 thousandths for its nodes, and one for the tangents of arcs.
+      EXPECT_NEAR(gap(source, point), 1.5, 4.1e-3 * 1.5);
+    }
+  }
+}
+
+TEST(DerivedCurves, AStrokeBecomesASmoothCurveWithinItsTolerance)
+{
+  for (const double height : { 0.0, 4.0 })
+  {
+    CurveEditor editor(drawing(bulge(height)));
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> shaking(-0.02, 0.02);
+    std::vector<SurfacePoint> stroke;
+    Points3 meant;
+    for (int k = 0; k <= 200; ++k)
+    {
+      const double x = 2.0 + 16.0 * k / 200 + shaking(random);
+      const double y = 10.0 + 3.0 * std::sin(0.5 * x) + shaking(random);
+      stroke.push_back(editor.surface().pointNear(
+        Point3(x, y, height * std::sin(pi * x / 20) * std::sin(pi * y / 20))));
+      meant.push_back(stroke.back().position);
+    }
+    ASSERT_TRUE(editor.addStroke(stroke, 0.1).ok());
+    const EditedCurve& curve = editor.curve(0);
+    const Points3 line = pointsAlong(curve.segments);
+    for (const Point3& point : meant)
+    {
+      EXPECT_LE(gap(line, point), 0.1 * (1.0 + 1e-9));
+    }
+    EXPECT_LE(curve.nodes.size(), 16U); // of 201
+    EXPECT_EQ(curve.kinds[0], SegmentKind::Spline);
+    EXPECT_FALSE(curve.closed);
+    editor.undo();
+    EXPECT_EQ(editor.curveCount(), 0U);
+  }
+}
+
+TEST(DerivedCurves, AStrokeThatComesBackIsClosed)
+{
+  CurveEditor editor(drawing(bulge(2.0)));
+  std::vector<SurfacePoint> stroke;
+  for (int k = 0; k <= 100; ++k)
+  {
+    const double turn = 2.0 * pi * k / 101;
+    stroke.push_back(
+      editor.surface().pointNear(Point3(10 + 4 * std::cos(turn), 10 + 4 * std::sin(turn), 1.5)));
+  }
+  ASSERT_TRUE(editor.addStroke(stroke, 0.15).ok());
+  EXPECT_TRUE(editor.curve(0).closed);
+  EXPECT_LE(editor.curve(0).nodes.size(), 12U);
+  EXPECT_EQ(editor.addStroke({ stroke[0] }, 0.1).code, StatusCode::CurveTooShort);
+  EXPECT_EQ(editor.addStroke({}, 0.1).code, StatusCode::CurveTooShort);
+  EXPECT_EQ(editor.curveCount(), 1U);
+}
+
+TEST(DerivedCurves, SplitAndJoinedACurveIsItselfAgain)
+{
+  for (const SegmentKind kind : { SegmentKind::Geodesic, SegmentKind::Section, SegmentKind::Edges })
+  {
+    CurveEditor editor =
+      editorWith(bulge(3.0), { { 3, 3, 0 }, { 9, 6, 2 }, { 15, 4, 2 }, { 18, 9, 1 } }, kind);
+    const Points3 before = pointsAlong(editor.curve(0).segments);
+    ASSERT_TRUE(editor.split(0, 2).ok());
+    ASSERT_EQ(editor.curveCount(), 2U);
+    EXPECT_EQ(editor.curve(0).nodes.size() + editor.curve(1).nodes.size(), 5U);
+    Points3 halves = pointsAlong(editor.curve(0).segments);
+    const Points3 second = pointsAlong(editor.curve(1).segments);
+    halves.insert(halves.end(), second.begin() + 1, second.end());
+    EXPECT_EQ(halves, before);
+    // The other way round as well: their near ends meet.
+    ASSERT_TRUE(editor.join(1, 0).ok());
+    ASSERT_EQ(editor.curveCount(), 1U);
+    ASSERT_EQ(editor.curve(0).nodes.size(), 4U);
+    const Points3 after = pointsAlong(editor.curve(0).segments);
+    ASSERT_EQ(after.size(), before.size());
+    const bool turned = (after.front() - before.front()).norm() > 1.0;
+    for (std::size_t k = 0; k < after.size(); ++k)
+    {
+      EXPECT_LE((after[turned ? after.size() - 1 - k : k] - before[k]).norm(), 1e-9);
+    }
+  }
 }

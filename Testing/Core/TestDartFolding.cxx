@@ -22,9 +22,8 @@ FeatureCurve dart(const std::string& name, Index column, Index from, Index to)
 /// A cushion with a dart from the border and one inside, both where the cushion is not symmetric.
 Surface dartedCushion()
 {
-  Surface surface = cushion(cushionSize, cushionSize, 0.5);
-  surface.curves = { dart("mouth", 4, 0, 6), dart("fish-eye", 8, 5, 10) };
-  return surface;
+  return withCurves(
+    cushion(cushionSize, cushionSize, 0.5), { dart("mouth", 4, 0, 6), dart("fish-eye", 8, 5, 10) });
 }
 
 FlatteningResult flatten(const Surface& surface, DartLegs legs, Scheme scheme = Scheme::Isometric)
@@ -123,11 +122,11 @@ TEST(DartFolding, MirroredLegsAreTheMeanOfFreeOnes)
 
 TEST(DartFolding, ADartThatBranchesKeepsFreeLegsAndIsNamed)
 {
-  Surface surface = cushion(cushionSize, cushionSize, 0.5);
-  surface.curves = { dart("stem", 4, 0, 6),
-    curveOf(CurveType::Dart, "branch",
-      { 3 * (cushionSize + 1) + 4, 3 * (cushionSize + 1) + 5, 3 * (cushionSize + 1) + 6 }),
-    dart("other", 9, 0, 4) };
+  Surface surface = withCurves(cushion(cushionSize, cushionSize, 0.5),
+    { dart("stem", 4, 0, 6),
+      curveOf(CurveType::Dart, "branch",
+        { 3 * (cushionSize + 1) + 4, 3 * (cushionSize + 1) + 5, 3 * (cushionSize + 1) + 6 }),
+      dart("other", 9, 0, 4) });
   const FlatteningResult result = flatten(surface, DartLegs::Straight);
   ASSERT_FALSE(result.status.refused()) << result.status.message;
   const std::vector<std::string>& fallbacks = result.pieces[0].fallbacks;

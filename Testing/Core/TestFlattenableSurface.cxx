@@ -24,8 +24,7 @@ Surface dome()
 
 TEST(FlattenableSurface, KeptCurvesStayAndKeepTheirLengthsInThePlane)
 {
-  Surface surface = dome();
-  surface.curves = { rowCurve(12, 6) };
+  Surface surface = withCurves(dome(), { rowCurve(12, 6) });
   FlattenableOptions options;
   options.kept = { 0 };
   const FlattenableSurface result = flattenable(surface, options);

@@ -8,12 +8,12 @@ using namespace testmeshes;
 
 namespace
 {
-constexpr Index size = 8;
+constexpr Index gridSize = 8;
 
 /// Vertex (i, j).
 Index at(Index i, Index j)
 {
-  return testmeshes::at(size, i, j);
+  return testmeshes::at(gridSize, i, j);
 }
 
 FeatureCurve dart(Indices vertices)
@@ -37,8 +37,8 @@ struct Case
 
 std::vector<Case> cases()
 {
-  const FeatureCurve row = rowCurve(size, 4);
-  const FeatureCurve seam = columnCurve(size, size, 3, CurveType::Seam);
+  const FeatureCurve row = rowCurve(gridSize, 4);
+  const FeatureCurve seam = columnCurve(gridSize, gridSize, 3, CurveType::Seam);
   FeatureCurve closedSeam = curveOf(CurveType::Seam, "ring", ring());
   return {
     { "fish-eye dart", { dart({ at(4, 2), at(4, 3), at(4, 4), at(4, 5) }) }, 1 },
@@ -57,7 +57,8 @@ std::vector<Case> cases()
         dart({ at(8, 2), at(7, 2), at(6, 2), at(5, 2), at(4, 2) }),
         dart({ at(0, 2), at(1, 2), at(2, 2), at(3, 2), at(4, 2) }) },
       3 },
-    { "a dart between two boundary points", { dart(columnCurve(size, size, 5).vertices), row }, 2 },
+    { "a dart between two boundary points",
+      { dart(columnCurve(gridSize, gridSize, 5).vertices), row }, 2 },
     { "a seam with a girth across", { seam, row }, 2 },
     { "a seam around a region", { closedSeam }, 2 },
     { "a closed accessory curve", { accessory("ring", ring()) }, 1 },
@@ -71,7 +72,7 @@ std::vector<Case> cases()
         accessory("right", { at(4, 1), at(5, 1), at(6, 1), at(7, 1), at(8, 1) }) },
       1 },
     { "a girth across a dart",
-      { dart({ at(4, 0), at(4, 1), at(4, 2), at(4, 3) }), rowCurve(size, 2) }, 1 },
+      { dart({ at(4, 0), at(4, 1), at(4, 2), at(4, 3) }), rowCurve(gridSize, 2) }, 1 },
     { "a curve along a dart",
       { dart({ at(4, 0), at(4, 1), at(4, 2) }),
         accessory("along", { at(4, 1), at(4, 2), at(4, 3) }) },
@@ -91,9 +92,9 @@ TEST(FlatteningTopology, WhateverTheCurvesFlatSurfacesStayAndWiresOfCurvedOnesMe
   for (const Case& curveSet : cases())
   {
     SCOPED_TRACE(curveSet.name);
-    Surface surface = flatPatch(size, size);
+    Surface surface = flatPatch(gridSize, gridSize);
     surface.curves = curveSet.curves;
-    Surface curved = cushion(size, size, 0.2);
+    Surface curved = cushion(gridSize, gridSize, 0.2);
     curved.curves = curveSet.curves;
     for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
     {
@@ -116,7 +117,7 @@ TEST(FlatteningTopology, WhateverTheCurvesFlatSurfacesStayAndWiresOfCurvedOnesMe
 TEST(FlatteningTopology, ASurfaceWithTwoBoundaryLoopsLiesFlatAroundItsHole)
 {
   // A flat sheet with its middle left out.
-  Surface surface = flatPatch(size, size);
+  Surface surface = flatPatch(gridSize, gridSize);
   const Point3 middle = surface.mesh.point(at(4, 4));
   const PreparedSurface holed =
     partWhere(surface.mesh, [&middle](const Point3& p) { return (p - middle).norm() > 1.3; });

@@ -240,8 +240,7 @@ TEST(FreeBoundary, WeightsTakeDistortionElsewhereWhereTheBoundaryIsExactAsWell)
 
 TEST(FreeBoundary, MeasuresAllEdgesBesideThoseThatKeepTheirLength)
 {
-  Surface surface = cushion(9, 8, 0.4);
-  surface.curves = { rowCurve(9, 4) };
+  Surface surface = withCurves(cushion(9, 8, 0.4), { rowCurve(9, 4) });
   const FlatteningResult exact = flatten(surface);
   const FlatteningResult result = flatten(surface, freeBoundary());
   double sum = 0.0;
@@ -283,9 +282,8 @@ TEST(FreeBoundary, KeepsTheStretchesThatCurvesName)
 
 TEST(FreeBoundary, LeavesTheSidesOfCutsAndHolesFree)
 {
-  Surface surface = cushion(10, 8, 0.4);
-  surface.curves = { curveOf(CurveType::Dart, "dart", { 5, 16, 27 }),
-    columnCurve(10, 8, 8, CurveType::Seam) };
+  Surface surface = withCurves(cushion(10, 8, 0.4),
+    { curveOf(CurveType::Dart, "dart", { 5, 16, 27 }), columnCurve(10, 8, 8, CurveType::Seam) });
   FlatteningOptions options = freeBoundary();
   options.dartLegs = DartLegs::Mirrored; // without an effect
   const FlatteningResult result = flatten(surface, options);
@@ -436,8 +434,7 @@ TEST(OverlapFreeBoundary, IsTheFreeOneWhereThatDoesNotCrossItself)
 
 TEST(OverlapFreeBoundary, KeepsTheLengthsOfCurvesAsWell)
 {
-  Surface surface = ramp(1.3, 0.03);
-  surface.curves = { rowCurve(52, 2) };
+  Surface surface = withCurves(ramp(1.3, 0.03), { rowCurve(52, 2) });
   const FlatteningResult result = flattenOk(surface, withoutOverlap());
   EXPECT_LT(result.curves[0].error, 1e-12);
   EXPECT_EQ(result.pieces[0].overlaps.count, 0u);
@@ -455,8 +452,7 @@ TEST(OverlapFreeBoundary, KeepsTheLengthsOfCurvesAsWell)
 
 TEST(FreeBoundary, RefusesWhatHasNoEffect)
 {
-  Surface surface = cushion(9, 8, 0.4);
-  surface.curves = { columnCurve(9, 8, 5, CurveType::Seam) };
+  Surface surface = withCurves(cushion(9, 8, 0.4), { columnCurve(9, 8, 5, CurveType::Seam) });
   const auto code = [&](const FlatteningOptions& options) {
     return statustesting::codeOf(flatten(surface, options).status);
   };
@@ -481,8 +477,7 @@ TEST(FreeBoundary, RefusesWhatHasNoEffect)
 TEST(ElasticBoundary, EachStretchBetweenEndsOfWiresHasOneFactorWithinTheTolerance)
 {
   constexpr double tolerance = 0.02;
-  Surface surface = cushion(12, 15, 0.3);
-  surface.curves = { columnCurve(12, 15, 5), rowCurve(12, 9) };
+  Surface surface = withCurves(cushion(12, 15, 0.3), { columnCurve(12, 15, 5), rowCurve(12, 9) });
   FlatteningOptions options;
   const FlatteningResult exact = flatten(surface, options);
   options.boundaryTolerance = tolerance;

@@ -36,6 +36,12 @@ struct Surface
   Points2 unrolled;
 };
 
+inline Surface withCurves(Surface surface, std::vector<FeatureCurve> curves)
+{
+  surface.curves = std::move(curves);
+  return surface;
+}
+
 inline FeatureCurve accessory(const std::string& name, Indices vertices)
 {
   FeatureCurve curve;

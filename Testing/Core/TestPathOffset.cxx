@@ -73,7 +73,7 @@ Foot footOn(const Points2& line, const Point2& point)
   return foot;
 }
 
-Points2 unrolled(const Surface& surface, const SurfacePath& path)
+Points2 unrolledPath(const Surface& surface, const SurfacePath& path)
 {
   Points2 line;
   for (const SurfacePoint& point : path.points)
@@ -137,7 +137,7 @@ Points2 parallelPlaces(const Surface& sheet, const Points2& line, double distanc
 std::size_t expectTheParallelSet(const Surface& sheet, const SurfacePath& path, double distance)
 {
   const PathGraph graph(sheet.mesh);
-  const Points2 line = unrolled(sheet, path);
+  const Points2 line = unrolledPath(sheet, path);
   const double reach = std::abs(distance);
   const PathOffset offset = offsetPath(graph, path, distance);
   if (offset.status.code != StatusCode::CurveLeavesSurface)
@@ -148,7 +148,7 @@ std::size_t expectTheParallelSet(const Surface& sheet, const SurfacePath& path, 
   for (const SurfacePath& part : offset.parts)
   {
     EXPECT_TRUE(liesOn(sheet.mesh, part));
-    parts.push_back(unrolled(sheet, part));
+    parts.push_back(unrolledPath(sheet, part));
     for (std::size_t i = 0; i < part.triangles.size(); ++i)
     {
       for (const double s : { 0.0, 0.3, 0.5, 1.0 })
@@ -361,8 +361,8 @@ TEST(PathDistance, IsThatOfTheUnrolledSurface)
     const SurfacePoint point = randomPoint(surface.mesh, random);
     const PathDistance distance = distanceFrom(graph, path, point);
     ASSERT_TRUE(distance.way.status.ok());
-    const Foot foot =
-      footOn(unrolled(surface, path), testmeshes::unrolled(surface.mesh, surface.unrolled, point));
+    const Foot foot = footOn(
+      unrolledPath(surface, path), testmeshes::unrolled(surface.mesh, surface.unrolled, point));
     // Round the cut-off tip no straight line of the plane goes.
     EXPECT_GE(distance.way.length, foot.distance * (1.0 - exactly));
     if (distance.way.length < foot.distance * (1.0 + 1e-7))

@@ -20,7 +20,7 @@ Box boundsOf(const Points2& points)
   return box;
 }
 
-Points2 moved(const Points2& points, double angle, const Point2& shift)
+Points2 turnedAndMoved(const Points2& points, double angle, const Point2& shift)
 {
   Points2 result;
   for (const Point2& p : points)
@@ -38,7 +38,7 @@ std::vector<ArrangementPiece> severalPieces()
   {
     ArrangementPiece piece;
     const Surface surface = k % 2 == 0 ? cone(6 + k, 4) : flatPatch(3 + k, 2);
-    piece.positions = moved(surface.unrolled, 0.7 * k, Point2(3.0 * k, -2.0));
+    piece.positions = turnedAndMoved(surface.unrolled, 0.7 * k, Point2(3.0 * k, -2.0));
     if (k % 3 != 0)
     {
       piece.grain = { 1, static_cast<Index>(piece.positions.size()) - 2 };
@@ -58,7 +58,7 @@ TEST(PieceArrangement, MeasuresConvexHulls)
     { 0.0, 2.0 } };
   for (const Point2& move : { Point2(0.0, 0.0), Point2(-512.0, 1024.0) })
   {
-    EXPECT_EQ(hullArea(moved(corners, 0.0, move)), 3.5);
+    EXPECT_EQ(hullArea(turnedAndMoved(corners, 0.0, move)), 3.5);
   }
 }
 
@@ -94,7 +94,8 @@ TEST(PieceArrangement, WithoutGrainTheLongSideOfTheSmallestRectangleIsUpright)
   const Points2 rectangle{ Point2(0, 0), Point2(7, 0), Point2(7, 2), Point2(0, 2) };
   for (double angle : { 0.0, 0.4, 1.3, 3.0 })
   {
-    const auto placed = arrangePieces({ { moved(rectangle, angle, Point2(8, 9)), {} } }, 0.0);
+    const auto placed =
+      arrangePieces({ { turnedAndMoved(rectangle, angle, Point2(8, 9)), {} } }, 0.0);
     const Box box = boundsOf(placed[0]);
     EXPECT_NEAR(box.sizes().x(), 2.0, 1e-13);
     EXPECT_NEAR(box.sizes().y(), 7.0, 1e-13);
@@ -111,7 +112,7 @@ TEST(PieceArrangement, DoesNotDependOnWhereThePiecesWere)
   for (std::size_t k = 0; k < pieces.size(); ++k)
   {
     elsewhere[k].positions =
-      moved(pieces[k].positions, 0.3 + static_cast<double>(k), Point2(-2.0, 5.0));
+      turnedAndMoved(pieces[k].positions, 0.3 + static_cast<double>(k), Point2(-2.0, 5.0));
   }
   const auto placed = arrangePieces(elsewhere, 0.05);
   for (std::size_t k = 0; k < pieces.size(); ++k)

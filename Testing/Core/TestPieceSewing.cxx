@@ -341,15 +341,9 @@ TEST(SewnCloth, ABodyThatIsNotTouchedChangesNothing)
   EXPECT_NEAR(with.measures.distanceMean / without.measures.distanceMean, 1.0, 1e-6);
 }
 
-TEST(SewnCloth, ASecondStartFindsTheShapeAgainOrAnother)
+TEST(SewnCloth, ASecondStartOfAClosedFrustumFindsItsShapeAgain)
 {
-  const SewnReport steady = sewn(frustum(32, 8, 0.5), product()).shapes.front();
-  EXPECT_FALSE(steady.severalShapes);
-  const SewnReport sheet = sewn(dome(), panel()).shapes.front();
-  EXPECT_GT(sheet.secondDistance, 0.0);
-  EXPECT_EQ(sheet.severalShapes,
-    std::abs(sheet.secondDistance - sheet.measures.distanceMean) >
-      0.1 * std::max(sheet.secondDistance, sheet.measures.distanceMean));
+  EXPECT_FALSE(sewn(frustum(32, 8, 0.5), product()).shapes.front().severalShapes);
 }
 
 TEST(SewnCloth, ASheetThatIsTooLargeForItsFrameHasAShapeAtRestOnEachSide)

@@ -40,8 +40,8 @@ Surface partOf(TriangleMesh mesh)
 /// Curves of every type, so that what refers to vertices, edges and pieces has something to say.
 Surface shirt()
 {
-  Surface surface = cushion(8, 6, 0.3);
-  surface.curves = { rowCurve(8, 3, CurveType::Key), columnCurve(8, 6, 4, CurveType::Seam) };
+  Surface surface = withCurves(
+    cushion(8, 6, 0.3), { rowCurve(8, 3, CurveType::Key), columnCurve(8, 6, 4, CurveType::Seam) });
   surface.curves[0].keyShape = KeyShape::Straight;
   return surface;
 }
@@ -59,14 +59,12 @@ FlatteningOptions skipping(Scheme scheme = Scheme::Isometric)
 Surface seamedTorus()
 {
   const auto at = [](Index i, Index j) { return i * ringSize + j; };
-  Surface surface = partOf(ring());
-  surface.curves = {
-    curveOf(CurveType::Seam, "around",
-      { at(0, 0), at(1, 0), at(2, 0), at(2, 1), at(2, 2), at(1, 2), at(0, 2), at(0, 1), at(0, 0) }),
-    accessory("through", { at(0, 1), at(1, 1), at(2, 1), at(3, 1), at(4, 1) }),
-    accessory("elsewhere", { at(4, 4), at(5, 4) })
-  };
-  return surface;
+  return withCurves(partOf(ring()),
+    { curveOf(CurveType::Seam, "around",
+        { at(0, 0), at(1, 0), at(2, 0), at(2, 1), at(2, 2), at(1, 2), at(0, 2), at(0, 1),
+          at(0, 0) }),
+      accessory("through", { at(0, 1), at(1, 1), at(2, 1), at(3, 1), at(4, 1) }),
+      accessory("elsewhere", { at(4, 4), at(5, 4) }) });
 }
 }
 

@@ -46,11 +46,11 @@ TEST(SurfaceFlattening, OnTheTwoArcsOfFigure14ThePapersIterationFailsAndNewtonFi
 
 TEST(SurfaceFlattening, DevelopablesUnrollToTheirExactShape)
 {
-  Surface tube = cylinder(9, 6);
-  tube.curves = { rowCurve(9, 2), columnCurve(9, 6, 4), accessory("dangling", { 7, 17 }) };
-  Surface horn = cone(10, 6);
-  horn.curves = { columnCurve(10, 6, 3), curveOf(CurveType::Key, "key", rowCurve(10, 3).vertices),
-    curveOf(CurveType::Dart, "dart", { 5, 16, 27 }) };
+  Surface tube = withCurves(
+    cylinder(9, 6), { rowCurve(9, 2), columnCurve(9, 6, 4), accessory("dangling", { 7, 17 }) });
+  Surface horn = withCurves(cone(10, 6),
+    { columnCurve(10, 6, 3), curveOf(CurveType::Key, "key", rowCurve(10, 3).vertices),
+      curveOf(CurveType::Dart, "dart", { 5, 16, 27 }) });
   for (const Surface& surface : { tube, horn })
   {
     for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
@@ -66,9 +66,8 @@ TEST(SurfaceFlattening, DevelopablesUnrollToTheirExactShape)
 
 TEST(SurfaceFlattening, AStraightKeyIsAStraightLineInThePlaneAndStandsUpright)
 {
-  Surface surface = cushion(8, 8, 0.2);
-  surface.curves = { curveOf(CurveType::Key, "grain", columnCurve(8, 8, 3).vertices),
-    rowCurve(8, 4) };
+  Surface surface = withCurves(cushion(8, 8, 0.2),
+    { curveOf(CurveType::Key, "grain", columnCurve(8, 8, 3).vertices), rowCurve(8, 4) });
   surface.curves[0].keyShape = KeyShape::Straight;
   for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
   {
@@ -109,8 +108,7 @@ TEST(SurfaceFlattening, AKeyWithAPlanarShapeTurnsAsItIsPrescribed)
 
 TEST(SurfaceFlattening, ReleasedKeysAreAccessoryCurves)
 {
-  Surface surface = cushion(8, 8, 0.2);
-  surface.curves = { rowCurve(8, 3), columnCurve(8, 8, 3) };
+  Surface surface = withCurves(cushion(8, 8, 0.2), { rowCurve(8, 3), columnCurve(8, 8, 3) });
   const FlatteningResult accessoryResult = flatten(surface, optionsOf(Scheme::Global));
   surface.curves[0].type = CurveType::Key;
   FlatteningOptions options = optionsOf(Scheme::Global);
@@ -123,9 +121,9 @@ TEST(SurfaceFlattening, ReleasedKeysAreAccessoryCurves)
 TEST(SurfaceFlattening, NamesKeysThatCannotKeepTheirShapesAndGoesOnWithoutTheLeastSet)
 {
   // What Eq. 1 gives for the ring cannot close around the curved region in it; the row is innocent.
-  Surface surface = cushion(8, 8, 0.2);
-  surface.curves = { curveOf(CurveType::Key, "ring", { 30, 31, 32, 41, 50, 49, 48, 39, 30 }),
-    columnCurve(8, 8, 4), curveOf(CurveType::Key, "hem", rowCurve(8, 1).vertices) };
+  Surface surface = withCurves(cushion(8, 8, 0.2),
+    { curveOf(CurveType::Key, "ring", { 30, 31, 32, 41, 50, 49, 48, 39, 30 }), columnCurve(8, 8, 4),
+      curveOf(CurveType::Key, "hem", rowCurve(8, 1).vertices) });
   for (const Scheme scheme : { Scheme::Global, Scheme::Progressive })
   {
     const FlatteningResult result = flatten(surface, optionsOf(scheme));
@@ -148,8 +146,8 @@ TEST(SurfaceFlattening, NamesKeysThatCannotKeepTheirShapesAndGoesOnWithoutTheLea
 
 TEST(SurfaceFlattening, PiecesAreFlattenedAsIfEachWereAlone)
 {
-  Surface surface = cushion(9, 6, 0.2);
-  surface.curves = { columnCurve(9, 6, 4, CurveType::Seam), rowCurve(9, 3) };
+  Surface surface =
+    withCurves(cushion(9, 6, 0.2), { columnCurve(9, 6, 4, CurveType::Seam), rowCurve(9, 3) });
   const FlatteningResult result = flatten(surface, optionsOf(Scheme::Progressive));
   ASSERT_EQ(result.pieces.size(), 2U);
   const std::vector<Piece> pieces = extractPieces(*result.cut);
@@ -205,8 +203,8 @@ void expectEmpty(const FlatteningResult& result)
 
 TEST(FlatteningEnds, APlanarShapeOfAnotherNumberOfPointsOrWithoutAnAngleIsRefused)
 {
-  Surface surface = cushion(4, 4, 0.2);
-  surface.curves = { curveOf(CurveType::Key, "k", { 10, 11, 12, 13, 14 }) };
+  Surface surface =
+    withCurves(cushion(4, 4, 0.2), { curveOf(CurveType::Key, "k", { 10, 11, 12, 13, 14 }) });
   surface.curves[0].keyShape = KeyShape::Planar;
   for (const Points2& shape :
     { Points2{ { 0, 0 }, { 1, 0 } }, Points2{ { 0, 0 }, { 1, 0 }, { 2, 0 }, { 2, 0 }, { 3, 1 } } })
@@ -222,8 +220,8 @@ TEST(FlatteningEnds, ACurveOfAnUnknownTypeIsRefusedByItsId)
 {
   for (const int type : { -1, 4, 9 })
   {
-    Surface surface = cushion(4, 4, 0.2);
-    surface.curves = { rowCurve(4, 1), curveOf(static_cast<CurveType>(type), "k", { 10, 11, 12 }) };
+    Surface surface = withCurves(cushion(4, 4, 0.2),
+      { rowCurve(4, 1), curveOf(static_cast<CurveType>(type), "k", { 10, 11, 12 }) });
     const FlatteningResult result = flatten(surface, {});
     EXPECT_STREQ(statusName(result.status.code), "InvalidCurve");
     EXPECT_EQ(result.status.ids.kind, ElementKind::Curves);
@@ -234,8 +232,8 @@ TEST(FlatteningEnds, ACurveOfAnUnknownTypeIsRefusedByItsId)
 
 TEST(FlatteningEnds, ToldToStopItLeavesNothingWheneverThatIs)
 {
-  Surface surface = cushion(6, 6, 0.3);
-  surface.curves = { rowCurve(6, 3), curveOf(CurveType::Dart, "dart", { 2, 9, 16 }) };
+  Surface surface = withCurves(
+    cushion(6, 6, 0.3), { rowCurve(6, 3), curveOf(CurveType::Dart, "dart", { 2, 9, 16 }) });
   for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
   {
     const FlatteningOptions options = optionsOf(scheme, InteriorMethod::AsRigidAsPossible);

@@ -52,9 +52,9 @@ private:
 TEST(Threads, GiveEverySchemeTheSameResultBitByBit)
 {
   constexpr Index size = 12;
-  Surface surface = cushion(size, size, 0.3);
-  surface.curves = { columnCurve(size, size, 4, CurveType::Seam), rowCurve(size, 4),
-    rowCurve(size, 8), columnCurve(size, size, 8) };
+  Surface surface = withCurves(cushion(size, size, 0.3),
+    { columnCurve(size, size, 4, CurveType::Seam), rowCurve(size, 4), rowCurve(size, 8),
+      columnCurve(size, size, 8) });
   for (const Scheme scheme :
     { Scheme::Progressive, Scheme::Global, Scheme::Isometric, Scheme::LeastSquaresConformal })
   {

@@ -18,14 +18,14 @@ namespace
 /// Square arms along the axes around a cube, as many of them open at their ends.
 TriangleMesh garment(Index open, Index length, Index division, double size)
 {
-  using Place = std::array<Index, 3>;
-  const std::array<Place, 6> ways{ { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 },
+  using Cell = std::array<Index, 3>;
+  const std::array<Cell, 6> ways{ { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 },
     { 0, 0, 1 }, { 0, 0, -1 } } };
-  const auto moved = [](const Place& from, const Place& way, Index by) {
-    return Place{ from[0] + by * way[0], from[1] + by * way[1], from[2] + by * way[2] };
+  const auto moved = [](const Cell& from, const Cell& way, Index by) {
+    return Cell{ from[0] + by * way[0], from[1] + by * way[1], from[2] + by * way[2] };
   };
-  std::set<Place> cubes{ { 0, 0, 0 } };
-  for (const Place& way : ways)
+  std::set<Cell> cubes{ { 0, 0, 0 } };
+  for (const Cell& way : ways)
   {
     for (Index k = 1; k <= length; ++k)
     {
@@ -33,7 +33,7 @@ TriangleMesh garment(Index open, Index length, Index division, double size)
     }
   }
   std::vector<Surface> squares;
-  for (const Place& cube : cubes)
+  for (const Cell& cube : cubes)
   {
     for (std::size_t w = 0; w < ways.size(); ++w)
     {
