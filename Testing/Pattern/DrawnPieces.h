@@ -47,7 +47,8 @@ inline Status walk(
 {
   std::optional<DrawingSource> all;
   const Status status = prepareDrawing(source, options, nullptr, all);
-  return status.ok() ? walkSeams(*all, intervals) : status;
+  intervals = status.ok() ? walkSeams(*all) : std::vector<WalkInterval>();
+  return status;
 }
 
 /// What is drawn, with its pieces; expects that it is.

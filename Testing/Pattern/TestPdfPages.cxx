@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/PageTexts.h"
+#include "Formats/PageDrawing.h"
 #include "Formats/PatternFile.h"
 #include "Formats/PatternOptionTable.h"
-#include "Formats/PdfPages.h"
 #include "Outlines/PatternText.h"
 
 #include "DrawnPieces.h"
@@ -89,7 +88,7 @@ TEST(PdfPages, PiecesDoNotOverlapOnTheSheet)
 {
   const Pattern pattern =
     patternOf({ { 300.0, 200.0 }, { 200.0, 300.0 }, { 250.0, 100.0 }, { 500.0, 20.0 } });
-  const SheetLayout layout = layOut(pattern, 520.0, 50.0, 15.0);
+  const SheetLayout layout = layOut(pattern, 520.0, 50.0);
   const Point2 gap = Point2::Constant(15.0);
   for (std::size_t a = 0; a < pattern.pieces.size(); ++a)
   {

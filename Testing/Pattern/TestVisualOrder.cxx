@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/VisualOrder.h"
+#include "Formats/PdfWriter.h"
 
 #include <gtest/gtest.h>
 

@@ -79,20 +79,14 @@ ClothOutline::ClothOutline(const DrawingSource& all, std::size_t piece)
     this->Placements.emplace_back(all, loop, dart);
     for (std::size_t k = dart.firstEdge; k < dart.firstEdge + dart.edges; ++k)
     {
-      this->Folded.emplace(edgeKey(loop[k % loop.size()], loop[(k + 1) % loop.size()]), d);
+      this->Folded.emplace(undirectedKey(loop[k % loop.size()], loop[(k + 1) % loop.size()]), d);
     }
   }
 }
 
-bool ClothOutline::isFolded(Index from, Index to) const
-{
-  return this->placementAlong(from, to) != nullptr;
-}
-
 const DartPlacement* ClothOutline::placementAlong(Index from, Index to) const
 {
-  auto found = this->Folded.find(edgeKey(from, to));
-  found = found == this->Folded.end() ? this->Folded.find(edgeKey(to, from)) : found;
+  const auto found = this->Folded.find(undirectedKey(from, to));
   return found == this->Folded.end() ? nullptr : &this->Placements[found->second];
 }
 
@@ -185,7 +179,7 @@ AllowancePolygon ClothOutline::polygonOf(std::size_t l) const
     polygon.allowance.push_back(allowance);
   };
   std::size_t start = 0; // outside the darts
-  while (start < count && this->isFolded(point(start), point(start + 1)))
+  while (start < count && this->placementAlong(point(start), point(start + 1)))
   {
     ++start;
   }
@@ -207,25 +201,18 @@ AllowancePolygon ClothOutline::polygonOf(std::size_t l) const
     const std::size_t end = k + dart->edges;
     const double before = this->All.allowanceAlong(point(k + count - 1), point(k));
     const double after = this->All.allowanceAlong(point(end), point(end + 1));
+    const auto at = [&](std::size_t n) { return this->All.at(point(n)); };
+    const DartPlacement& placement =
+      this->Placements[static_cast<std::size_t>(dart - this->Darts.begin())];
     Point2 corner;
-    add(this->All.at(point(k)), before);
-    if (this->roof(static_cast<std::size_t>(dart - this->Darts.begin()), corner))
+    add(at(k), before);
+    if (dartRoof(placement.at(this->All.at(dart->tip)), { at(k), at(end) },
+          { at(k + count - 1), at(end + 1) }, corner))
     {
       add(corner, after);
     }
     k = end;
   }
   return polygon;
-}
-
-bool ClothOutline::roof(std::size_t d, Point2& corner) const
-{
-  const Dart& dart = this->Darts[d];
-  const Indices& loop = this->Loops[dart.loop];
-  const std::size_t count = loop.size();
-  const auto at = [&](std::size_t k) { return this->All.at(loop[k % count]); };
-  const std::size_t end = dart.firstEdge + dart.edges;
-  return dartRoof(this->Placements[d].at(this->All.at(dart.tip)), { at(dart.firstEdge), at(end) },
-    { at(dart.firstEdge + count - 1), at(end + 1) }, corner);
 }
 }

@@ -51,15 +51,12 @@ public:
   const DartPlacement& placement(std::size_t dart) const { return this->Placements[dart]; }
   /// That of the dart of which an edge of a loop is a leg; null where it is none that is folded.
   const DartPlacement* placementAlong(Index from, Index to) const;
-  /// Whether an edge of a loop is a leg of a folded dart.
-  bool isFolded(Index from, Index to) const;
   /// One polygon a loop but for the loops that are a folded dart, millimetres.
   std::vector<AllowancePolygon> polygons() const;
 
 private:
   std::vector<Points2> glueTabs() const;
   AllowancePolygon polygonOf(std::size_t l) const;
-  bool roof(std::size_t d, Point2& corner) const;
 
   const DrawingSource& All;
   std::size_t Piece;

@@ -66,48 +66,7 @@ Status checkCurveNames(const PatternSource& source, const NamedCurves& wanted)
   }
   return {};
 }
-}
 
-std::set<std::string> curvesWithOptions(const PatternOptions& options)
-{
-  std::set<std::string> names = options.doubleNotches;
-  names.insert(options.foldsAlong.begin(), options.foldsAlong.end());
-  names.merge(namesIn(options.allowanceOfCurve));
-  names.merge(namesIn(options.dartTipOfCurve));
-  names.merge(namesIn(options.fairToleranceOfCurve));
-  names.merge(namesIn(options.notchesOfCurve));
-  return names;
-}
-
-Status checkPatternOptions(const PatternSource& source, const PatternOptions& options)
-{
-  if (options.symmetrize && !options.isFair(source))
-  {
-    return { StatusCode::InvalidOption,
-      "outlines are made their own mirror images as smooth borders alone, and none is to be smooth",
-      {}, { { Remedy::Give, "a tolerance of smooth borders above 0 mm" } } };
-  }
-  const NamedCurves all[] = {
-    { namesIn(options.allowanceOfCurve), "a seam allowance", true },
-    { namesIn(options.fairToleranceOfCurve), "a tolerance of smooth borders" },
-    { namesIn(options.dartTipOfCurve), "a tip to be drawn back" },
-    { options.foldsAlong, "a fold" },
-    { options.doubleNotches, "a double notch" },
-    { namesIn(options.notchesOfCurve), "a notch" },
-  };
-  for (const NamedCurves& named : all)
-  {
-    Status status = checkCurveNames(source, named);
-    if (!status.ok())
-    {
-      return status;
-    }
-  }
-  return {};
-}
-
-namespace
-{
 Status checkSource(const PatternSource& source)
 {
   if (source.triangles.empty())
@@ -133,10 +92,7 @@ Status checkSource(const PatternSource& source)
         std::to_string(piece) + ", and pieces are counted from 0");
     }
     area.resize(std::max(area.size(), static_cast<std::size_t>(piece) + 1), 0.0);
-    const Triangle& corners = source.triangles[t];
-    const Point2 a = source.positions[corners[1]] - source.positions[corners[0]];
-    const Point2 b = source.positions[corners[2]] - source.positions[corners[0]];
-    area[static_cast<std::size_t>(piece)] += cross(a, b);
+    area[static_cast<std::size_t>(piece)] += cross(source.positions, source.triangles[t]);
   }
   const std::size_t pieces = area.size();
   for (const SourceWire& wire : source.wires)
@@ -181,10 +137,7 @@ std::string pieceName(
   }
   return cleanText(options.name) + (pieces > 1 ? " " + std::to_string(piece + 1) : "");
 }
-}
 
-namespace
-{
 std::vector<PieceShape> shapesOf(const DrawingSource& all)
 {
   std::vector<PieceShape> shapes(all.loops.size());
@@ -200,29 +153,6 @@ std::vector<PieceShape> shapesOf(const DrawingSource& all)
     }
   }
   return shapes;
-}
-
-/// Along a curve that the options name, or where the piece is symmetric.
-Status findFold(const DrawingSource& all, std::size_t piece, const std::string& name,
-  const PieceShape& shape, std::optional<NamedFold>& fold)
-{
-  Status status = findNamedFold(all, piece, name, shape, fold);
-  if (!status.ok() || fold || !all.options.cutOnFold || all.options.oneLayer)
-  {
-    return status;
-  }
-  std::optional<MirrorAxis> axis = findMirrorAxis(shape, mirrorTolerance);
-  if (axis && all.fair && all.fair->reports()[piece].mirror)
-  {
-    *axis = *all.fair->reports()[piece].mirror;
-    axis->miss = mirrorMiss(shape, *axis);
-  }
-  if (axis)
-  {
-    fold.emplace();
-    fold->axis = *axis;
-  }
-  return status;
 }
 
 /// About a sixth of the largest piece, as 1, 2 or 5 times a power of ten, in mm.
@@ -261,6 +191,43 @@ std::string plural(int count, const std::string& what)
 {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
+}
+
+std::set<std::string> curvesWithOptions(const PatternOptions& options)
+{
+  std::set<std::string> names = options.doubleNotches;
+  names.insert(options.foldsAlong.begin(), options.foldsAlong.end());
+  names.merge(namesIn(options.allowanceOfCurve));
+  names.merge(namesIn(options.dartTipOfCurve));
+  names.merge(namesIn(options.fairToleranceOfCurve));
+  names.merge(namesIn(options.notchesOfCurve));
+  return names;
+}
+
+Status checkPatternOptions(const PatternSource& source, const PatternOptions& options)
+{
+  if (options.symmetrize && !options.isFair(source))
+  {
+    return { StatusCode::InvalidOption,
+      "outlines are made their own mirror images as smooth borders alone, and none is to be smooth",
+      {}, { { Remedy::Give, "a tolerance of smooth borders above 0 mm" } } };
+  }
+  const NamedCurves all[] = {
+    { namesIn(options.allowanceOfCurve), "a seam allowance", true },
+    { namesIn(options.fairToleranceOfCurve), "a tolerance of smooth borders" },
+    { namesIn(options.dartTipOfCurve), "a tip to be drawn back" },
+    { options.foldsAlong, "a fold" },
+    { options.doubleNotches, "a double notch" },
+    { namesIn(options.notchesOfCurve), "a notch" },
+  };
+  for (const NamedCurves& named : all)
+  {
+    if (Status status = checkCurveNames(source, named); !status.ok())
+    {
+      return status;
+    }
+  }
+  return {};
 }
 
 bool isWire(LineKind kind)
@@ -318,9 +285,10 @@ Status prepareDrawing(const PatternSource& source, const PatternOptions& given, 
     all.emplace(source, options);
     status = findBorders(*all);
   }
-  if (status.ok())
+  if (status.ok() && all->options.isFair(all->source))
   {
-    drawFair(*all, cache);
+    all->fair = cache ? cache->of(*all) : std::make_shared<const FairBorders>(*all);
+    all->moved = &all->fair->positions();
   }
   return status;
 }
@@ -360,14 +328,11 @@ Status buildPattern(const DrawingSource& all, Pattern& pattern)
     const bool own = p < options.pieceQuantities.size() && options.pieceQuantities[p] > 0;
     piece.quantity = own ? options.pieceQuantities[p] : options.quantity;
     piece.number = static_cast<int>(p) + 1;
-    const auto addText = [&piece](TextRole role, const std::string& text) {
-      PatternText line;
-      line.role = role;
-      line.text = text;
-      piece.texts.push_back(std::move(line));
+    const auto addLabel = [&piece](const std::string& text) {
+      piece.texts.push_back({ TextRole::Label, text });
     };
-    addText(TextRole::Title, piece.name);
-    std::optional<NamedFold> fold;
+    piece.texts.push_back({ TextRole::Title, piece.name });
+    std::optional<PieceFold> fold;
     status = findFold(all, p, piece.name, shapes[p], fold);
     if (!status.ok())
     {
@@ -376,51 +341,47 @@ Status buildPattern(const DrawingSource& all, Pattern& pattern)
     const std::string onFold = fold ? " on fold" : "";
     if (!piece.size.empty())
     {
-      addText(TextRole::Label, "size " + piece.size);
+      addLabel("size " + piece.size);
     }
     if (forBoth)
     {
-      addText(TextRole::Label,
-        "cut " + plural(piece.quantity, "pair") + onFold + ", one of each turned over");
+      addLabel("cut " + plural(piece.quantity, "pair") + onFold + ", one of each turned over");
       piece.turnedOver = piece.quantity;
       piece.quantity *= 2;
     }
     else
     {
-      addText(TextRole::Label, "cut " + std::to_string(piece.quantity) + onFold);
+      addLabel("cut " + std::to_string(piece.quantity) + onFold);
       if (isSecond || second < pieces)
       {
         const std::size_t other = isSecond ? mirrored[p] : second;
-        addText(TextRole::Label, "mirror image of piece " + std::to_string(other + 1));
+        addLabel("mirror image of piece " + std::to_string(other + 1));
       }
     }
     if (all.fair && all.fair->reports()[p].mirror)
     {
-      addText(TextRole::Label, "drawn as its own mirror image");
+      addLabel("drawn as its own mirror image");
     }
-    const auto addCompensation = [&addText](double percent, const char* along) {
+    const auto addCompensation = [&addLabel](double percent, const char* along) {
       if (percent != 0.0)
       {
-        addText(TextRole::Label,
-          (percent > 0.0 ? "drawn longer by " : "drawn shorter by ") +
-            formatNumber(std::abs(percent), 2) + " % along the " + along);
+        addLabel((percent > 0.0 ? "drawn longer by " : "drawn shorter by ") +
+          formatNumber(std::abs(percent), 2) + " % along the " + along);
       }
     };
     addCompensation(options.warpCompensation, "warp");
     addCompensation(options.weftCompensation, "weft");
-    addText(
-      TextRole::Label, "piece " + std::to_string(piece.number) + " of " + std::to_string(pieces));
+    addLabel("piece " + std::to_string(piece.number) + " of " + std::to_string(pieces));
     status = drawPiece(all, p, forBoth ? std::optional(second) : std::nullopt, marks, fold, piece);
     if (fold && !fold->isBorder)
     {
-      piece.notes.push_back(
-        { "piece " + piece.name + ": a half, to be cut on the fold; the halves " + "differed by " +
-          formatNumber(fold->axis.miss, 2) + " mm" });
+      piece.addNote("a half, to be cut on the fold; the halves differed by " +
+        formatNumber(fold->axis.miss, 2) + " mm");
     }
     else if (!fold && options.cutOnFold && !options.oneLayer)
     {
-      piece.notes.push_back({ "piece " + piece.name + ": not symmetric to " +
-        formatNumber(mirrorTolerance, 1) + " mm, and so drawn whole" });
+      piece.addNote(
+        "not symmetric to " + formatNumber(mirrorTolerance, 1) + " mm, and so drawn whole");
     }
     if (all.fair)
     {

@@ -38,25 +38,6 @@ const std::array<Look, 12> looks{ {
   { { "drill-hole", black, 0.25, {} }, { 0.0, 1.0, 1.0 } },
   { { "grain", black, 0.35, {} }, { 0.0, 0.0, 0.0 } },
 } };
-
-void addGrain(const PatternPiece& piece, std::vector<Stroke>& strokes)
-{
-  const auto add = [&strokes](const Points2& points) {
-    Stroke stroke;
-    stroke.role = LineKind::Grain;
-    stroke.closed = stroke.filled = points.size() > 2;
-    stroke.points = points;
-    strokes.push_back(std::move(stroke));
-  };
-  if (piece.grain.from != piece.grain.to)
-  {
-    add({ piece.grain.from, piece.grain.to });
-  }
-  for (const std::array<Point2, 3>& head : arrowHeads(piece.grain))
-  {
-    add({ head.begin(), head.end() });
-  }
-}
 }
 
 StrokeStyle styleOf(LineKind role)
@@ -74,36 +55,30 @@ std::vector<Stroke> strokesOf(const PatternPiece& piece)
   std::vector<Stroke> strokes;
   for (const PatternLine& line : piece.lines)
   {
-    Stroke stroke;
-    stroke.role = line.kind;
-    stroke.closed = line.closed;
-    stroke.points = line.points;
-    stroke.smooth = line.curve;
-    stroke.curve = line.name;
-    stroke.measure = line.restLength;
-    strokes.push_back(std::move(stroke));
+    strokes.push_back(
+      { line.kind, line.closed, false, line.points, line.curve, line.name, line.restLength });
   }
   for (const Notch& notch : piece.notches)
   {
-    Stroke stroke;
-    stroke.role = notch.onCutLine ? LineKind::Notch : LineKind::DartMark;
-    stroke.points = { notch.from, notch.to };
-    stroke.curve = notch.name;
-    stroke.measure = notch.arcLength;
-    strokes.push_back(std::move(stroke));
+    strokes.push_back({ notch.onCutLine ? LineKind::Notch : LineKind::DartMark, false, false,
+      { notch.from, notch.to }, {}, notch.name, notch.arcLength });
   }
   const double arm = std::min(3.0, 0.03 * piece.extent.maxCoeff());
   for (const Point2& hole : piece.drillHoles)
   {
     for (const Point2& way : { Point2(arm, 0.0), Point2(0.0, arm) })
     {
-      Stroke stroke;
-      stroke.role = LineKind::DrillHole;
-      stroke.points = { hole - way, hole + way };
-      strokes.push_back(std::move(stroke));
+      strokes.push_back({ LineKind::DrillHole, false, false, { hole - way, hole + way } });
     }
   }
-  addGrain(piece, strokes);
+  if (piece.grain.from != piece.grain.to)
+  {
+    strokes.push_back({ LineKind::Grain, false, false, { piece.grain.from, piece.grain.to } });
+  }
+  for (const std::array<Point2, 3>& head : arrowHeads(piece.grain))
+  {
+    strokes.push_back({ LineKind::Grain, true, true, { head.begin(), head.end() } });
+  }
   std::stable_sort(strokes.begin(), strokes.end(),
     [](const Stroke& a, const Stroke& b) { return a.role < b.role; });
   return strokes;

@@ -32,9 +32,9 @@ struct Stroke
   bool closed = false;
   bool filled = false; ///< where lines have a width
   Points2 points;
-  std::vector<FairSpan> smooth; ///< the same line as Bezier curves, where it is smooth
-  std::string curve;            ///< name of its feature curve
-  double measure = 0.0;         ///< a wire's length on the surface, a notch's arc length
+  std::vector<FairSpan> smooth{}; ///< the same line as Bezier curves, where it is smooth
+  std::string curve{};            ///< name of its feature curve
+  double measure = 0.0;           ///< a wire's length on the surface, a notch's arc length
 };
 
 /// Everything of a piece but its texts, role by role.

@@ -3,7 +3,6 @@
 
 #include "Drawing/ClothOutline.h"
 #include "Drawing/CurveNames.h"
-#include "Drawing/HalfPiece.h"
 #include "Fairing/FairBorders.h"
 #include "Outlines/Grainlines.h"
 #include "Outlines/PatternText.h"
@@ -16,34 +15,14 @@ namespace flattening::pattern
 {
 namespace
 {
-/// Moves all of a piece so that the least coordinates of its lines are 0, and sets its extent.
-void moveToOrigin(PatternPiece& piece)
-{
-  const Box box = boxOf(piece);
-  forEachPoint(piece, [&box](Point2& p) { p -= box.min(); });
-  piece.extent = box.sizes();
-}
-
-/// Legs of a dart that miss each other by more are told of; millimetres.
-constexpr double worthSaying = 0.1;
+// Millimetres.
+constexpr double worthSaying = 0.1; ///< legs of a dart that miss each other by more are told of
+constexpr double leastRoom = 0.2;   ///< of a sew line from the cut line, for a notch between them
 
 /// One piece while it is drawn.
-class PieceDrawer
+struct PieceDrawer
 {
-public:
-  PieceDrawer(const DrawingSource& all, std::size_t piece, std::optional<std::size_t> image,
-    PatternPiece& drawing)
-    : All(all)
-    , Piece(piece)
-    , Image(image)
-    , Loops(all.loops[piece])
-    , Cloth(all, piece)
-    , Drawing(drawing)
-    , Marks(all, this->CutLine, drawing)
-  {
-  }
-
-  Status draw(const std::vector<BorderMark>& marks, const std::optional<NamedFold>& fold)
+  Status draw(const std::vector<BorderMark>& marks, const std::optional<PieceFold>& fold)
   {
     Status status = this->drawCutLine();
     if (!status.ok())
@@ -56,7 +35,11 @@ public:
       status = this->Cloth.placement(d).check(this->Cloth.darts()[d].name, this->Drawing.name);
       this->drawDart(d);
     }
-    this->noteMisses();
+    if (!this->Misses.empty()) // of all darts in one sentence
+    {
+      this->Drawing.addNote(
+        "folded, " + this->Misses + "; legs that are straight or mirrored do not");
+    }
     if (!status.ok())
     {
       return status;
@@ -67,7 +50,7 @@ public:
     {
       if (mark.piece == this->Piece)
       {
-        this->Marks.add(mark);
+        this->addBorderNotch(mark);
       }
     }
     const bool half = fold && !fold->isBorder;
@@ -96,18 +79,16 @@ public:
     drawGrainline(this->Boundary, this->All.source.onCloth, stands, this->Drawing);
     placeTexts(this->Boundary, joins, this->Drawing);
     // A cutter would cut twice.
-    std::vector<PatternLine>& lines = this->Drawing.lines;
-    lines.erase(std::remove_if(
-                  lines.begin(), lines.end(), [](const PatternLine& line) { return line.isCut; }),
-      lines.end());
-    moveToOrigin(this->Drawing);
+    eraseIf(this->Drawing.lines, [](const PatternLine& line) { return line.isCut; });
+    const Box box = boxOf(this->Drawing);
+    forEachPoint(this->Drawing, [&box](Point2& p) { p -= box.min(); });
+    this->Drawing.extent = box.sizes();
     return {};
   }
 
-private:
   /// Turns a piece that has no grain of its own so that the up of its surface is upright.
   /// \return whether there is one
-  bool standUp(const std::optional<NamedFold>& fold, std::vector<JoinSide>& joins)
+  bool standUp(const std::optional<PieceFold>& fold, std::vector<JoinSide>& joins)
   {
     const PatternSource& source = this->All.source;
     // Rules of grading go along the axes of the flat pieces.
@@ -158,9 +139,8 @@ private:
     Status status = addAllowance(polygons, this->All.options.mitreLimit, borders);
     if (status.ok() && this->allowancesMeet(polygons))
     {
-      this->Drawing.notes.push_back({ "piece " + this->Drawing.name +
-        ": its allowances meet across a gap or a hole, which the cut line closes; give a smaller "
-        "allowance to keep it open" });
+      this->Drawing.addNote("its allowances meet across a gap or a hole, which the cut line "
+                            "closes; give a smaller allowance to keep it open");
     }
     // Then the cut line is the sew line, and keeps its curves.
     const bool bare = !hasAllowance(polygons) && this->Cloth.darts().empty();
@@ -228,8 +208,8 @@ private:
     switch (wire.type)
     {
       case WireType::Dart:
-        return this->Cloth.isFolded(wire.points[0], wire.points[1]) ? LineKind::DartLeg
-                                                                    : LineKind::SewLine;
+        return this->Cloth.placementAlong(wire.points[0], wire.points[1]) ? LineKind::DartLeg
+                                                                          : LineKind::SewLine;
       case WireType::Key:
         return LineKind::KeyCurve;
       case WireType::Accessory:
@@ -318,9 +298,9 @@ private:
       {
         length += (at(k + 1) - at(k)).norm();
       }
-      this->Marks.add(at(dart.firstEdge),
-        (at(dart.firstEdge) - at(dart.firstEdge + 1)).normalized(), length, dart.name);
-      this->Marks.add(at(end), (at(end) - at(end - 1)).normalized(), length, dart.name);
+      this->addNotch(at(dart.firstEdge), (at(dart.firstEdge) - at(dart.firstEdge + 1)).normalized(),
+        length, dart.name);
+      this->addNotch(at(end), (at(end) - at(end - 1)).normalized(), length, dart.name);
     }
     this->Drawing.lines.push_back(std::move(fold));
   }
@@ -338,9 +318,9 @@ private:
     }
     if (placement.back() > 0.0)
     {
-      this->Drawing.notes.push_back({ "piece " + this->Drawing.name + ": the tip of " + dart.name +
-        " is drawn back by " + formatNumber(placement.back(), 1) + " mm, of a depth of " +
-        formatNumber(placement.depth(), 1) + " mm" });
+      this->Drawing.addNote("the tip of " + dart.name + " is drawn back by " +
+        formatNumber(placement.back(), 1) + " mm, of a depth of " +
+        formatNumber(placement.depth(), 1) + " mm");
     }
     const double miss = foldMiss(legs);
     if (miss > worthSaying)
@@ -348,15 +328,6 @@ private:
       this->Misses += (this->Misses.empty() ? "the legs of " : ", of ") + dart.name +
         (this->Misses.empty() ? " miss each other by up to " : " by ") + formatNumber(miss, 1) +
         " mm";
-    }
-  }
-  /// Of all darts in one sentence, which would be read as often as there are darts.
-  void noteMisses()
-  {
-    if (!this->Misses.empty())
-    {
-      this->Drawing.notes.push_back({ "piece " + this->Drawing.name + ": folded, " + this->Misses +
-        "; legs that are straight or mirrored do not" });
     }
   }
 
@@ -385,15 +356,68 @@ private:
       const Point2 foot = pointOnDrawnEdge(this->All, from, to, place.fraction, outward);
       const std::string& name = source.wires[place.wire].name;
       const double arcLength = this->All.scale() * place.arcLength;
-      if (!this->Cloth.isFolded(from, to))
+      const DartPlacement* const dart = this->Cloth.placementAlong(from, to);
+      if (!dart)
       {
-        this->Marks.add(foot, outward, arcLength, name);
+        this->addNotch(foot, outward, arcLength, name);
         continue;
       }
-      const DartPlacement& dart = *this->Cloth.placementAlong(from, to);
-      const Point2 placed = dart.at(foot);
-      this->Marks.addAcross(
-        placed, (dart.at(foot + outward) - placed).normalized(), arcLength, name);
+      // Across the leg, within the cloth.
+      const Point2 placed = dart->at(foot);
+      const Point2 half = std::min(this->All.options.notchLength, 5.0) / 2.0 *
+        (dart->at(foot + outward) - placed).normalized();
+      this->Drawing.notches.push_back(
+        { placed, placed + half, placed - half, false, arcLength, name });
+    }
+  }
+
+  /// Where a ray first meets the cut line; `from` where it does not.
+  Point2 onCutLine(const Point2& from, const Point2& direction) const
+  {
+    for (const double at : crossings(from, direction, this->CutLine))
+    {
+      if (at > -1e-6)
+      {
+        return from + std::max(at, 0.0) * direction;
+      }
+    }
+    return from;
+  }
+
+  /// A notch where a way from the sew line meets the cut line.
+  void addNotch(
+    const Point2& foot, const Point2& outward, double arcLength, const std::string& name)
+  {
+    const Point2 from = this->onCutLine(foot, outward);
+    const double room = (from - foot).norm();
+    // A cut into the allowance stays clear of the seam; without allowance it is a short mark.
+    const double length =
+      std::min(this->All.options.notchLength, room > leastRoom ? 0.6 * room : 3.0);
+    this->Drawing.notches.push_back({ foot, from, from - length * outward, true, arcLength, name });
+  }
+
+  /// Where sew lines meet at a corner, both go on to the cut line; into a corner of the cloth and
+  /// where a curve ends goes one notch.
+  void addBorderNotch(const BorderMark& mark)
+  {
+    Point2 outOfFirst;
+    Point2 outOfSecond;
+    const Point2 foot = pointOnDrawnEdge(this->All, mark.before, mark.point, 1.0, outOfFirst);
+    pointOnDrawnEdge(this->All, mark.point, mark.after, 0.0, outOfSecond);
+    const double arcLength = this->All.scale() * mark.arcLength;
+    if (!mark.corner || cross(outOfFirst, outOfSecond) <= 0.0)
+    {
+      this->addNotch(foot, (outOfFirst + outOfSecond).normalized(), arcLength, mark.name);
+      return;
+    }
+    for (const Point2& onwards :
+      { Point2(-outOfFirst.y(), outOfFirst.x()), Point2(outOfSecond.y(), -outOfSecond.x()) })
+    {
+      // Without an allowance the corner is mark enough.
+      if ((this->onCutLine(foot, onwards) - foot).norm() > leastRoom)
+      {
+        this->addNotch(foot, onwards, arcLength, mark.name);
+      }
     }
   }
 
@@ -404,11 +428,10 @@ private:
     {
       for (std::size_t s = 0; s < 2; ++s)
       {
-        if (!this->All.options.joinMarks || join.mark.empty() || join.piece[s] != piece)
+        if (this->All.options.joinMarks && !join.mark.empty() && join.piece[s] == piece)
         {
-          continue;
+          sides.push_back({ join.mark, drawnLine(this->All, join.points[s]) });
         }
-        sides.push_back({ join.mark, drawnLine(this->All, join.points[s]) });
       }
     }
     return sides;
@@ -480,22 +503,21 @@ private:
 
   const DrawingSource& All;
   std::size_t Piece;
-  std::optional<std::size_t>
-    Image; ///< a piece that is not drawn since it is this one's mirror image
-  const std::vector<Indices>& Loops;
-  ClothOutline Cloth;
+  /// A piece that is not drawn since it is this one's mirror image.
+  std::optional<std::size_t> Image;
   PatternPiece& Drawing;
-  std::vector<Points2> Outlines; ///< along the sew lines
-  Segments Boundary;             ///< of what is drawn
-  Segments CutLine;
-  NotchMarks Marks;
-  std::string Misses; ///< how far legs miss each other
+  const std::vector<Indices>& Loops = All.loops[Piece];
+  ClothOutline Cloth{ All, Piece };
+  std::vector<Points2> Outlines{}; ///< along the sew lines
+  Segments Boundary{};             ///< of what is drawn
+  Segments CutLine{};
+  std::string Misses{}; ///< how far legs miss each other
 };
 }
 
 Status drawPiece(const DrawingSource& all, std::size_t piece, std::optional<std::size_t> image,
-  const std::vector<BorderMark>& marks, const std::optional<NamedFold>& fold, PatternPiece& drawing)
+  const std::vector<BorderMark>& marks, const std::optional<PieceFold>& fold, PatternPiece& drawing)
 {
-  return PieceDrawer(all, piece, image, drawing).draw(marks, fold);
+  return PieceDrawer{ all, piece, image, drawing }.draw(marks, fold);
 }
 }

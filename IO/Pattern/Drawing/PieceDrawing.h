@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Drawing/BorderMarks.h"
-#include "Drawing/NamedFolds.h"
+#include "Drawing/PieceFold.h"
 
 #include <optional>
 
@@ -13,6 +13,6 @@ namespace flattening::pattern
 /// \param marks of all pieces
 /// \param fold where there is one: half of the piece alone, or the piece with an edge on it
 Status drawPiece(const DrawingSource& all, std::size_t piece, std::optional<std::size_t> image,
-  const std::vector<BorderMark>& marks, const std::optional<NamedFold>& fold,
+  const std::vector<BorderMark>& marks, const std::optional<PieceFold>& fold,
   PatternPiece& drawing);
 }

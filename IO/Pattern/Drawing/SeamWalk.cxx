@@ -52,11 +52,11 @@ public:
     return length;
   }
 
-  /// By how much the cloth's angle at each point of the borders is larger than that of the flat
-  /// triangles there, radians.
-  std::vector<double> widening() const
+  /// The angle of the cloth around each point of the drawing, radians.
+  std::vector<double> angles() const
   {
-    std::vector<double> wider(this->All.source.positions.size(), 0.0);
+    const PatternSource& source = this->All.source;
+    std::vector<double> angles(source.positions.size(), 0.0);
     for (std::size_t p = 0; p < this->Cloths.size(); ++p)
     {
       for (const Indices& loop : this->All.loops[p])
@@ -65,12 +65,22 @@ public:
         {
           // The cloth lies on the left, between the way on and the way back.
           const Side edge{ loop[k], loop[(k + 1) % loop.size()] };
-          wider[edge[0]] -= this->turn(p, edge);
-          wider[edge[1]] += this->turn(p, { edge[1], edge[0] });
+          angles[edge[0]] -= this->turn(p, edge);
+          angles[edge[1]] += this->turn(p, { edge[1], edge[0] });
         }
       }
     }
-    return wider;
+    for (const Triangle& corners : source.triangles)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        const Index v = corners[k];
+        const Point2 a = source.positions[corners[(k + 1) % 3]] - source.positions[v];
+        const Point2 b = source.positions[corners[(k + 2) % 3]] - source.positions[v];
+        angles[v] += std::abs(std::atan2(cross(a, b), a.dot(b)));
+      }
+    }
+    return angles;
   }
 
 private:
@@ -102,30 +112,24 @@ private:
   std::vector<ClothOutline> Cloths; ///< by piece
 };
 
-/// The angle of the cloth around each point of a drawing, radians.
-std::vector<double> drawnAngles(const PatternSource& source, const DrawnBorders& drawn)
+/// A part of a bend; empty where the surface is not known.
+std::string bendInDegrees(const WalkInterval& row, double part, int digits)
 {
-  std::vector<double> angles = drawn.widening();
-  for (const Triangle& corners : source.triangles)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const Index v = corners[k];
-      const Point2 a = source.positions[corners[(k + 1) % 3]] - source.positions[v];
-      const Point2 b = source.positions[corners[(k + 2) % 3]] - source.positions[v];
-      angles[v] += std::abs(std::atan2(cross(a, b), a.dot(b)));
-    }
-  }
-  return angles;
+  return std::isnan(row.bend) ? "" : formatNumber(degreesPerRadian * row.bend * part, digits);
+}
+
+bool hasThickness(const std::vector<WalkInterval>& walk)
+{
+  return !walk.empty() && walk.front().thickness > 0.0;
 }
 }
 
-Status walkSeams(const DrawingSource& all, std::vector<WalkInterval>& walk)
+std::vector<WalkInterval> walkSeams(const DrawingSource& all)
 {
-  walk.clear();
+  std::vector<WalkInterval> walk;
   const PatternSource& source = all.source;
   const DrawnBorders drawn(all);
-  const std::vector<double> angles = drawnAngles(source, drawn);
+  const std::vector<double> angles = drawn.angles();
   const auto angleAt = [&angles](const std::array<Side, 2>& sides, std::size_t end) {
     const Index a = sides[0][end];
     const Index b = sides[1][end];
@@ -158,13 +162,7 @@ Status walkSeams(const DrawingSource& all, std::vector<WalkInterval>& walk)
   for (const Join& join : all.joins)
   {
     const std::vector<double> arc = arcsOnSurface(source, source.wires[join.wire].points);
-    std::vector<double> stops;
-    Status status =
-      stationsOf(source, join.wire, arc.back(), all.joins, all.options, all.scale(), stops);
-    if (!status.ok())
-    {
-      return status;
-    }
+    std::vector<double> stops = all.stations[join.wire];
     stops.push_back(arc.back());
     auto stop = std::upper_bound(stops.begin(), std::prev(stops.end()), join.from);
     int number = !walk.empty() && wireOfLast == join.wire ? walk.back().number + 1 : 1;
@@ -191,21 +189,7 @@ Status walkSeams(const DrawingSource& all, std::vector<WalkInterval>& walk)
       finish(end, angleAt(sides, 1));
     }
   }
-  return {};
-}
-
-namespace
-{
-/// A part of a bend; empty where the surface is not known.
-std::string bendInDegrees(const WalkInterval& row, double part, int digits)
-{
-  return std::isnan(row.bend) ? "" : formatNumber(degreesPerRadian * row.bend * part, digits);
-}
-
-bool hasThickness(const std::vector<WalkInterval>& walk)
-{
-  return !walk.empty() && walk.front().thickness > 0.0;
-}
+  return walk;
 }
 
 std::string makeWalkTable(const std::vector<WalkInterval>& walk, const Pattern& pattern)

@@ -41,7 +41,7 @@ struct WalkInterval
 
 /// Walks all sides that are sewn to each other, in the order of the wires, along what is drawn.
 /// \param all as prepareDrawing() gives it
-Status walkSeams(const DrawingSource& all, std::vector<WalkInterval>& walk);
+std::vector<WalkInterval> walkSeams(const DrawingSource& all);
 
 /// The walk as a table of comma-separated values: a head, and one row for each interval.
 std::string makeWalkTable(const std::vector<WalkInterval>& walk, const Pattern& pattern);

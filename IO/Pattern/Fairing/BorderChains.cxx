@@ -137,6 +137,11 @@ void BorderChains::findCorners(const DrawingSource& all, BorderChain& chain)
 {
   const std::size_t count = chain.points.size();
   std::vector<double> turn(count, 0.0);
+  std::vector<double> tolerances; // from each point to the next
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    tolerances.push_back(all.fairToleranceAlong(chain.points[k], chain.points[(k + 1) % count]));
+  }
   const std::size_t ends = chain.closed ? 0 : 1;
   for (std::size_t k = ends; k + ends < count; ++k)
   {
@@ -159,13 +164,11 @@ void BorderChains::findCorners(const DrawingSource& all, BorderChain& chain)
       beside = same > sharpTurn ? beside : std::max(beside, same);
     }
     const double own = std::abs(turn[k]);
-    const Index at = chain.points[k];
-    const Index before = chain.points[(k + count - 1) % count];
-    const Index after = chain.points[(k + 1) % count];
-    const double tolerance =
-      std::min(all.fairToleranceAlong(before, at), all.fairToleranceAlong(at, after));
-    const double edge =
-      ((all.at(at) - all.at(before)).norm() + (all.at(after) - all.at(at)).norm()) / 2.0;
+    const double tolerance = std::min(tolerances[(k + count - 1) % count], tolerances[k]);
+    const Point2 at = all.at(chain.points[k]);
+    const double edge = ((at - all.at(chain.points[(k + count - 1) % count])).norm() +
+                          (all.at(chain.points[(k + 1) % count]) - at).norm()) /
+      2.0;
     const bool alone = own > timesNeighbour * beside;
     const double bend = own * edge / (alone ? depthOfBend : depthOfRound);
     chain.turns[k] =
@@ -176,10 +179,8 @@ void BorderChains::findCorners(const DrawingSource& all, BorderChain& chain)
   // Where what is smooth meets what stays as it is.
   for (std::size_t k = ends; k + ends < count; ++k)
   {
-    const Index at = chain.points[k];
-    const bool before = all.fairToleranceAlong(chain.points[(k + count - 1) % count], at) > 0.0;
-    const bool after = all.fairToleranceAlong(at, chain.points[(k + 1) % count]) > 0.0;
-    chain.corner[k] = chain.corner[k] || before != after;
+    const double before = tolerances[(k + count - 1) % count];
+    chain.corner[k] = chain.corner[k] || (before > 0.0) != (tolerances[k] > 0.0);
   }
   if (!chain.closed)
   {

@@ -39,29 +39,7 @@ bool haveSameBorders(const DrawingSource& one, const DrawingSource& other)
     sameLists(one.notches, other.notches,
       [](const NotchPlace& notch) { return std::tie(notch.edge, notch.fraction, notch.isStop); });
 }
-}
 
-std::shared_ptr<const FairBorders> FairCache::of(const DrawingSource& all)
-{
-  if (!this->Borders || !haveSameBorders(*this->Last, all))
-  {
-    this->Borders = std::make_shared<const FairBorders>(all, this->Run);
-    this->Last.emplace(all);
-  }
-  return this->Borders;
-}
-
-void drawFair(DrawingSource& all, FairCache* cache)
-{
-  if (all.options.isFair(all.source))
-  {
-    all.fair = cache ? cache->of(all) : std::make_shared<const FairBorders>(all);
-    all.moved = &all.fair->positions();
-  }
-}
-
-namespace
-{
 /// What 95 % of the area of a piece is strained by at most: the largest |ln s| of the singular
 /// values s of the maps from the surface's triangles to the plane. 0 where the points in space are
 /// not known.
@@ -70,13 +48,9 @@ double strainQuantile(const DrawingSource& all, std::size_t piece, const Points2
 {
   const PatternSource& source = all.source;
   std::vector<AreaValue> strains;
-  for (std::size_t t = 0; t < source.triangles.size() && !source.inSpace.empty(); ++t)
+  const Triangles known = source.inSpace.empty() ? Triangles() : trianglesOf(source, piece);
+  for (const Triangle& corners : known)
   {
-    if (source.pieceOfTriangle[t] != static_cast<Index>(piece))
-    {
-      continue;
-    }
-    const Triangle& corners = source.triangles[t];
     const auto onSurface = [&](std::size_t k) {
       return Point3(all.scale() * source.inSpace[corners[k]]);
     };
@@ -116,12 +90,12 @@ Points2 followBorders(const DrawingSource& all, std::size_t piece, const Points2
   }
   std::unordered_map<Index, Eigen::Index> unknown;
   Indices free;
-  for (std::size_t t = 0; t < source.triangles.size(); ++t)
+  const Triangles triangles = trianglesOf(source, piece);
+  for (const Triangle& corners : triangles)
   {
-    for (const Index v : source.triangles[t])
+    for (const Index v : corners)
     {
-      if (source.pieceOfTriangle[t] == static_cast<Index>(piece) && held.count(v) == 0 &&
-        unknown.emplace(v, static_cast<Eigen::Index>(free.size())).second)
+      if (held.count(v) == 0 && unknown.emplace(v, static_cast<Eigen::Index>(free.size())).second)
       {
         free.push_back(v);
       }
@@ -135,13 +109,12 @@ Points2 followBorders(const DrawingSource& all, std::size_t piece, const Points2
   const auto count = static_cast<Eigen::Index>(free.size());
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(count, 2);
-  for (std::size_t t = 0; t < source.triangles.size(); ++t)
+  for (const Triangle& corners : triangles)
   {
-    for (std::size_t k = 0; source.pieceOfTriangle[t] == static_cast<Index>(piece) && k < 6; ++k)
+    for (std::size_t k = 0; k < 6; ++k)
     {
-      const Index v = source.triangles[t][k % 3];
-      const Index neighbour = source.triangles[t][(k + (k < 3 ? 1 : 2)) % 3];
-      const auto own = unknown.find(v);
+      const Index neighbour = corners[(k + (k < 3 ? 1 : 2)) % 3];
+      const auto own = unknown.find(corners[k % 3]);
       if (own == unknown.end())
       {
         continue;
@@ -210,6 +183,46 @@ double lengthChange(const PlannedChain& chain, const PlannedStretch& stretch)
   }
   return std::abs(change);
 }
+
+void addMirrorNotes(const FairPieceReport& report, PatternPiece& piece)
+{
+  if (!report.whyNotMirrored.empty())
+  {
+    piece.addNote("its outline is not drawn as its own mirror image: " + report.whyNotMirrored,
+      NoteKind::NotMirrored);
+  }
+  if (report.mirror)
+  {
+    const double below = std::max(report.mirrorMiss, 1e-6);
+    std::string note = "its outline is drawn as its own mirror image, to " +
+      formatNumber(below, 6) + " mm; its flat points miss that by " +
+      formatNumber(report.mirror->miss, 3) + " mm";
+    if (report.lengthDifference > noticedLength)
+    {
+      note +=
+        ", and its sides differ by " + formatNumber(report.lengthDifference, 4) + " mm in length";
+    }
+    piece.addNote(note, NoteKind::Mirrored);
+  }
+  if (report.lengthChange > noticedLength)
+  {
+    piece.addNote("stretches of its borders and curves are up to " +
+        formatNumber(report.lengthChange, 4) +
+        " mm longer or shorter than on the surface, so that those that are mirror images, and what "
+        "is sewn to them, are equally long",
+      NoteKind::Mirrored);
+  }
+}
+}
+
+std::shared_ptr<const FairBorders> FairCache::of(const DrawingSource& all)
+{
+  if (!this->Borders || !haveSameBorders(*this->Last, all))
+  {
+    this->Borders = std::make_shared<const FairBorders>(all, this->Run);
+    this->Last.emplace(all);
+  }
+  return this->Borders;
 }
 
 FairBorders::FairBorders(const DrawingSource& all, const Execution& execution)
@@ -397,8 +410,7 @@ void FairBorders::report(const DrawingSource& all, const FairFit& fit)
     report.deviation = fit.deviation[p];
     report.strainBefore = strainQuantile(all, p, before);
     report.strain = strainQuantile(all, p, followBorders(all, p, this->Positions));
-    std::sort(report.left.begin(), report.left.end());
-    report.left.erase(std::unique(report.left.begin(), report.left.end()), report.left.end());
+    sortUnique(report.left);
   }
 }
 
@@ -517,53 +529,17 @@ Point2 pointOnDrawnEdge(
   return place;
 }
 
-namespace
-{
-void addMirrorNotes(const FairPieceReport& report, PatternPiece& piece)
-{
-  const std::string of = "piece " + piece.name + ": ";
-  if (!report.whyNotMirrored.empty())
-  {
-    piece.notes.push_back(
-      { of + "its outline is not drawn as its own mirror image: " + report.whyNotMirrored,
-        NoteKind::NotMirrored });
-  }
-  if (report.mirror)
-  {
-    const double below = std::max(report.mirrorMiss, 1e-6);
-    std::string note = of + "its outline is drawn as its own mirror image, to " +
-      formatNumber(below, 6) + " mm; its flat points miss that by " +
-      formatNumber(report.mirror->miss, 3) + " mm";
-    if (report.lengthDifference > noticedLength)
-    {
-      note +=
-        ", and its sides differ by " + formatNumber(report.lengthDifference, 4) + " mm in length";
-    }
-    piece.notes.push_back({ note, NoteKind::Mirrored });
-  }
-  if (report.lengthChange > noticedLength)
-  {
-    piece.notes.push_back({ of + "stretches of its borders and curves are up to " +
-        formatNumber(report.lengthChange, 4) +
-        " mm longer or shorter than on the surface, so that those that are mirror images, and what "
-        "is sewn to them, are equally long",
-      NoteKind::Mirrored });
-  }
-}
-}
-
 void addFairNotes(const FairPieceReport& report, PatternPiece& piece)
 {
-  const std::string of = "piece " + piece.name + ": ";
   addMirrorNotes(report, piece);
   if (!report.solved)
   {
-    piece.notes.push_back(
-      { of + "no smooth borders of these lengths were found; they are drawn as the mesh has them",
-        NoteKind::NotSmoothed });
+    piece.addNote(
+      "no smooth borders of these lengths were found; they are drawn as the mesh has them",
+      NoteKind::NotSmoothed);
     return;
   }
-  std::string note = of + std::to_string(report.splines) + " curves and " +
+  std::string note = std::to_string(report.splines) + " curves and " +
     std::to_string(report.segments) + " straight lines instead of " + std::to_string(report.edges) +
     " edges, at most " + formatNumber(report.deviation, 3) + " mm from their points";
   if (report.strainBefore > 0.0)
@@ -585,18 +561,14 @@ void addFairNotes(const FairPieceReport& report, PatternPiece& piece)
   {
     note += "; " + std::to_string(report.straightened) + " nearly straight stretches made straight";
   }
-  piece.notes.push_back({ note, report.share == 0.0 ? NoteKind::NotSmoothed : NoteKind::Smoothed });
+  piece.addNote(note, report.share == 0.0 ? NoteKind::NotSmoothed : NoteKind::Smoothed);
   if (!report.left.empty())
   {
-    std::string names;
-    for (const std::string& name : report.left)
-    {
-      names += (names.empty() ? "" : ", ") + name;
-    }
-    piece.notes.push_back({ of + "not smooth within " + formatNumber(report.wantedOfWorst, 3) +
-        " mm, but " + formatNumber(report.worstLeft, 2) +
-        " mm off, and so left as the mesh has them, are corners or stretches of " + names,
-      NoteKind::LeftRough });
+    piece.addNote("not smooth within " + formatNumber(report.wantedOfWorst, 3) + " mm, but " +
+        formatNumber(report.worstLeft, 2) +
+        " mm off, and so left as the mesh has them, are corners or stretches of " +
+        listed(report.left),
+      NoteKind::LeftRough);
   }
 }
 }

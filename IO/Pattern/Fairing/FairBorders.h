@@ -31,10 +31,6 @@ private:
   std::shared_ptr<const FairBorders> Borders;
 };
 
-/// Draws a source by smooth borders, where its options have any.
-/// \param cache where they may be already, or null
-void drawFair(DrawingSource& all, FairCache* cache);
-
 /// What became of the borders and curves of one piece.
 struct FairPieceReport
 {

@@ -479,13 +479,11 @@ private:
       {
         continue;
       }
-      std::vector<double> breaks{ stretch.breaks.front() };
-      for (std::size_t k = 1; k < stretch.breaks.size(); ++k)
+      for (std::size_t k = stretch.spans(); k > 0; --k)
       {
-        breaks.push_back((stretch.breaks[k - 1] + stretch.breaks[k]) / 2.0);
-        breaks.push_back(stretch.breaks[k]);
+        stretch.breaks.insert(stretch.breaks.begin() + static_cast<std::ptrdiff_t>(k),
+          (stretch.breaks[k - 1] + stretch.breaks[k]) / 2.0);
       }
-      stretch.breaks = std::move(breaks);
       halved = true;
     }
     return halved;
@@ -550,9 +548,7 @@ private:
   std::vector<StretchPlace> badPlaces(std::size_t piece) const
   {
     std::vector<StretchPlace> places = this->smoothPlaces(piece);
-    places.erase(std::remove_if(places.begin(), places.end(),
-                   [this](const StretchPlace& place) { return this->excess(place) <= 1.0; }),
-      places.end());
+    eraseIf(places, [this](const StretchPlace& place) { return this->excess(place) <= 1.0; });
     return places;
   }
 

@@ -137,16 +137,15 @@ public:
     std::vector<FairSpan> spans;
     for (std::size_t k = 0; k < this->spanCount(); ++k)
     {
-      FairSpan span;
-      span.from = this->Stretch.breaks[k];
-      span.to = this->Stretch.breaks[k + 1];
-      const double third = (span.to - span.from) / 3.0;
+      const double from = this->Stretch.breaks[k];
+      const double to = this->Stretch.breaks[k + 1];
+      const double third = (to - from) / 3.0;
       // The curve is differentiable, so that the side of a break does not matter.
-      span.control[0] = this->at(span.from, Derivative::Place).sum(x);
-      span.control[3] = this->at(span.to, Derivative::Place).sum(x);
-      span.control[1] = span.control[0] + third * this->at(span.from, Derivative::Slope).sum(x);
-      span.control[2] = span.control[3] - third * this->at(span.to, Derivative::Slope).sum(x);
-      spans.push_back(span);
+      const Point2 start = this->at(from, Derivative::Place).sum(x);
+      const Point2 end = this->at(to, Derivative::Place).sum(x);
+      spans.push_back({ from, to,
+        { start, start + third * this->at(from, Derivative::Slope).sum(x),
+          end - third * this->at(to, Derivative::Slope).sum(x), end } });
     }
     return spans;
   }

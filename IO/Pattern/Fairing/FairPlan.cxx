@@ -14,17 +14,8 @@ namespace
 constexpr double closestStop = 1.0; ///< of a notch beside a corner, millimetres
 constexpr double sameNotch = 1e-6;  ///< of a chain
 
-class FairPlanner
+struct FairPlanner
 {
-public:
-  FairPlanner(
-    const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares)
-    : All(all)
-    , Chains(chains)
-    , Shares(shares)
-  {
-  }
-
   std::vector<PlannedChain> plan()
   {
     this->findFirmPoints();
@@ -47,7 +38,6 @@ public:
     return std::move(this->Plan);
   }
 
-private:
   double arcAt(const ChainEdge& place, double fraction) const
   {
     return this->Chains.chains()[place.chain].arcWithin(
@@ -130,15 +120,12 @@ private:
     const std::vector<double> stops(all.begin(), all.end());
     for (std::size_t k = 0; k + 1 < stops.size(); ++k)
     {
-      PlannedInterval interval;
-      interval.start = stops[k];
-      interval.end = stops[k + 1];
-      interval.places = { interval.start, interval.end };
-      interval.length = interval.end - interval.start;
-      const std::size_t edge = chain.edgeAt((interval.start + interval.end) / 2.0);
-      interval.tolerance = this->Shares[chain.piece] *
+      const double start = stops[k];
+      const double end = stops[k + 1];
+      const std::size_t edge = chain.edgeAt((start + end) / 2.0);
+      const double tolerance = this->Shares[chain.piece] *
         this->All.fairToleranceAlong(chain.point(edge), chain.point(edge + 1));
-      this->Plan[c].intervals.push_back(interval);
+      this->Plan[c].intervals.push_back({ start, end, { start, end }, end - start, tolerance });
     }
   }
 
@@ -285,15 +272,15 @@ private:
   const DrawingSource& All;
   const BorderChains& Chains;
   const std::vector<double>& Shares;
-  std::vector<std::vector<bool>> Firm; ///< points of the chains
-  std::vector<PlannedChain> Plan;
+  std::vector<std::vector<bool>> Firm{}; ///< points of the chains
+  std::vector<PlannedChain> Plan{};
 };
 }
 
 std::vector<PlannedChain> planFairBorders(
   const DrawingSource& all, const BorderChains& chains, const std::vector<double>& shares)
 {
-  return FairPlanner(all, chains, shares).plan();
+  return FairPlanner{ all, chains, shares }.plan();
 }
 
 const PlannedStretch& stretchOf(const PlannedChain& chain, std::size_t interval)

@@ -36,25 +36,7 @@ double rounded(double share)
 {
   return std::round(share * grid) / grid;
 }
-}
 
-void emphasize(const std::vector<double>& shares, std::vector<double>& weights)
-{
-  const double most = *std::max_element(shares.begin(), shares.end());
-  for (std::size_t k = 0; k < weights.size(); ++k)
-  {
-    weights[k] *= leastFactor + shares[k] / most;
-  }
-  const double mean =
-    std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(weights.size());
-  for (double& weight : weights)
-  {
-    weight = std::max(rounded(weight / mean), leastWeight);
-  }
-}
-
-namespace
-{
 /// Splines for a stretch, with that of its mirror image if it is to have one.
 class FairTrial
 {
@@ -353,6 +335,21 @@ private:
   FairCurves Found; ///< the last that keeps the tolerances
   int Left = 1000;  ///< trials that are left, of spansOfTrial curves each
 };
+}
+
+void emphasize(const std::vector<double>& shares, std::vector<double>& weights)
+{
+  const double most = *std::max_element(shares.begin(), shares.end());
+  for (std::size_t k = 0; k < weights.size(); ++k)
+  {
+    weights[k] *= leastFactor + shares[k] / most;
+  }
+  const double mean =
+    std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(weights.size());
+  for (double& weight : weights)
+  {
+    weight = std::max(rounded(weight / mean), leastWeight);
+  }
 }
 
 std::optional<SimplerStretches> simplerStretches(const FairNetwork& network,

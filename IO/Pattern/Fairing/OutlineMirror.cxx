@@ -136,6 +136,63 @@ std::vector<FairSpan> spansOf(const std::vector<FairSpan>& spans, const PlannedS
   }
   return own;
 }
+
+constexpr double enough = 4.0 * std::numeric_limits<double>::epsilon();
+constexpr int projections = 1000;
+
+/// Two intervals that are sewn to each other.
+struct Sewn
+{
+  PlannedInterval* one = nullptr;
+  PlannedInterval* other = nullptr;
+  double ratio = 1.0; ///< of their lengths, which differ where one is eased
+  bool holds = false; ///< the first keeps its length
+};
+
+std::vector<Sewn> sewnIntervals(std::vector<PlannedChain>& plan)
+{
+  std::vector<Sewn> sewn;
+  for (std::size_t c = 0; c < plan.size(); ++c)
+  {
+    for (std::size_t k = 0; k < plan[c].intervals.size(); ++k)
+    {
+      const std::array<std::size_t, 2> own{ c, k };
+      const std::array<std::size_t, 2> partner = plan[c].intervals[k].partner;
+      if (partner[0] == PlannedInterval::none ||
+        plan[partner[0]].intervals[partner[1]].partner != own)
+      {
+        continue;
+      }
+      const bool holds = stretchOf(plan[c], k).form == StretchForm::Raw;
+      const bool otherHolds = stretchOf(plan[partner[0]], partner[1]).form == StretchForm::Raw;
+      if (holds ? !otherHolds : !otherHolds && own < partner)
+      {
+        PlannedInterval& one = plan[c].intervals[k];
+        PlannedInterval& other = plan[partner[0]].intervals[partner[1]];
+        sewn.push_back({ &one, &other, one.length / other.length, holds });
+      }
+    }
+  }
+  return sewn;
+}
+
+double lengthOf(const PlannedChain& chain, std::size_t s)
+{
+  double length = 0.0;
+  for (std::size_t k = chain.stretches[s].firstInterval; k < chain.stretches[s].endInterval; ++k)
+  {
+    length += chain.intervals[k].length;
+  }
+  return length;
+}
+
+void scale(PlannedChain& chain, std::size_t s, double factor)
+{
+  for (std::size_t k = chain.stretches[s].firstInterval; k < chain.stretches[s].endInterval; ++k)
+  {
+    chain.intervals[k].length *= factor;
+  }
+}
 }
 
 OutlineMirror findOutlineMirror(const DrawingSource& all, const BorderChains& chains,
@@ -223,66 +280,6 @@ double missOfCurves(
     }
   }
   return miss;
-}
-
-namespace
-{
-constexpr double enough = 4.0 * std::numeric_limits<double>::epsilon();
-constexpr int projections = 1000;
-
-/// Two intervals that are sewn to each other.
-struct Sewn
-{
-  PlannedInterval* one = nullptr;
-  PlannedInterval* other = nullptr;
-  double ratio = 1.0; ///< of their lengths, which differ where one is eased
-  bool holds = false; ///< the first keeps its length
-};
-
-std::vector<Sewn> sewnIntervals(std::vector<PlannedChain>& plan)
-{
-  std::vector<Sewn> sewn;
-  for (std::size_t c = 0; c < plan.size(); ++c)
-  {
-    for (std::size_t k = 0; k < plan[c].intervals.size(); ++k)
-    {
-      const std::array<std::size_t, 2> own{ c, k };
-      const std::array<std::size_t, 2> partner = plan[c].intervals[k].partner;
-      if (partner[0] == PlannedInterval::none ||
-        plan[partner[0]].intervals[partner[1]].partner != own)
-      {
-        continue;
-      }
-      const bool holds = stretchOf(plan[c], k).form == StretchForm::Raw;
-      const bool otherHolds = stretchOf(plan[partner[0]], partner[1]).form == StretchForm::Raw;
-      if (holds ? !otherHolds : !otherHolds && own < partner)
-      {
-        PlannedInterval& one = plan[c].intervals[k];
-        PlannedInterval& other = plan[partner[0]].intervals[partner[1]];
-        sewn.push_back({ &one, &other, one.length / other.length, holds });
-      }
-    }
-  }
-  return sewn;
-}
-
-double lengthOf(const PlannedChain& chain, std::size_t s)
-{
-  double length = 0.0;
-  for (std::size_t k = chain.stretches[s].firstInterval; k < chain.stretches[s].endInterval; ++k)
-  {
-    length += chain.intervals[k].length;
-  }
-  return length;
-}
-
-void scale(PlannedChain& chain, std::size_t s, double factor)
-{
-  for (std::size_t k = chain.stretches[s].firstInterval; k < chain.stretches[s].endInterval; ++k)
-  {
-    chain.intervals[k].length *= factor;
-  }
-}
 }
 
 void equalizeMirroredLengths(

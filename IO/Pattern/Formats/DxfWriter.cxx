@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace flattening::pattern
 {
@@ -79,6 +80,13 @@ public:
     this->Text += std::string(3 - digits.size(), ' ') + digits + "\r\n" + value + "\r\n";
   }
   void add(int code, int value) { this->add(code, std::to_string(value)); }
+  void add(const std::vector<std::pair<int, std::string>>& pairs)
+  {
+    for (const auto& [code, value] : pairs)
+    {
+      this->add(code, value);
+    }
+  }
   /// A number as it is.
   void addNumber(int code, double value)
   {
@@ -96,16 +104,10 @@ public:
     this->addLength(20 + which, p.y());
     this->addNumber(30 + which, 0.0);
   }
-  void beginSection(const char* name)
-  {
-    this->add(0, "SECTION");
-    this->add(2, name);
-  }
+  void beginSection(const char* name) { this->add({ { 0, "SECTION" }, { 2, name } }); }
   void beginTable(const char* name, int entries)
   {
-    this->add(0, "TABLE");
-    this->add(2, name);
-    this->add(70, entries);
+    this->add({ { 0, "TABLE" }, { 2, name }, { 70, std::to_string(entries) } });
   }
   /// An entry of a table, with its handle and its name.
   void beginEntry(const char* table, const std::string& name)
@@ -176,24 +178,16 @@ public:
   /// Header and tables of a drawing with these corners.
   void addHead(const Point2& low, const Point2& high, const std::vector<DxfLayer>& layers)
   {
-    this->beginSection("HEADER");
-    this->add(9, "$ACADVER");
-    this->add(1, "AC1009");
-    // R12 knows neither, and what reads it takes inches where both are missing.
-    this->add(9, "$INSUNITS");
-    this->add(70, this->Inches ? 1 : 4);
-    this->add(9, "$MEASUREMENT");
-    this->add(70, this->Inches ? 0 : 1);
-    this->add(9, "$EXTMIN");
+    // R12 knows no units, and what reads it takes inches where both of them are missing.
+    this->add({ { 0, "SECTION" }, { 2, "HEADER" }, { 9, "$ACADVER" }, { 1, "AC1009" },
+      { 9, "$INSUNITS" }, { 70, this->Inches ? "1" : "4" }, { 9, "$MEASUREMENT" },
+      { 70, this->Inches ? "0" : "1" }, { 9, "$EXTMIN" } });
     this->addPoint(low);
     this->add(9, "$EXTMAX");
     this->addPoint(high);
-    this->add(9, "$HANDLING");
-    this->add(70, 1);
-    this->add(9, "$HANDSEED");
+    this->add({ { 9, "$HANDLING" }, { 70, "1" }, { 9, "$HANDSEED" } });
     this->Seed = this->Text.size();
-    this->add(5, hexadecimal(0));
-    this->add(0, "ENDSEC");
+    this->add({ { 5, hexadecimal(0) }, { 0, "ENDSEC" } });
 
     this->beginSection("TABLES");
     this->beginTable("LTYPE", 2);
@@ -204,23 +198,14 @@ public:
     for (const DxfLayer& layer : layers)
     {
       this->beginEntry("LAYER", layer.name);
-      this->add(70, 0);
-      this->add(62, layer.color);
-      this->add(6, layer.dashed ? dashed : solid);
+      this->add(
+        { { 70, "0" }, { 62, std::to_string(layer.color) }, { 6, layer.dashed ? dashed : solid } });
     }
     this->add(0, "ENDTAB");
     this->beginTable("STYLE", 1);
     this->beginEntry("STYLE", "STANDARD");
-    this->add(70, 0);
-    this->addNumber(40, 0.0);
-    this->addNumber(41, 1.0);
-    this->addNumber(50, 0.0);
-    this->add(71, 0);
-    this->addNumber(42, 2.5);
-    this->add(3, "txt");
-    this->add(4, "");
-    this->add(0, "ENDTAB");
-    this->add(0, "ENDSEC");
+    this->add({ { 70, "0" }, { 40, "0.0" }, { 41, "1.0" }, { 50, "0.0" }, { 71, "0" },
+      { 42, "2.5" }, { 3, "txt" }, { 4, "" }, { 0, "ENDTAB" }, { 0, "ENDSEC" } });
   }
   /// The whole text.
   std::string finish()
@@ -232,20 +217,13 @@ public:
   }
 
 private:
-  void addHandle()
-  {
-    this->add(5, hexadecimal(this->NextHandle));
-    ++this->NextHandle;
-  }
+  void addHandle() { this->add(5, hexadecimal(this->NextHandle++)); }
   /// \param dashes lengths in millimetres, those of gaps less than 0; none: a solid line
   void addLineType(
     const std::string& name, const std::string& words, const std::vector<double>& dashes)
   {
     this->beginEntry("LTYPE", name);
-    this->add(70, 0);
-    this->add(3, words);
-    this->add(72, 65);
-    this->add(73, static_cast<int>(dashes.size()));
+    this->add({ { 70, "0" }, { 3, words }, { 72, "65" }, { 73, std::to_string(dashes.size()) } });
     double length = 0.0;
     for (const double dash : dashes)
     {
@@ -311,17 +289,8 @@ std::vector<std::string> blockNames(const Pattern& pattern)
   return names;
 }
 
-class DxfDrawing
+struct DxfDrawing
 {
-public:
-  explicit DxfDrawing(const Pattern& pattern)
-    : Drawn(pattern)
-    , Layout(layOut(pattern, squareWidth(pattern), 0.0))
-    , BlockNames(blockNames(pattern))
-    , Records(pattern.unit == Unit::Inch)
-  {
-  }
-
   std::string make()
   {
     this->Records.addHead({ 0.0, -this->Layout.extent.y() }, { this->Layout.extent.x(), 0.0 },
@@ -364,7 +333,6 @@ public:
     return this->Records.finish();
   }
 
-private:
   void addMark(const DxfLayer& layer, const Point2& at)
   {
     this->Records.begin("POINT", layer);
@@ -431,8 +399,7 @@ private:
   {
     const PatternPiece& piece = this->Drawn.pieces[p];
     this->Records.begin("BLOCK", dxf::boundary);
-    this->Records.add(2, this->BlockNames[p]);
-    this->Records.add(70, 0);
+    this->Records.add({ { 2, this->BlockNames[p] }, { 70, "0" } });
     this->Records.addPoint(Point2::Zero());
     this->Records.add(3, this->BlockNames[p]);
     for (const PatternLine& line : piece.lines)
@@ -615,20 +582,20 @@ private:
   Point2 at(const Point2& p) const { return this->Corner + p; }
 
   const Pattern& Drawn;
-  SheetLayout Layout;
-  std::vector<std::string> BlockNames;
-  DxfRecords Records;
+  SheetLayout Layout = layOut(Drawn, squareWidth(Drawn), 0.0);
+  std::vector<std::string> BlockNames = blockNames(Drawn);
+  DxfRecords Records = DxfRecords(Drawn.unit == Unit::Inch);
   Point2 Corner = Point2::Zero(); ///< of the piece, for cutters
 };
 }
 
 std::string makeDxf(const Pattern& pattern)
 {
-  return DxfDrawing(pattern).make();
+  return DxfDrawing{ pattern }.make();
 }
 
 std::string makeCutterDxf(const Pattern& pattern)
 {
-  return DxfDrawing(pattern).makeForCutter();
+  return DxfDrawing{ pattern }.makeForCutter();
 }
 }

@@ -184,8 +184,7 @@ Status checkPanel(const GarmentPanel& panel)
       return invalid(edgeName(panel, k) + " begins at the vertex " + std::to_string(edge.ends[0]) +
         ", through which the border has come before");
     }
-    Status status = checkShape(panel, k);
-    if (!status.ok())
+    if (Status status = checkShape(panel, k); !status.ok())
     {
       return status;
     }
@@ -207,8 +206,7 @@ Status checkGarment(const Garment& garment)
   }
   for (const GarmentPanel& panel : garment.panels)
   {
-    Status status = checkPanel(panel);
-    if (!status.ok())
+    if (Status status = checkPanel(panel); !status.ok())
     {
       return status;
     }

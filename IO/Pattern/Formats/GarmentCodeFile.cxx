@@ -2,6 +2,8 @@
 #include "Formats/GarmentCodeFile.h"
 
 #include "Formats/PanelArrays.h"
+#include "Outlines/Outline.h"
+#include "Outlines/PlaneGeometry.h"
 
 #ifdef FLATTENING_WITH_JSON
 #include "Input/JsonKeys.h"
@@ -46,6 +48,14 @@ struct GarmentDefect
   std::string text;
 };
 
+void require(bool holds, const std::string& defect)
+{
+  if (!holds)
+  {
+    throw GarmentDefect{ defect };
+  }
+}
+
 /// Takes a garment from a document. Throws GarmentDefect.
 class GarmentReader
 {
@@ -54,10 +64,7 @@ public:
   {
     const Json& pattern = member(document, "pattern", "the file");
     const Json& panels = member(pattern, "panels", "the pattern");
-    if (!panels.is_object())
-    {
-      throw GarmentDefect{ "the panels are not an object of panels by their names" };
-    }
+    require(panels.is_object(), "the panels are not an object of panels by their names");
     this->readProperties(document);
     Garment garment;
     for (const auto& [name, panel] : panels.items())
@@ -76,33 +83,26 @@ public:
 private:
   static const Json& member(const Json& object, const char* key, const std::string& owner)
   {
-    if (!object.is_object() || !object.contains(key))
-    {
-      throw GarmentDefect{ owner + " has no member \"" + key + "\"" };
-    }
+    require(object.is_object() && object.contains(key), owner + " has no member \"" + key + "\"");
     return object[key];
   }
 
   static double number(const Json& value, const std::string& what)
   {
     const double number = value.is_number() ? value.get<double>() : 0.0;
-    if (!value.is_number() || !std::isfinite(number) || std::abs(number) > 1e12)
-    {
-      throw GarmentDefect{ what + " is not a number, or is too large" };
-    }
+    require(value.is_number() && std::isfinite(number) && std::abs(number) <= 1e12,
+      what + " is not a number, or is too large");
     return number;
   }
 
   template <typename Vector>
   static Vector vector(const Json& value, const std::string& what)
   {
-    if (!value.is_array() || value.size() != static_cast<std::size_t>(Vector::SizeAtCompileTime))
-    {
-      throw GarmentDefect{ what + " is not a list of " + std::to_string(Vector::SizeAtCompileTime) +
-        " numbers" };
-    }
+    constexpr std::size_t size = Vector::SizeAtCompileTime;
+    require(value.is_array() && value.size() == size,
+      what + " is not a list of " + std::to_string(size) + " numbers");
     Vector result = Vector::Zero();
-    for (std::size_t k = 0; k < value.size(); ++k)
+    for (std::size_t k = 0; k < size; ++k)
     {
       result[static_cast<Eigen::Index>(k)] = number(value[k], what);
     }
@@ -111,10 +111,8 @@ private:
 
   static std::size_t index(const Json& value, const std::string& what)
   {
-    if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 1'000'000'000)
-    {
-      throw GarmentDefect{ what + " is not a whole number from 0" };
-    }
+    require(value.is_number_unsigned() && value.get<std::uint64_t>() <= 1'000'000'000,
+      what + " is not a whole number from 0");
     return value.get<std::size_t>();
   }
 
@@ -125,10 +123,7 @@ private:
     {
       return {};
     }
-    if (!found->is_string())
-    {
-      throw GarmentDefect{ "the label of " + owner + " is not text" };
-    }
+    require(found->is_string(), "the label of " + owner + " is not text");
     return found->get<std::string>();
   }
 
@@ -143,20 +138,15 @@ private:
     if (unit != properties->end())
     {
       const double perMetre = number(*unit, "units_in_meter");
-      if (!(perMetre > 0.0))
-      {
-        throw GarmentDefect{ "units_in_meter must be above 0" };
-      }
+      require(perMetre > 0.0, "units_in_meter must be above 0");
       this->Scale = 100.0 / perMetre; // exactly 1 where the file is in centimetres
     }
     const auto coordinates = properties->find("curvature_coords");
     if (coordinates != properties->end())
     {
       this->Absolute = *coordinates == "absolute";
-      if (!this->Absolute && *coordinates != "relative")
-      {
-        throw GarmentDefect{ "curvature_coords is neither \"relative\" nor \"absolute\"" };
-      }
+      require(this->Absolute || *coordinates == "relative",
+        "curvature_coords is neither \"relative\" nor \"absolute\"");
     }
   }
 
@@ -166,10 +156,8 @@ private:
     const std::string owner = "the panel " + name;
     const Json& vertices = member(json, "vertices", owner);
     const Json& edges = member(json, "edges", owner);
-    if (!vertices.is_array() || !edges.is_array())
-    {
-      throw GarmentDefect{ "vertices and edges of " + owner + " must be lists" };
-    }
+    require(
+      vertices.is_array() && edges.is_array(), "vertices and edges of " + owner + " must be lists");
     panel.label = label(json, owner);
     if (json.contains("translation"))
     {
@@ -196,18 +184,13 @@ private:
     const std::string owner = edgeName(panel, panel.edges.size());
     GarmentEdge& edge = panel.edges.emplace_back();
     const Json& ends = member(json, "endpoints", owner);
-    if (!ends.is_array() || ends.size() != 2)
-    {
-      throw GarmentDefect{ "the endpoints of " + owner + " are not two" };
-    }
+    require(ends.is_array() && ends.size() == 2, "the endpoints of " + owner + " are not two");
     for (const std::size_t k : { 0U, 1U })
     {
       edge.ends[k] = index(ends[k], "an end of " + owner);
-      if (edge.ends[k] >= panel.vertices.size())
-      {
-        throw GarmentDefect{ owner + " ends at the vertex " + std::to_string(edge.ends[k]) +
-          ", and there are " + std::to_string(panel.vertices.size()) };
-      }
+      require(edge.ends[k] < panel.vertices.size(),
+        owner + " ends at the vertex " + std::to_string(edge.ends[k]) + ", and there are " +
+          std::to_string(panel.vertices.size()));
     }
     edge.label = label(json, owner);
     if (json.contains("curvature"))
@@ -229,14 +212,9 @@ private:
     const Json& type = member(json, "type", what);
     const Json& parameters = member(json, "params", what);
     const std::size_t wanted = type == "quadratic" ? 1 : type == "cubic" ? 2 : 3;
-    if (wanted == 3 && type != "circle")
-    {
-      throw GarmentDefect{ what + " is neither quadratic, cubic nor circle" };
-    }
-    if (!parameters.is_array() || parameters.size() != wanted)
-    {
-      throw GarmentDefect{ what + " has not the " + std::to_string(wanted) + " parameters" };
-    }
+    require(wanted < 3 || type == "circle", what + " is neither quadratic, cubic nor circle");
+    require(parameters.is_array() && parameters.size() == wanted,
+      what + " has not the " + std::to_string(wanted) + " parameters");
     if (wanted < 3)
     {
       edge.shape = wanted == 1 ? EdgeShape::Quadratic : EdgeShape::Cubic;
@@ -272,19 +250,13 @@ private:
 
   void readStitches(const Json& json, Garment& garment) const
   {
-    if (!json.is_array())
-    {
-      throw GarmentDefect{ "the stitches are not a list" };
-    }
+    require(json.is_array(), "the stitches are not a list");
     for (const Json& stitch : json)
     {
       const std::string owner = "stitch " + std::to_string(garment.stitches.size());
       const bool marked = stitch.is_array() && stitch.size() == 3;
-      if (!stitch.is_array() || stitch.size() < 2 || stitch.size() > 3 ||
-        (marked && !stitch[2].is_string()))
-      {
-        throw GarmentDefect{ owner + " does not name two edges" };
-      }
+      require(stitch.is_array() && (stitch.size() == 2 || (marked && stitch[2].is_string())),
+        owner + " does not name two edges");
       GarmentStitch& made = garment.stitches.emplace_back();
       made.rightToWrong = marked && stitch[2] == "right_wrong";
       for (const std::size_t k : { 0U, 1U })
@@ -293,17 +265,13 @@ private:
         const Json& edge = member(stitch[k], "edge", owner);
         const auto panel =
           name.is_string() ? this->Numbers.find(name.get<std::string>()) : this->Numbers.end();
-        if (panel == this->Numbers.end())
-        {
-          throw GarmentDefect{ owner + " names the panel " + name.dump() + ", which is not there" };
-        }
+        require(panel != this->Numbers.end(),
+          owner + " names the panel " + name.dump() + ", which is not there");
         made.sides[k] = { panel->second, index(edge, "an edge of " + owner) };
-        if (made.sides[k].edge >= garment.panels[panel->second].edges.size())
-        {
-          throw GarmentDefect{ owner + " names the edge " + edge.dump() + " of the panel " +
-            panel->first + ", which has " +
-            std::to_string(garment.panels[panel->second].edges.size()) };
-        }
+        const std::size_t edges = garment.panels[panel->second].edges.size();
+        require(made.sides[k].edge < edges,
+          owner + " names the edge " + edge.dump() + " of the panel " + panel->first +
+            ", which has " + std::to_string(edges));
       }
     }
   }
@@ -350,30 +318,19 @@ Status readGarmentCode(const std::string& path, Garment& garment)
 
 namespace
 {
-struct WireLengths
+/// The largest relative error of an edge's length.
+double lengthError(const PatternSource& source, const SourceWire& wire)
 {
-  double inSpace = 0.0;
-  double inPlane = 0.0;
-  double error = 0.0; ///< the largest relative one of an edge
-};
-
-WireLengths lengthsOf(const PatternSource& source, const SourceWire& wire)
-{
-  WireLengths lengths;
+  double error = 0.0;
   for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)
   {
     const auto a = static_cast<std::size_t>(wire.points[k]);
     const auto b = static_cast<std::size_t>(wire.points[k + 1]);
     const double inSpace = (source.inSpace[b] - source.inSpace[a]).norm();
     const double inPlane = (source.positions[b] - source.positions[a]).norm();
-    lengths.inSpace += inSpace;
-    lengths.inPlane += inPlane;
-    if (inSpace > 0.0)
-    {
-      lengths.error = std::max(lengths.error, std::abs(inPlane - inSpace) / inSpace);
-    }
+    error = inSpace > 0.0 ? std::max(error, std::abs(inPlane - inSpace) / inSpace) : error;
   }
-  return lengths;
+  return error;
 }
 
 /// Per pair of edges that are sewn together the curve, in the order of the sides that hold them.
@@ -402,28 +359,22 @@ Column seamPairs(const PatternSource& source)
 
 Columns wireArrays(const PatternSource& source)
 {
-  const std::vector<SourceWire>& wires = source.wires;
-  std::vector<WireLengths> lengths;
-  for (const SourceWire& wire : wires)
-  {
-    lengths.push_back(lengthsOf(source, wire));
-  }
   Columns cells;
-  const std::size_t count = wires.size();
-  const auto typeOf = [&](std::size_t row) { return static_cast<int>(wires[row].type); };
-  addRows<int>(cells, "CurveType", count, typeOf);
-  addRows<int>(cells, "WireKind", count, typeOf);
+  const TableColumns<SourceWire> columns(cells, source.wires);
+  columns.addAs<int>("CurveType", &SourceWire::type);
+  columns.addAs<int>("WireKind", &SourceWire::type);
   cells.back().role = ArrayRole::Scalars;
-  addRows<std::int64_t>(cells, "CurveId", count, [&](std::size_t row) { return wires[row].curve; });
-  addRows<std::int64_t>(cells, "PieceId", count, [&](std::size_t row) { return wires[row].piece; });
-  addRows<std::string>(cells, "CurveName", count, [&](std::size_t row) { return wires[row].name; });
-  addRows<unsigned char>(cells, "Boundary", count, [](std::size_t) { return 1; });
-  addRows<unsigned char>(cells, "Connector", count, [](std::size_t) { return 0; });
-  addRows<double>(cells, "LengthError", count, [&](std::size_t row) { return lengths[row].error; });
-  addRows<double>(
-    cells, "RestLength", count, [&](std::size_t row) { return lengths[row].inSpace; });
-  addRows<double>(
-    cells, "FlatLength", count, [&](std::size_t row) { return lengths[row].inPlane; });
+  columns.addAs<std::int64_t>("CurveId", &SourceWire::curve);
+  columns.addAs<std::int64_t>("PieceId", &SourceWire::piece);
+  columns.add("CurveName", &SourceWire::name);
+  columns.addAs<unsigned char>("Boundary", [](const SourceWire&) { return 1; });
+  columns.addAs<unsigned char>("Connector", [](const SourceWire&) { return 0; });
+  columns.add(
+    "LengthError", [&source](const SourceWire& wire) { return lengthError(source, wire); });
+  columns.add("RestLength",
+    [&source](const SourceWire& wire) { return arcsOnSurface(source, wire.points).back(); });
+  columns.add("FlatLength",
+    [&source](const SourceWire& wire) { return polylineLength(positionsOf(source, wire.points)); });
   return cells;
 }
 }

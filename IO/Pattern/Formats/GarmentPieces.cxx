@@ -3,9 +3,12 @@
 
 #include "Imprint/ConstrainedDelaunay.h"
 #include "Outlines/FairSpan.h"
+#include "Outlines/Outline.h"
 #include "Outlines/PlaneGeometry.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <set>
 
 namespace flattening::pattern
@@ -92,6 +95,8 @@ constexpr double chordDistance = 0.1 * sampleDistance; // centimetres per millim
 
 class PieceMaking
 {
+  using Sides = std::array<GarmentSide, 2>;
+
 public:
   PieceMaking(const Garment& garment, PatternSource& source)
     : Panels(garment)
@@ -116,8 +121,7 @@ public:
     for (std::size_t p = 0; p < this->Panels.panels.size(); ++p)
     {
       this->addPoints(p);
-      Status status = this->addTriangles(p);
-      if (!status.ok())
+      if (Status status = this->addTriangles(p); !status.ok())
       {
         return status;
       }
@@ -196,7 +200,6 @@ private:
   {
     const GarmentPanel& panel = this->Panels.panels[p];
     Indices points;
-    Points2 outline;
     std::vector<std::size_t> edgeOf;
     for (std::size_t k = 0; k < panel.edges.size(); ++k)
     {
@@ -204,13 +207,9 @@ private:
       points.insert(points.end(), chain.begin(), chain.end() - 1);
       edgeOf.resize(points.size(), k);
     }
-    for (const Index point : points)
-    {
-      outline.push_back(this->Source.positions[static_cast<std::size_t>(point)]);
-    }
     Triangles triangles;
     std::size_t bad = 0;
-    if (!triangulatePolygon(outline, triangles, bad))
+    if (!triangulatePolygon(positionsOf(this->Source, points), triangles, bad))
     {
       return { StatusCode::InvalidPattern,
         edgeName(panel, edgeOf[bad]) + " crosses or touches the panel's border elsewhere" };
@@ -227,6 +226,12 @@ private:
     return {};
   }
 
+  /// Adds points that begin where others end.
+  static void append(const Indices& chain, Indices& points)
+  {
+    points.insert(points.end(), chain.begin() + (points.empty() ? 0 : 1), chain.end());
+  }
+
   /// The edge before or behind one on its panel.
   GarmentSide beside(const GarmentSide& side, bool behind) const
   {
@@ -234,23 +239,26 @@ private:
     return { side.panel, (side.edge + (behind ? 1 : count - 1)) % count };
   }
 
-  /// Whether what is sewn to an edge goes on behind it: the stitch of the next edge, under the same
-  /// labels, to the next edge of the other side.
-  bool goesOn(std::size_t s, std::size_t first, GarmentSide& next, GarmentSide& other) const
+  /// An edge and the one that it is sewn to.
+  Sides sidesFrom(const GarmentSide& side) const
   {
-    const GarmentStitch& stitch = this->Panels.stitches[s];
-    next = this->beside(stitch.sides[first], true);
-    other = this->beside(stitch.sides[1 - first], stitch.rightToWrong);
-    if (!this->isSewn(next) || !this->isSewn(other))
-    {
-      return false;
-    }
-    const std::size_t t = this->stitchOf(next);
-    const std::size_t u = this->stitchOf(other);
-    return t == u && t != s && !(next == other) &&
-      this->Panels.stitches[t].rightToWrong == stitch.rightToWrong &&
-      this->edgeAt(next).label == this->edgeAt(stitch.sides[first]).label &&
-      this->edgeAt(other).label == this->edgeAt(stitch.sides[1 - first]).label;
+    const Sides& sides = this->Panels.stitches[this->stitchOf(side)].sides;
+    return sides[0] == side ? sides : Sides{ sides[1], sides[0] };
+  }
+
+  /// What goes on behind a stitch: the next edge of its first side, under the same labels sewn to
+  /// the next edge of the other side. None where the seam ends.
+  std::optional<Sides> onward(const Sides& sides) const
+  {
+    const std::size_t s = this->stitchOf(sides[0]);
+    const bool rightToWrong = this->Panels.stitches[s].rightToWrong;
+    const Sides next{ this->beside(sides[0], true), this->beside(sides[1], rightToWrong) };
+    const std::size_t t = this->stitchOf(next[0]);
+    const bool goesOn = this->isSewn(next[0]) && t == this->stitchOf(next[1]) && t != s &&
+      !(next[0] == next[1]) && this->Panels.stitches[t].rightToWrong == rightToWrong &&
+      this->edgeAt(next[0]).label == this->edgeAt(sides[0]).label &&
+      this->edgeAt(next[1]).label == this->edgeAt(sides[1]).label;
+    return goesOn ? std::make_optional(next) : std::nullopt;
   }
 
   void addSeams()
@@ -263,48 +271,36 @@ private:
         continue;
       }
       // Back to where the seam begins, unless it is a ring.
-      std::size_t start = s;
-      std::size_t first = 0;
+      Sides sides = this->Panels.stitches[s].sides;
       for (;;)
       {
-        const GarmentStitch& stitch = this->Panels.stitches[start];
-        const GarmentSide before = this->beside(stitch.sides[first], false);
-        if (!this->isSewn(before))
+        const GarmentSide before = this->beside(sides[0], false);
+        if (!this->isSewn(before) || this->stitchOf(before) == s || done[this->stitchOf(before)] ||
+          !this->onward(this->sidesFrom(before)))
         {
           break;
         }
-        const std::size_t t = this->stitchOf(before);
-        const GarmentStitch& earlier = this->Panels.stitches[t];
-        const std::size_t side = earlier.sides[0] == before ? 0 : 1;
-        GarmentSide next;
-        GarmentSide other;
-        if (t == s || done[t] || !this->goesOn(t, side, next, other) ||
-          this->stitchOf(next) != start)
-        {
-          break;
-        }
-        start = t;
-        first = side;
+        sides = this->sidesFrom(before);
       }
-      this->addSeam(start, first, done);
+      this->addSeam(sides, done);
     }
   }
 
   /// Adds the two sides of a seam and what is sewn together along it.
-  void addSeam(std::size_t s, std::size_t first, std::vector<char>& done)
+  void addSeam(Sides sides, std::vector<char>& done)
   {
     const Index curve = this->Curves++;
-    GarmentSide one = this->Panels.stitches[s].sides[first];
-    GarmentSide two = this->Panels.stitches[s].sides[1 - first];
     std::array<SourceWire, 2> wires;
-    const std::string& label = this->edgeAt(one).label;
-    const bool named = !label.empty() && label == this->edgeAt(two).label;
-    for (;;)
+    const std::string& label = this->edgeAt(sides[0]).label;
+    const bool named = !label.empty() && label == this->edgeAt(sides[1]).label;
+    for (std::optional<Sides> next = sides; next && !done[this->stitchOf((*next)[0])];
+         next = this->onward(sides))
     {
-      done[s] = 1;
-      Indices a = this->chainOf(one);
-      Indices b = this->chainOf(two);
-      if (!this->Panels.stitches[s].rightToWrong)
+      sides = *next;
+      done[this->stitchOf(sides[0])] = 1;
+      const Indices& a = this->chainOf(sides[0]);
+      Indices b = this->chainOf(sides[1]);
+      if (!this->Panels.stitches[this->stitchOf(sides[0])].rightToWrong)
       {
         std::reverse(b.begin(), b.end());
       }
@@ -312,21 +308,8 @@ private:
       {
         this->Source.sewn.push_back({ { a[k], a[k + 1] }, { b[k], b[k + 1] }, false });
       }
-      const auto append = [](Indices& points, const Indices& chain) {
-        points.insert(points.end(), chain.begin() + (points.empty() ? 0 : 1), chain.end());
-      };
-      append(wires[0].points, a);
-      append(wires[1].points, b);
-      const std::size_t side = this->Panels.stitches[s].sides[0] == one ? 0 : 1;
-      GarmentSide next;
-      GarmentSide other;
-      if (!this->goesOn(s, side, next, other) || done[this->stitchOf(next)])
-      {
-        break;
-      }
-      s = this->stitchOf(next);
-      one = next;
-      two = other;
+      append(a, wires[0].points);
+      append(b, wires[1].points);
     }
     // The legs of a dart end in one point.
     const bool fold = wires[0].points.back() == wires[1].points.back() ||
@@ -335,7 +318,7 @@ private:
     {
       wires[k].type = fold ? WireType::Dart : WireType::Seam;
       wires[k].curve = curve;
-      wires[k].piece = static_cast<Index>(k == 0 ? one.panel : two.panel);
+      wires[k].piece = static_cast<Index>(sides[k].panel);
       wires[k].name = named ? label : "stitch " + std::to_string(curve + 1);
       this->Source.wires.push_back(std::move(wires[k]));
     }
@@ -367,8 +350,7 @@ private:
         wire.points = this->chainOf(side);
         for (++k; k < start + count && joined(k); ++k)
         {
-          const Indices& chain = this->chainOf({ p, k % count });
-          wire.points.insert(wire.points.end(), chain.begin() + 1, chain.end());
+          append(this->chainOf({ p, k % count }), wire.points);
         }
         if (this->isSewn(side))
         {

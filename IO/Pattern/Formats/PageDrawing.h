@@ -68,4 +68,9 @@ void drawPages(const Pattern& pattern, PaperSize paper, const PagePlan& plan,
 
 /// Plans the pages and draws all of a pattern on them. \return that of planPages()
 Status drawPages(const Pattern& drawing, const PageOptions& options, PageCanvas& canvas);
+
+/// Moves each text that lies on the border of a page, or on a page that is left out, onto a page
+/// nearby, within its piece and as far from its lines and other texts as that allows. Title and
+/// labels of a piece move together.
+void keepTextsOnPages(const PagePlan& plan, Pattern& pattern);
 }

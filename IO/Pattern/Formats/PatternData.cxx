@@ -39,18 +39,11 @@ Status checkRows(
   return {};
 }
 
-/// An array of numbers; null where there is none.
-const Column* numbersIn(const Columns& arrays, const char* name)
+/// An array of numbers, or of texts; null where there is none.
+const Column* arrayIn(const Columns& arrays, const char* name, bool isText = false)
 {
   const Column* const found = findColumn(arrays, name);
-  return found && !found->isText() ? found : nullptr;
-}
-
-/// An array of texts; null where there is none.
-const Column* textsIn(const Columns& arrays, const char* name)
-{
-  const Column* const found = findColumn(arrays, name);
-  return found && found->isText() ? found : nullptr;
+  return found && found->isText() == isText ? found : nullptr;
 }
 
 /// A whole number that a value stands for; none where it stands for none, or for a negative one.
@@ -94,13 +87,13 @@ Status readSurface(const DataSet& flat, PatternSource& source)
   {
     source.positions.emplace_back(p.x(), p.y());
   }
-  const Column* const pieces = numbersIn(flat.cellArrays, "PieceId");
+  const Column* const pieces = arrayIn(flat.cellArrays, "PieceId");
   status = checkRows({ pieces }, flat.cells(), "the flat surface");
   if (!status.ok())
   {
     return status;
   }
-  const Column* const names = textsIn(flat.cellArrays, "PieceName");
+  const Column* const names = arrayIn(flat.cellArrays, "PieceName", true);
   std::vector<std::optional<std::string>> nameOfPiece;
   const auto name = [&](std::size_t cell) {
     const Index piece = source.pieceOfTriangle.back();
@@ -160,11 +153,11 @@ Status readWires(const DataSet& wires, PatternSource& source)
       " points and the flat surface " + std::to_string(source.positions.size()));
   }
   const Columns& data = wires.cellArrays;
-  const Column* const types = numbersIn(data, "CurveType");
-  const Column* const curves = numbersIn(data, "CurveId");
-  const Column* const pieces = numbersIn(data, "PieceId");
-  const Column* const connectors = numbersIn(data, "Connector");
-  const Column* const names = textsIn(data, "CurveName");
+  const Column* const types = arrayIn(data, "CurveType");
+  const Column* const curves = arrayIn(data, "CurveId");
+  const Column* const pieces = arrayIn(data, "PieceId");
+  const Column* const connectors = arrayIn(data, "Connector");
+  const Column* const names = arrayIn(data, "CurveName", true);
   Status status =
     checkRows({ types, curves, pieces, connectors, names }, wires.cells(), "the wires");
   if (!status.ok())
@@ -201,7 +194,7 @@ Status readWires(const DataSet& wires, PatternSource& source)
 
 Status readSewnEdges(const DataSet& flat, PatternSource& source)
 {
-  const Column* const pairs = numbersIn(flat.fieldArrays, "SeamPairs");
+  const Column* const pairs = arrayIn(flat.fieldArrays, "SeamPairs");
   if (!pairs)
   {
     return {};
@@ -210,9 +203,8 @@ Status readSewnEdges(const DataSet& flat, PatternSource& source)
   {
     return invalidPieces("the array SeamPairs of the flat surface has fewer than 4 components");
   }
-  const Column* const closed = numbersIn(flat.fieldArrays, "SeamClosed");
-  Status status = checkRows({ closed }, pairs->rows(), "the flat surface");
-  if (!status.ok())
+  const Column* const closed = arrayIn(flat.fieldArrays, "SeamClosed");
+  if (Status status = checkRows({ closed }, pairs->rows(), "the flat surface"); !status.ok())
   {
     return status;
   }
@@ -283,15 +275,12 @@ Status readPattern(
   if (status.ok() && wires)
   {
     status = readWires(*wires, source);
-  }
-  if (status.ok() && wires)
-  {
-    status = readPanels(wires->fieldArrays, source);
+    status = status.ok() ? readPanels(wires->fieldArrays, source) : status;
   }
   if (status.ok())
   {
-    source.onCloth = numbersIn(flat.fieldArrays, "GrainAngle") != nullptr;
-    source.isSheet = numbersIn(flat.fieldArrays, "SheetMaterial") != nullptr;
+    source.onCloth = arrayIn(flat.fieldArrays, "GrainAngle") != nullptr;
+    source.isSheet = arrayIn(flat.fieldArrays, "SheetMaterial") != nullptr;
     status = readSewnEdges(flat, source);
   }
   if (status.ok() && cut)

@@ -175,13 +175,6 @@ Status makePatternFile(
   {
     status = layOnFabric(options.fabric, drawing);
   }
-  const bool isPdf = options.format == FileFormat::Pdf;
-  std::vector<WalkInterval> walk;
-  if (status.ok() &&
-    (isPdf ? options.walkTable || hasJoinTable(options) : options.format == FileFormat::Walk))
-  {
-    status = walkSeams(*all, walk);
-  }
   if (!status.ok())
   {
     return status;
@@ -192,11 +185,11 @@ Status makePatternFile(
       drawing.tables.clear();
       if (hasJoinTable(options))
       {
-        drawing.tables.push_back(joinRows(walk, drawing));
+        drawing.tables.push_back(joinRows(walkSeams(*all), drawing));
       }
       if (options.walkTable)
       {
-        drawing.tables.push_back(walkRows(walk, drawing));
+        drawing.tables.push_back(walkRows(walkSeams(*all), drawing));
       }
       return options.canvas ? drawPages(drawing, options.pages, *options.canvas)
                             : makePdf(drawing, options.pages, content);
@@ -204,7 +197,7 @@ Status makePatternFile(
       content = options.cutterStyle ? makeCutterDxf(drawing) : makeDxf(drawing);
       return {};
     case FileFormat::Walk:
-      content = makeWalkTable(walk, drawing);
+      content = makeWalkTable(walkSeams(*all), drawing);
       return {};
     case FileFormat::Hpgl:
       content = makeHpgl(drawing);

@@ -17,35 +17,41 @@ using All = FileOptions;
 constexpr double largestLength = 1e6;
 constexpr double largestNumber = 1e6;
 
+/// A length with the slider of its widgets.
+template <class Access>
+OptionRow addLength(
+  Table& table, const char* property, double low, double high, const Access& access)
+{
+  return table.add(property, access).range(0.0, largestLength).slider(low, high).form("MM");
+}
+
+/// Lengths of single curves.
+OptionRow addCurveLengths(
+  Table& table, const char* property, const char* spelling, const char* argument)
+{
+  return table.text(property, OptionType::List)
+    .spelled(spelling, argument)
+    .range(0.0, largestLength)
+    .form("NAME=MM");
+}
+
 void addDrawing(Table& table)
 {
   table.group(OptionOwner::Pattern, "Drawing");
-  table.add("Allowance", [](All& all) { return &all.pattern.allowance; })
+  addLength(table, "Allowance", -1.0, 50.0, [](All& all) { return &all.pattern.allowance; })
     .label("Seam Allowance")
-    .range(0.0, largestLength)
-    .slider(-1.0, 50.0)
     .automatic("10, sheets 0")
-    .form("MM")
     .help("Seam allowance; by default 10, and 0 of a material whose edges do not fray.");
-  table.text("CurveAllowances", OptionType::List)
-    .spelled("allowance", "curve_allowances")
-    .range(0.0, largestLength)
-    .form("NAME=MM")
+  addCurveLengths(table, "CurveAllowances", "allowance", "curve_allowances")
     .help("Seam allowance along one curve, or along 'boundary'; NAME:2=MM on the side of piece 2 "
           "alone, as for an overlap.");
-  table.add("NotchSpacing", [](All& all) { return &all.pattern.notchSpacing; })
+  addLength(table, "NotchSpacing", -1.0, 500.0, [](All& all) { return &all.pattern.notchSpacing; })
     .label("Notches Every")
-    .range(0.0, largestLength)
-    .slider(-1.0, 500.0)
     .automatic("by size")
-    .form("MM")
     .help("Distance of notches along seams and darts (by default about a sixth of the largest "
           "piece). It is measured on the surface from their start; shorter seams and darts have a "
           "notch in the middle; 0: only at the mouths of darts.");
-  table.text("CurveNotches", OptionType::List)
-    .spelled("notch", "curve_notches")
-    .range(0.0, largestLength)
-    .form("NAME=MM")
+  addCurveLengths(table, "CurveNotches", "notch", "curve_notches")
     .help("A notch at this distance from the start of a curve. It replaces those by notch spacing "
           "on a seam, a dart or an edge.");
   table.text("DoubleNotches", OptionType::List)
@@ -54,18 +60,12 @@ void addDrawing(Table& table)
     .help("A curve whose notches are double, as at the back. Two marks 6.35 mm apart.");
   table.add("CutDartsOut", [](All& all) { return &all.pattern.cutDartsOut; })
     .help("Cut darts out along their seam allowance instead of folding them.");
-  table.add("DartTip", [](All& all) { return &all.pattern.dartTip; })
+  addLength(table, "DartTip", 0.0, 50.0, [](All& all) { return &all.pattern.dartTip; })
     .label("Dart Tips Drawn Back")
-    .range(0.0, largestLength)
-    .slider(0.0, 50.0)
-    .form("MM")
     .help(
       "How far folded darts end before their tips. Their legs are shorter then; at most half of "
       "a dart's depth.");
-  table.text("CurveDartTips", OptionType::List)
-    .spelled("dart-tip", "curve_dart_tips")
-    .range(0.0, largestLength)
-    .form("NAME=MM")
+  addCurveLengths(table, "CurveDartTips", "dart-tip", "curve_dart_tips")
     .help("How far one dart ends before its tip.");
   table.add("CutOnFold", [](All& all) { return &all.pattern.cutOnFold; })
     .label("Halves to Cut on the Fold")
@@ -90,10 +90,8 @@ void addDrawing(Table& table)
     .form("MM")
     .help("Draw borders and curves as smooth splines at most this far from the mesh. They keep "
           "their lengths and are straight where nearly so; 0: raw, as the mesh has them.");
-  table.text("CurveFairTolerances", OptionType::List)
-    .spelled("smooth", "curve_fairs")
+  addCurveLengths(table, "CurveFairTolerances", "smooth", "curve_fairs")
     .range(0.0, 100.0)
-    .form("NAME=MM")
     .help("The same distance along one curve, or along 'boundary'.");
   table.add("Quantity", [](All& all) { return &all.pattern.quantity; })
     .range(1.0, largestNumber)
@@ -143,10 +141,7 @@ void addDetails(Table& table)
     .label("Notches at Ends of Curves")
     .help("Notch the border where feature curves and edges end on it, and opposite on what is sewn "
           "to it.");
-  table.add("NotchLength", [](All& all) { return &all.pattern.notchLength; })
-    .range(0.0, largestLength)
-    .slider(0.0, 20.0)
-    .form("MM")
+  addLength(table, "NotchLength", 0.0, 20.0, [](All& all) { return &all.pattern.notchLength; })
     .expert()
     .help("Length of a notch.");
   table.add("MitreLimit", [](All& all) { return &all.pattern.mitreLimit; })
@@ -169,19 +164,13 @@ void addDetails(Table& table)
   addCompensation(
     "WeftCompensation", [](All& all) { return &all.pattern.weftCompensation; },
     "The same across the grain.");
-  table.add("Thickness", [](All& all) { return &all.pattern.thickness; })
+  addLength(table, "Thickness", 0.0, 50.0, [](All& all) { return &all.pattern.thickness; })
     .spelled("sheet-thickness", "thickness")
-    .range(0.0, largestLength)
-    .slider(0.0, 50.0)
-    .form("MM")
     .expert()
     .help("Thickness of the material. The tables of joins and seams then have the bevel of both "
           "sides, half of the bend, and how far it goes back over the thickness.");
-  table.add("GlueTab", [](All& all) { return &all.pattern.glueTab; })
+  addLength(table, "GlueTab", 0.0, 50.0, [](All& all) { return &all.pattern.glueTab; })
     .spelled("glue-tabs", "glue_tab")
-    .range(0.0, largestLength)
-    .slider(0.0, 50.0)
-    .form("MM")
     .help("Width of tabs to glue, with slanted ends, on the first side of each join; 0: none.");
   table.add("Symmetrize", [](All& all) { return &all.pattern.symmetrize; })
     .label("Symmetric Outlines")

@@ -325,52 +325,7 @@ Status divideSheet(const Pattern& pattern, const PageOptions& options, PagePlan&
   findPages(pattern, plan);
   return {};
 }
-}
 
-const char* paperName(PaperSize paper)
-{
-  static const char* const names[] = { "A4", "Letter", "A3", "A0", "Sheet" };
-  return names[static_cast<int>(paper)];
-}
-
-Point2 legendExtent(bool withMap)
-{
-  // On A4 no wider than what the next page does not show as well.
-  return { 169.5, withMap ? 105.0 : 50.0 };
-}
-
-std::string tileName(const Tile& tile)
-{
-  std::string letters;
-  for (int row = tile.row; row >= 0; row = row / 26 - 1)
-  {
-    letters.insert(letters.begin(), static_cast<char>('A' + row % 26));
-  }
-  return letters + std::to_string(tile.column + 1);
-}
-
-bool hasPage(const PagePlan& plan, const Tile& tile)
-{
-  return std::any_of(plan.pages.begin(), plan.pages.end(),
-    [&tile](const Tile& page) { return page.row == tile.row && page.column == tile.column; });
-}
-
-Status checkPages(double area, const PageOptions& options)
-{
-  const Point2 printable = paperExtent(options.paper) - Point2::Constant(2.0 * pageMargin);
-  const double fewest = std::ceil(area / printable.prod());
-  if (options.paper == PaperSize::Sheet || fewest <= options.maximumPages)
-  {
-    return {};
-  }
-  return { StatusCode::PatternTooLarge,
-    "the pattern would need at least " + formatNumber(fewest, 0) + " pages " +
-      paperName(options.paper) + ", more than " + std::to_string(options.maximumPages),
-    {}, { Remedy::CheckUnit, Remedy::TakeLargerPaper } };
-}
-
-namespace
-{
 constexpr int placesOfSide = 9; ///< that are tried along each side of a page
 constexpr int sweeps = 2;
 
@@ -476,6 +431,48 @@ void saveByShifts(const Pattern& pattern, PagePlan& plan)
     }
   }
 }
+}
+
+const char* paperName(PaperSize paper)
+{
+  static const char* const names[] = { "A4", "Letter", "A3", "A0", "Sheet" };
+  return names[static_cast<int>(paper)];
+}
+
+Point2 legendExtent(bool withMap)
+{
+  // On A4 no wider than what the next page does not show as well.
+  return { 169.5, withMap ? 105.0 : 50.0 };
+}
+
+std::string tileName(const Tile& tile)
+{
+  std::string letters;
+  for (int row = tile.row; row >= 0; row = row / 26 - 1)
+  {
+    letters.insert(letters.begin(), static_cast<char>('A' + row % 26));
+  }
+  return letters + std::to_string(tile.column + 1);
+}
+
+bool hasPage(const PagePlan& plan, const Tile& tile)
+{
+  return std::any_of(plan.pages.begin(), plan.pages.end(),
+    [&tile](const Tile& page) { return page.row == tile.row && page.column == tile.column; });
+}
+
+Status checkPages(double area, const PageOptions& options)
+{
+  const Point2 printable = paperExtent(options.paper) - Point2::Constant(2.0 * pageMargin);
+  const double fewest = std::ceil(area / printable.prod());
+  if (options.paper == PaperSize::Sheet || fewest <= options.maximumPages)
+  {
+    return {};
+  }
+  return { StatusCode::PatternTooLarge,
+    "the pattern would need at least " + formatNumber(fewest, 0) + " pages " +
+      paperName(options.paper) + ", more than " + std::to_string(options.maximumPages),
+    {}, { Remedy::CheckUnit, Remedy::TakeLargerPaper } };
 }
 
 PageMarks pagesOf(const Pattern& pattern, const PagePlan& plan, std::size_t piece)

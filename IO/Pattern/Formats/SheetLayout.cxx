@@ -6,7 +6,7 @@
 
 namespace flattening::pattern
 {
-SheetLayout layOut(const Pattern& pattern, double width, double top, double gap)
+SheetLayout layOut(const Pattern& pattern, double width, double top)
 {
   SheetLayout layout;
   if (pattern.fabric)
@@ -24,12 +24,12 @@ SheetLayout layOut(const Pattern& pattern, double width, double top, double gap)
   {
     if (at.x() > 0.0 && at.x() + piece.extent.x() > width)
     {
-      at = Point2(0.0, at.y() + rowHeight + gap);
+      at = Point2(0.0, at.y() + rowHeight + pieceGap);
       rowHeight = 0.0;
     }
     layout.corners.push_back(at);
     layout.extent = layout.extent.cwiseMax(at + piece.extent);
-    at.x() += piece.extent.x() + gap;
+    at.x() += piece.extent.x() + pieceGap;
     rowHeight = std::max(rowHeight, piece.extent.y());
   }
   return layout;

@@ -21,10 +21,10 @@ struct SheetLayout
 /// Least distance of pieces on a sheet, millimetres.
 constexpr double pieceGap = 15.0;
 
-/// Lays the pieces in rows from the left, in their order, `gap` apart and below `top`. No piece is
-/// turned. A piece wider than `width` has a row of its own. Where they are laid on cloth they stay
-/// as they are there, below `top`.
-SheetLayout layOut(const Pattern& pattern, double width, double top, double gap = pieceGap);
+/// Lays the pieces in rows from the left, in their order, pieceGap apart and below `top`. No piece
+/// is turned. A piece wider than `width` has a row of its own. Where they are laid on cloth they
+/// stay as they are there, below `top`.
+SheetLayout layOut(const Pattern& pattern, double width, double top);
 
 /// A width that makes the sheet about as wide as high.
 double squareWidth(const Pattern& pattern);

@@ -81,16 +81,8 @@ std::string textElement(
   return element + ">" + escapeXml(words) + "</text>\n";
 }
 
-class SvgDrawing
+struct SvgDrawing
 {
-public:
-  SvgDrawing(const Pattern& pattern, bool laserColors)
-    : Drawn(pattern)
-    , LaserColors(laserColors)
-    , Layout(layOut(pattern, squareWidth(pattern), legendHeight + margin))
-  {
-  }
-
   std::string make()
   {
     const Point2 sheet =
@@ -119,7 +111,6 @@ public:
     return std::move(this->Text);
   }
 
-private:
   Point2 at(std::size_t piece, const Point2& p) const
   {
     return Point2::Constant(margin) + this->Layout.place(this->Drawn, piece, p);
@@ -281,13 +272,13 @@ private:
 
   const Pattern& Drawn;
   const bool LaserColors;
-  SheetLayout Layout;
-  std::string Text;
+  SheetLayout Layout = layOut(Drawn, squareWidth(Drawn), legendHeight + margin);
+  std::string Text{};
 };
 }
 
 std::string makeSvg(const Pattern& pattern, bool laserColors)
 {
-  return SvgDrawing(pattern, laserColors).make();
+  return SvgDrawing{ pattern, laserColors }.make();
 }
 }

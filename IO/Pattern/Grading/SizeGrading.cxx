@@ -2,6 +2,7 @@
 #include "Grading/SizeGrading.h"
 
 #include "Outlines/Outline.h"
+#include "Outlines/PatternText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,16 +22,6 @@ Status invalidSizes(const std::string& message)
 std::string inQuotes(const std::string& name)
 {
   return "'" + name + "'";
-}
-
-std::string listed(const std::set<std::string>& names)
-{
-  std::string list;
-  for (const std::string& name : names)
-  {
-    list += (list.empty() ? "" : ", ") + name;
-  }
-  return list;
 }
 
 Status checkNames(const std::vector<PatternSize>& sizes)
@@ -148,10 +139,7 @@ Status checkSizes(
   for (const PatternSize& size : sizes)
   {
     status = checkAlike(size, sizes[base]);
-    if (status.ok())
-    {
-      status = checkSound(size, sizes[base]);
-    }
+    status = status.ok() ? checkSound(size, sizes[base]) : status;
     if (!status.ok())
     {
       return status;
@@ -234,20 +222,15 @@ Frame fittedFrame(const PatternSource& model, const PatternSource& size, Index p
 std::vector<Frame> framesOf(const PatternSource& model, const BorderEdges& border,
   const GradingOptions& options, const PatternSource& size)
 {
-  std::vector<Frame> frames(pieceCount(model));
-  for (std::size_t p = 0; p < frames.size(); ++p)
+  std::vector<Frame> frames;
+  for (Index piece = 0; piece < static_cast<Index>(pieceCount(model)); ++piece)
   {
-    const SourceWire* wire = aligningWire(model, border, options, static_cast<Index>(p));
-    const Point2 way = wire
-      ? Point2(size.positions[wire->points.back()] - size.positions[wire->points.front()])
-      : Point2(Point2::Zero());
-    if (way.norm() > 0.0)
-    {
-      frames[p].origin = size.positions[wire->points.front()];
-      frames[p].along = (way.y() >= 0.0 ? 1.0 : -1.0) * way.normalized();
-      continue;
-    }
-    frames[p] = fittedFrame(model, size, static_cast<Index>(p));
+    const SourceWire* const wire = aligningWire(model, border, options, piece);
+    const Point2 from = wire ? size.positions[wire->points.front()] : Point2(Point2::Zero());
+    const Point2 way = wire ? Point2(size.positions[wire->points.back()] - from) : from;
+    frames.push_back(way.norm() > 0.0
+        ? Frame{ from, (way.y() >= 0.0 ? 1.0 : -1.0) * way.normalized() }
+        : fittedFrame(model, size, piece));
   }
   return frames;
 }
@@ -320,13 +303,7 @@ std::vector<GradeRule> rulePoints(const PatternSource& model, const BorderEdges&
   std::vector<GradeRule> rules;
   for (const auto& [place, names] : places)
   {
-    GradeRule& rule = rules.emplace_back();
-    rule.piece = place.first;
-    rule.point = place.second;
-    for (const std::string& name : names)
-    {
-      rule.name += (rule.name.empty() ? "" : ", ") + name;
-    }
+    rules.push_back({ place.first, place.second, listed(names), {} });
   }
   return rules;
 }

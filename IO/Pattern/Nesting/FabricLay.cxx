@@ -68,11 +68,9 @@ PatternPiece movedPiece(const PatternPiece& piece, const Motion& motion)
   PatternPiece copy = piece;
   forEachPoint(copy, [&motion](Point2& p) { p = motion * p; });
   // How many are cut is what lies on the cloth.
-  copy.texts.erase(std::remove_if(copy.texts.begin(), copy.texts.end(),
-                     [](const PatternText& text) {
-                       return text.role == TextRole::Label && text.text.rfind("cut ", 0) == 0;
-                     }),
-    copy.texts.end());
+  eraseIf(copy.texts, [](const PatternText& text) {
+    return text.role == TextRole::Label && text.text.rfind("cut ", 0) == 0;
+  });
   const bool turnsOver = motion.linear().determinant() < 0.0;
   for (PatternText& text : copy.texts)
   {
@@ -121,15 +119,8 @@ struct Lay
 };
 
 /// Searches for a short lay.
-class LaySearch
+struct LaySearch
 {
-public:
-  LaySearch(const FabricOptions& options, const Pattern& pattern)
-    : Options(options)
-    , Drawn(pattern)
-  {
-  }
-
   Status search()
   {
     for (std::size_t p = 0; p < this->Drawn.pieces.size(); ++p)
@@ -164,10 +155,8 @@ public:
     return {};
   }
 
-  const Lay& best() const { return this->Best; }
   const Kind& kindOf(std::size_t copy) const { return this->Kinds[this->KindOf[copy]]; }
 
-private:
   bool fits(const Kind& kind) const
   {
     return kind.extent.x() <= this->Options.width && kind.extent.y() <= longestPiece;
@@ -275,31 +264,30 @@ private:
 
   const FabricOptions& Options;
   const Pattern& Drawn;
-  NoFitRegion Region;
-  std::vector<Kind> Kinds;
-  std::vector<std::size_t> KindOf; ///< of each copy
+  NoFitRegion Region{};
+  std::vector<Kind> Kinds{};
+  std::vector<std::size_t> KindOf{}; ///< of each copy
   std::size_t Placings = 0;
-  Lay Best;
+  Lay Best{};
 };
 }
 
 Status layOnFabric(const FabricOptions& options, Pattern& pattern)
 {
-  LaySearch search(options, pattern);
-  Status status = search.search();
-  if (!status.ok())
+  LaySearch search{ options, pattern };
+  if (Status status = search.search(); !status.ok())
   {
     return status;
   }
   Fabric fabric;
   fabric.width = options.width;
-  fabric.length = search.best().length;
+  fabric.length = search.Best.length;
   std::vector<PatternPiece> laid;
   double area = 0.0;
-  for (std::size_t c = 0; c < search.best().copies.size(); ++c)
+  for (std::size_t c = 0; c < search.Best.copies.size(); ++c)
   {
     const Kind& kind = search.kindOf(c);
-    const Copy& copy = search.best().copies[c];
+    const Copy& copy = search.Best.copies[c];
     laid.push_back(movedPiece(pattern.pieces[kind.piece], kind.ways[copy.way].motion));
     fabric.corners.push_back(copy.at);
     area += kind.area;

@@ -46,13 +46,8 @@ bool folds(const Loop& loop, std::size_t first, std::size_t count)
 /// The dart whose legs are edges of a loop, from one mouth or tip to the other.
 Dart dartOf(const Loop& loop, std::size_t loopIndex, std::size_t first, std::size_t edges)
 {
-  Dart dart;
-  dart.loop = loopIndex;
-  dart.firstEdge = first % loop.size();
-  dart.edges = edges;
-  dart.tip = loop.point(first + edges / 2);
-  dart.name = loop.wire[dart.firstEdge]->name;
-  return dart;
+  const std::size_t firstEdge = first % loop.size();
+  return { loopIndex, firstEdge, edges, loop.point(first + edges / 2), loop.wire[firstEdge]->name };
 }
 
 void findOpenDarts(const Loop& loop, std::size_t loopIndex, std::vector<Dart>& darts)

@@ -13,9 +13,9 @@ struct Dart
   std::size_t firstEdge = 0; ///< of the loop: the first leg runs from the mouth to the tip
   std::size_t edges = 0;     ///< of both legs
   Index tip = none;
+  std::string name;
   std::array<Index, 2> mouth{ none, none }; ///< none: both ends are tips, the loop is the dart
   Index otherTip = none;                    ///< of a dart without mouth
-  std::string name;
 };
 
 /// Wire of each undirected edge (edgeKey of the smaller id first); a curve goes before the

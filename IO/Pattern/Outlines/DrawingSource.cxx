@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Outlines/DrawingSource.h"
 
-#include "Outlines/ClosedCuts.h"
+#include "Base/CompressedRows.h"
 #include "Outlines/Grainlines.h"
 
 #include <string>
+#include <unordered_set>
 #include <utility>
 
 namespace flattening::pattern
@@ -17,6 +18,99 @@ std::pair<std::string, Index> curveSide(const std::string& text)
     number.find_first_not_of("0123456789") == std::string::npos;
   return isSide ? std::pair(text.substr(0, colon), static_cast<Index>(std::stol(number) - 1))
                 : std::pair(text, none);
+}
+
+namespace
+{
+/// The same flattening with cuts that were closed (SewnEdges::closed) taken for whole cloth: the
+/// points of their two banks become one, they are sewn nowhere, and of their wires what is still
+/// open is left.
+PatternSource withoutClosedCuts(const PatternSource& source)
+{
+  PatternSource whole = source;
+  JoinedSets joined(static_cast<Index>(source.positions.size()));
+  std::unordered_set<std::uint64_t> closed; // edges of both banks
+  for (const SewnEdges& pair : source.sewn)
+  {
+    if (pair.closed)
+    {
+      joined.join(pair.a[0], pair.b[0]);
+      joined.join(pair.a[1], pair.b[1]);
+      closed.insert({ undirectedKey(pair.a[0], pair.a[1]), undirectedKey(pair.b[0], pair.b[1]) });
+    }
+  }
+  const auto joinAll = [&joined](auto& points) {
+    for (Index& v : points)
+    {
+      v = joined.find(v);
+    }
+  };
+  std::for_each(whole.triangles.begin(), whole.triangles.end(), joinAll);
+  joinAll(whole.gradePoints);
+  eraseIf(whole.sewn, [](const SewnEdges& pair) { return pair.closed; });
+  for (SewnEdges& pair : whole.sewn)
+  {
+    joinAll(pair.a);
+    joinAll(pair.b);
+  }
+  whole.wires.clear();
+  for (const SourceWire& wire : source.wires)
+  {
+    SourceWire part = wire;
+    part.points.clear();
+    const auto end = [&] {
+      if (part.points.size() > 1)
+      {
+        whole.wires.push_back(part);
+      }
+      part.points.clear();
+    };
+    for (std::size_t k = 0; k < wire.points.size(); ++k)
+    {
+      if (k > 0 && closed.count(undirectedKey(wire.points[k - 1], wire.points[k])) > 0)
+      {
+        end();
+      }
+      part.points.push_back(joined.find(wire.points[k]));
+    }
+    end();
+  }
+  return whole;
+}
+
+/// Makes pieces longer along their grain and across it, as the options say.
+void compensate(std::size_t pieces, DrawingSource& all)
+{
+  PatternSource& source = all.source;
+  const Eigen::Vector2d factors(
+    1.0 + all.options.weftCompensation / 100.0, 1.0 + all.options.warpCompensation / 100.0);
+  if (factors == Eigen::Vector2d::Ones())
+  {
+    return;
+  }
+  std::vector<Eigen::Matrix2d> stretches(pieces);
+  for (std::size_t p = 0; p < pieces; ++p)
+  {
+    const Point2 grain = grainOf(source, p, all.options.up);
+    Eigen::Matrix2d turn; // the grain becomes upright
+    turn << grain.y(), -grain.x(), grain.x(), grain.y();
+    stretches[p] = turn.transpose() * factors.asDiagonal() * turn;
+  }
+  std::vector<char> isDone(source.positions.size(), 0);
+  for (std::size_t t = 0; t < source.triangles.size(); ++t)
+  {
+    for (const Index v : source.triangles[t])
+    {
+      const auto point = static_cast<std::size_t>(v);
+      if (isDone[point] == 0)
+      {
+        const auto piece = static_cast<std::size_t>(source.pieceOfTriangle[t]);
+        source.positions[point] = stretches[piece] * source.positions[point];
+        isDone[point] = 1;
+      }
+    }
+  }
+}
 }
 
 DrawingSource::DrawingSource(const PatternSource& given, PatternOptions asked)
@@ -77,43 +171,6 @@ double DrawingSource::fairToleranceAlong(Index from, Index to) const
     from, to, this->options.fairToleranceOfCurve, this->options.fairToleranceOf(this->source));
 }
 
-namespace
-{
-/// Makes pieces longer along their grain and across it, as the options say.
-void compensate(std::size_t pieces, DrawingSource& all)
-{
-  PatternSource& source = all.source;
-  const Eigen::Vector2d factors(
-    1.0 + all.options.weftCompensation / 100.0, 1.0 + all.options.warpCompensation / 100.0);
-  if (factors == Eigen::Vector2d::Ones())
-  {
-    return;
-  }
-  std::vector<Eigen::Matrix2d> stretches(pieces);
-  for (std::size_t p = 0; p < pieces; ++p)
-  {
-    const Point2 grain = grainOf(source, p, all.options.up);
-    Eigen::Matrix2d turn; // the grain becomes upright
-    turn << grain.y(), -grain.x(), grain.x(), grain.y();
-    stretches[p] = turn.transpose() * factors.asDiagonal() * turn;
-  }
-  std::vector<char> isDone(source.positions.size(), 0);
-  for (std::size_t t = 0; t < source.triangles.size(); ++t)
-  {
-    for (const Index v : source.triangles[t])
-    {
-      const auto point = static_cast<std::size_t>(v);
-      if (isDone[point] == 0)
-      {
-        const auto piece = static_cast<std::size_t>(source.pieceOfTriangle[t]);
-        source.positions[point] = stretches[piece] * source.positions[point];
-        isDone[point] = 1;
-      }
-    }
-  }
-}
-}
-
 Status findBorders(DrawingSource& all)
 {
   const std::size_t pieces = pieceCount(all.source);
@@ -140,6 +197,7 @@ Status findBorders(DrawingSource& all)
     all.darts[p] = findDarts(all.source, all.loops[p], all.wires, all.partners);
   }
   all.joins = findJoins(all.source, all.border, all.partners, all.loops, all.darts);
-  return placeNotches(all.source, all.border, all.partners, all.joins, all.options, all.notches);
+  return placeNotches(
+    all.source, all.border, all.partners, all.joins, all.options, all.stations, all.notches);
 }
 }

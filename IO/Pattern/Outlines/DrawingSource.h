@@ -30,6 +30,7 @@ struct DrawingSource
   WireOfEdge wires;
   std::vector<std::vector<Dart>> darts; ///< of each piece, that are folded
   std::vector<Join> joins;
+  std::vector<std::vector<double>> stations; ///< of notches along each wire, from its start
   std::vector<NotchPlace> notches;
   std::shared_ptr<const FairBorders> fair; ///< null: borders are drawn as the mesh has them
   const Points2* moved = nullptr;          ///< where the points are then, millimetres

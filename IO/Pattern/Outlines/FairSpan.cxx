@@ -102,13 +102,10 @@ Points2 sampled(const std::vector<FairSpan>& curve)
 
 FairSpan partOf(const FairSpan& span, double from, double to)
 {
-  FairSpan part;
-  part.from = from;
-  part.to = to;
   const double third = (to - from) / 3.0;
-  part.control = { span.at(from), span.at(from) + third * span.slope(from),
-    span.at(to) - third * span.slope(to), span.at(to) };
-  return part;
+  return { from, to,
+    { span.at(from), span.at(from) + third * span.slope(from), span.at(to) - third * span.slope(to),
+      span.at(to) } };
 }
 
 const FairSpan& spanAt(const std::vector<FairSpan>& spans, double arc)

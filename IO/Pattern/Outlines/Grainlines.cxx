@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Outlines/Grainlines.h"
 
+#include "Outlines/Outline.h"
 #include "Outlines/PatternText.h"
 
 #include <algorithm>
@@ -26,27 +27,26 @@ bool isOpenKey(const PatternLine& line)
     line.points.front() != line.points.back();
 }
 
-/// The first straight key curve, or none.
-const PatternLine* straightKey(PatternPiece& piece)
+/// The first straight key curve, or null.
+const PatternLine* straightKey(const PatternPiece& piece)
+{
+  const auto isStraight = [](const PatternLine& line) {
+    return isOpenKey(line) && bendOf(line) <= straightness;
+  };
+  const auto found = std::find_if(piece.lines.begin(), piece.lines.end(), isStraight);
+  return found == piece.lines.end() ? nullptr : &*found;
+}
+
+/// Of a piece without a straight key curve: a warning of the one that bends least, if there is one.
+void warnOfBentKeys(PatternPiece& piece)
 {
   const PatternLine* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const PatternLine& line : piece.lines)
   {
-    if (!isOpenKey(line))
-    {
-      continue;
-    }
-    const double bend = bendOf(line);
-    if (bend <= straightness)
-    {
-      return &line;
-    }
-    if (bend < least)
-    {
-      best = &line;
-      least = bend;
-    }
+    const double bend = isOpenKey(line) ? bendOf(line) : least;
+    best = bend < least ? &line : best;
+    least = std::min(least, bend);
   }
   if (best)
   {
@@ -55,7 +55,6 @@ const PatternLine* straightKey(PatternPiece& piece)
       " bends by " + formatNumber(least * chord, 1) +
       " mm, so the grainline is drawn upright, not along it");
   }
-  return nullptr;
 }
 }
 
@@ -77,26 +76,18 @@ std::optional<Point2> upOf(const PatternSource& source, std::size_t piece, UpAxi
                                             : upAxisOf(box.sizes());
   Point2 slope = Point2::Zero(); // of the height, times the area
   double area = 0.0;
-  for (std::size_t t = 0; t < source.triangles.size(); ++t)
+  for (const Triangle& corners : trianglesOf(source, piece))
   {
-    if (source.pieceOfTriangle[t] != static_cast<Index>(piece))
-    {
-      continue;
-    }
-    const Triangle& corners = source.triangles[t];
     const auto at = [&](std::size_t k) { return source.positions[corners[k % 3]]; };
-    area += cross(at(1) - at(0), at(2) - at(0)) / 2.0;
+    area += cross(source.positions, corners) / 2.0;
     for (std::size_t k = 0; k < 3; ++k)
     {
       const Point2 opposite = at(k + 2) - at(k + 1);
       slope += source.inSpace[corners[k]][up] / 2.0 * Point2(-opposite.y(), opposite.x());
     }
   }
-  if (!(slope.norm() > leastSlope * area))
-  {
-    return std::nullopt;
-  }
-  return slope.normalized();
+  return slope.norm() > leastSlope * area ? std::optional<Point2>(slope.normalized())
+                                          : std::nullopt;
 }
 
 Point2 grainOf(const PatternSource& source, std::size_t piece, UpAxis axis)
@@ -110,11 +101,7 @@ Point2 grainOf(const PatternSource& source, std::size_t piece, UpAxis axis)
     {
       continue;
     }
-    Points2 line;
-    for (const Index v : wire.points)
-    {
-      line.push_back(source.positions[v]);
-    }
+    const Points2 line = positionsOf(source, wire.points);
     const Point2 chord = line.back() - line.front();
     if (farthestFromChord(line) <= straightness * chord.norm())
     {
@@ -126,8 +113,7 @@ Point2 grainOf(const PatternSource& source, std::size_t piece, UpAxis axis)
 
 bool hasStraightKey(const PatternPiece& piece)
 {
-  return std::any_of(piece.lines.begin(), piece.lines.end(),
-    [](const PatternLine& line) { return isOpenKey(line) && bendOf(line) <= straightness; });
+  return straightKey(piece) != nullptr;
 }
 
 void drawGrainline(const Segments& boundary, bool onCloth, bool stands, PatternPiece& piece)
@@ -136,7 +122,11 @@ void drawGrainline(const Segments& boundary, bool onCloth, bool stands, PatternP
   Point2 anchor = widestPlace(boundary, {}, room);
   Point2 direction(0.0, 1.0);
   double length = std::numeric_limits<double>::infinity();
-  const PatternLine* key = onCloth ? nullptr : straightKey(piece);
+  const PatternLine* const key = onCloth ? nullptr : straightKey(piece);
+  if (!onCloth && !key)
+  {
+    warnOfBentKeys(piece);
+  }
   piece.grain.known = key || onCloth || stands;
   if (key)
   {

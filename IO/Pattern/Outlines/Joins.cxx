@@ -127,14 +127,9 @@ std::vector<Join> findJoins(const PatternSource& source, const BorderEdges& bord
       const std::array<std::size_t, 2> pieces{ ofPiece(one), ofPiece(other) };
       if (!going || joins.back().piece != pieces || joins.back().points[1].back() != other[0])
       {
-        Join& join = joins.emplace_back();
         const bool isMarked = folded.count(undirectedKey(one[0], one[1])) == 0;
-        join.mark = isMarked ? joinMark(marked++) : "";
-        join.wire = w;
-        join.firstEdge = k;
-        join.from = arc[k];
-        join.piece = pieces;
-        join.points = { Indices{ one[0] }, Indices{ other[0] } };
+        joins.push_back({ isMarked ? joinMark(marked++) : "", w, k, arc[k], arc[k], pieces,
+          { Indices{ one[0] }, Indices{ other[0] } } });
         going = true;
       }
       joins.back().to = arc[k + 1];

@@ -46,7 +46,11 @@ public:
       moment += side.cross / 6.0 * (side.a + side.b);
     }
     this->Center = this->Area != 0.0 ? Point2(moment / this->Area) : Point2::Zero();
-    this->move(-this->Center);
+    const auto center = [this](Points2& points) {
+      std::for_each(points.begin(), points.end(), [this](Point2& p) { p -= this->Center; });
+    };
+    center(this->Shape.outline);
+    std::for_each(this->Shape.lines.begin(), this->Shape.lines.end(), center);
     for (std::size_t k = 0; k < this->Shape.outline.size(); ++k)
     {
       const Side side = this->side(k);
@@ -118,15 +122,6 @@ private:
     return { a, b, flattening::cross(a, b) };
   }
 
-  void move(const Point2& by)
-  {
-    const auto shift = [&](Points2& points) {
-      std::for_each(points.begin(), points.end(), [&](Point2& p) { p += by; });
-    };
-    shift(this->Shape.outline);
-    std::for_each(this->Shape.lines.begin(), this->Shape.lines.end(), shift);
-  }
-
   PieceShape Shape;
   Segments Lines;
   double Area = 0.0;
@@ -149,30 +144,7 @@ bool areMirrored(const LaidShape& one, const LaidShape& other, double tolerance)
     return one.covers(other, turn, tolerance) && other.covers(one, turn, tolerance);
   });
 }
-}
 
-Point2 imageOf(const Point2& p, const MirrorAxis& axis)
-{
-  return 2.0 * (axis.at + axis.along.dot(p - axis.at) * axis.along) - p;
-}
-
-double mirrorMiss(const PieceShape& shape, const MirrorAxis& axis)
-{
-  const Segments lines = linesOf(shape);
-  double most = 0.0;
-  const auto add = [&](const Points2& points) {
-    for (const Point2& p : points)
-    {
-      most = std::max(most, distance(imageOf(p, axis), lines));
-    }
-  };
-  add(shape.outline);
-  std::for_each(shape.lines.begin(), shape.lines.end(), add);
-  return most;
-}
-
-namespace
-{
 constexpr int improvements = 30;
 constexpr double settled = 1e-9; ///< radians, millimetres
 
@@ -218,6 +190,26 @@ MirrorAxis improved(const PieceShape& shape, MirrorAxis axis)
   }
   return best;
 }
+}
+
+Point2 imageOf(const Point2& p, const MirrorAxis& axis)
+{
+  return 2.0 * (axis.at + axis.along.dot(p - axis.at) * axis.along) - p;
+}
+
+double mirrorMiss(const PieceShape& shape, const MirrorAxis& axis)
+{
+  const Segments lines = linesOf(shape);
+  double most = 0.0;
+  const auto add = [&](const Points2& points) {
+    for (const Point2& p : points)
+    {
+      most = std::max(most, distance(imageOf(p, axis), lines));
+    }
+  };
+  add(shape.outline);
+  std::for_each(shape.lines.begin(), shape.lines.end(), add);
+  return most;
 }
 
 MirrorAxis nearestMirrorAxis(const PieceShape& shape, double tolerance)

@@ -16,21 +16,9 @@ namespace
 /// quarter of it before the end, or the middle where there is none of these.
 /// \param directed the first one moves towards the start, by a quarter of the spacing or a tenth of
 /// the length, where the notches would otherwise be the same from either end
-/// \param spacing 0: none
-Status notchStations(const std::string& curve, double length, double spacing, bool directed,
-  std::vector<double>& stations)
+std::vector<double> notchStations(double length, double spacing, bool directed)
 {
-  stations.clear();
-  if (!(spacing > 0.0))
-  {
-    return {};
-  }
-  if (!(length / spacing < 10000.0))
-  {
-    return { StatusCode::InvalidOption,
-      "notches so close give more than 10000 of them on the curve " + curve, {},
-      { Remedy::CheckUnit, Remedy::WidenNotches } };
-  }
+  std::vector<double> stations;
   // The last one keeps some distance from the end, which is a mark of its own.
   for (int k = 1; k * spacing < length - 0.25 * spacing; ++k)
   {
@@ -44,6 +32,49 @@ Status notchStations(const std::string& curve, double length, double spacing, bo
   if (directed && std::abs(stations.front() - left) < 0.1 * std::min(spacing, length))
   {
     stations.front() -= std::min(0.25 * spacing, 0.1 * length);
+  }
+  return stations;
+}
+
+/// \param length of the wire \param scale millimetres per unit of the lengths
+Status stationsOf(const PatternSource& source, std::size_t wire, double length,
+  const std::vector<Join>& joins, const PatternOptions& options, double scale,
+  std::vector<double>& stations)
+{
+  const std::string& name = source.wires[wire].name;
+  const auto own = options.notchesOfCurve.find(name);
+  if (own != options.notchesOfCurve.end())
+  {
+    for (const double distance : own->second)
+    {
+      // The ends are marks of their own.
+      if (distance > 0.0 && distance / scale < length)
+      {
+        stations.push_back(distance / scale);
+      }
+    }
+    sortUnique(stations);
+    return {};
+  }
+  const double spacing = options.notchSpacing / scale;
+  for (const Join& join : joins)
+  {
+    if (join.wire != wire || !(spacing > 0.0))
+    {
+      continue;
+    }
+    const double joined = join.to - join.from;
+    if (!(joined / spacing < 10000.0))
+    {
+      return { StatusCode::InvalidOption,
+        "notches so close give more than 10000 of them on the curve " + name, {},
+        { Remedy::CheckUnit, Remedy::WidenNotches } };
+    }
+    for (const double at :
+      notchStations(joined, spacing, source.wires[wire].type == WireType::Seam))
+    {
+      stations.push_back(join.from + at);
+    }
   }
   return {};
 }
@@ -82,51 +113,11 @@ std::vector<NotchPlace> marksOf(
 }
 }
 
-Status stationsOf(const PatternSource& source, std::size_t wire, double length,
-  const std::vector<Join>& joins, const PatternOptions& options, double scale,
-  std::vector<double>& stations)
-{
-  stations.clear();
-  const std::string& name = source.wires[wire].name;
-  const auto own = options.notchesOfCurve.find(name);
-  if (own == options.notchesOfCurve.end())
-  {
-    const bool directed = source.wires[wire].type == WireType::Seam;
-    auto join = std::lower_bound(joins.begin(), joins.end(), wire,
-      [](const Join& one, std::size_t of) { return one.wire < of; });
-    for (; join != joins.end() && join->wire == wire; ++join)
-    {
-      std::vector<double> within;
-      Status status =
-        notchStations(name, join->to - join->from, options.notchSpacing / scale, directed, within);
-      if (!status.ok())
-      {
-        return status;
-      }
-      for (const double at : within)
-      {
-        stations.push_back(join->from + at);
-      }
-    }
-    return {};
-  }
-  for (const double distance : own->second)
-  {
-    // The ends are marks of their own.
-    if (distance > 0.0 && distance / scale < length)
-    {
-      stations.push_back(distance / scale);
-    }
-  }
-  std::sort(stations.begin(), stations.end());
-  stations.erase(std::unique(stations.begin(), stations.end()), stations.end());
-  return {};
-}
-
 Status placeNotches(const PatternSource& source, const BorderEdges& border,
   const SewnPartners& partners, const std::vector<Join>& joins, const PatternOptions& options,
-  std::vector<NotchPlace>& places)
+  std::vector<std::vector<double>>& stations, std::vector<NotchPlace>& places)
 {
+  stations.assign(source.wires.size(), {});
   places.clear();
   const double scale = millimetresPer(options.unit);
   std::map<std::string, double> longest;  // wires that have notches of their own
@@ -139,13 +130,12 @@ Status placeNotches(const PatternSource& source, const BorderEdges& border,
     {
       longest[wire.name] = std::max(longest[wire.name], scale * arc.back());
     }
-    std::vector<double> stations;
-    Status status = stationsOf(source, w, arc.back(), joins, options, scale, stations);
-    if (!status.ok())
+    if (Status status = stationsOf(source, w, arc.back(), joins, options, scale, stations[w]);
+        !status.ok())
     {
       return status;
     }
-    const std::vector<NotchPlace> marks = marksOf(stations, w,
+    const std::vector<NotchPlace> marks = marksOf(stations[w], w,
       options.doubleNotches.count(wire.name) > 0, doubleNotchDistance / 2.0 / scale, arc.back());
     std::size_t next = 0;
     for (std::size_t k = 0; k + 1 < wire.points.size(); ++k)

@@ -22,21 +22,15 @@ struct NotchPlace
 /// as on printed patterns.
 constexpr double doubleNotchDistance = 6.35;
 
-/// Lengths from the start of a wire at which it is notched: the distances that the options have for
-/// its name, up to its length, or along each of its joins multiples of the spacing, which tell the
-/// ends of seams apart.
-/// \param length of the wire
-/// \param scale millimetres per unit of the lengths
-Status stationsOf(const PatternSource& source, std::size_t wire, double length,
-  const std::vector<Join>& joins, const PatternOptions& options, double scale,
-  std::vector<double>& stations);
-
 /// Places on both banks of every seam and dart, and on the edges of the boundary that have notches
-/// of their own, at the lengths on the surface that stationsOf() says. A place and its partner lie
-/// on the same point of the curve before the cut. A double notch is a place that is not drawn and
-/// two marks beside it. Error: InvalidOption where a notch is farther out than any wire of its name
-/// is long.
+/// of their own. A place and its partner lie on the same point of the curve before the cut. A
+/// double notch is a place that is not drawn and two marks beside it.
+/// \param stations of each wire, lengths on the surface from its start: the distances that the
+/// options have for its name, up to its length, or along each of its joins multiples of the
+/// spacing, which tell the ends of seams apart
+/// \return InvalidOption where a notch is farther out than any wire of its name is long, or notches
+/// are too close
 Status placeNotches(const PatternSource& source, const BorderEdges& border,
   const SewnPartners& partners, const std::vector<Join>& joins, const PatternOptions& options,
-  std::vector<NotchPlace>& places);
+  std::vector<std::vector<double>>& stations, std::vector<NotchPlace>& places);
 }

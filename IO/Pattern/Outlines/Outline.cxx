@@ -9,12 +9,7 @@ namespace
 {
 double areaOf(const PatternSource& source, const Indices& loop)
 {
-  Points2 polygon;
-  for (const Index v : loop)
-  {
-    polygon.push_back(source.positions[v]);
-  }
-  return doubleArea(polygon);
+  return doubleArea(positionsOf(source, loop));
 }
 }
 
@@ -81,6 +76,29 @@ bool areOnBorder(const BorderEdges& borders, const Indices& line)
 {
   const auto isWithin = [&](Index from, Index to) { return pieceOf(borders, from, to) == none; };
   return std::adjacent_find(line.begin(), line.end(), isWithin) == line.end();
+}
+
+Triangles trianglesOf(const PatternSource& source, std::size_t piece)
+{
+  Triangles triangles;
+  for (std::size_t t = 0; t < source.triangles.size(); ++t)
+  {
+    if (source.pieceOfTriangle[t] == static_cast<Index>(piece))
+    {
+      triangles.push_back(source.triangles[t]);
+    }
+  }
+  return triangles;
+}
+
+Points2 positionsOf(const PatternSource& source, const Indices& points)
+{
+  Points2 positions;
+  for (const Index point : points)
+  {
+    positions.push_back(source.positions[static_cast<std::size_t>(point)]);
+  }
+  return positions;
 }
 
 std::size_t pieceCount(const PatternSource& source)

@@ -44,6 +44,12 @@ Index pieceOf(const BorderEdges& borders, Index from, Index to);
 /// Whether all edges of a line are of borders.
 bool areOnBorder(const BorderEdges& borders, const Indices& line);
 
+/// The triangles of a piece.
+Triangles trianglesOf(const PatternSource& source, std::size_t piece);
+
+/// Where points lie in the plane.
+Points2 positionsOf(const PatternSource& source, const Indices& points);
+
 /// How many pieces a source has.
 std::size_t pieceCount(const PatternSource& source);
 

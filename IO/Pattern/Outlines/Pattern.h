@@ -87,10 +87,10 @@ enum class TextRole
 struct PatternText
 {
   TextRole role = TextRole::Label;
+  std::string text; ///< valid UTF-8 without control characters
   Point2 position = Point2::Zero();
   double height = 5.0; ///< of capitals and ascenders together, about
   double angle = 0.0;  ///< radians
-  std::string text;    ///< valid UTF-8 without control characters
 };
 
 enum class NoteKind
@@ -134,6 +134,11 @@ struct PatternPiece
   std::vector<std::string> warnings; ///< what is drawn otherwise than may be expected
   std::vector<PatternText> texts;
   Point2 extent = Point2::Zero();
+
+  void addNote(const std::string& text, NoteKind kind = NoteKind::Drawn)
+  {
+    this->notes.push_back({ "piece " + this->name + ": " + text, kind });
+  }
 };
 
 /// Calls f(point) for each point and control point of a line.

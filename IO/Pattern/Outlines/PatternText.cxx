@@ -44,26 +44,12 @@ std::string escapeXml(const std::string& text)
   std::string escaped;
   for (const char c : cleanText(text))
   {
-    switch (c)
-    {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&#39;";
-        break;
-      default:
-        escaped += c;
-    }
+    escaped += c == '&' ? "&amp;"
+      : c == '<'        ? "&lt;"
+      : c == '>'        ? "&gt;"
+      : c == '"'        ? "&quot;"
+      : c == '\''       ? "&#39;"
+                        : std::string(1, c);
   }
   return escaped;
 }

@@ -29,6 +29,18 @@ std::string exactNumber(double value);
 /// A field of comma-separated values, in quotes where its characters ask for them.
 std::string csvField(const std::string& text);
 
+/// Texts with commas between them.
+template <typename Texts>
+std::string listed(const Texts& texts)
+{
+  std::string list;
+  for (const std::string& text : texts)
+  {
+    list += (list.empty() ? "" : ", ") + text;
+  }
+  return list;
+}
+
 /// How wide a text is to be taken in a sans-serif face of the given height.
 double textWidth(const std::string& text, double height);
 }

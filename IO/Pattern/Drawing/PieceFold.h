@@ -1,13 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Outlines/DrawingSource.h"
 #include "Outlines/MirrorPairs.h"
-#include "Outlines/Pattern.h"
 
-#include <vector>
+#include <optional>
 
 namespace flattening::pattern
 {
+/// How a piece lies on the fold of the cloth.
+struct PieceFold
+{
+  MirrorAxis axis;       ///< about which a half of the piece is drawn, or its edge on the fold
+  bool isBorder = false; ///< the piece is a half
+};
+
+/// Along a curve that the options name, or where the piece is symmetric if they say so.
+/// \param fold none where there is none
+/// \return InvalidOption where the curve is sewn, bends by more than mirrorTolerance, is one of two,
+/// or is no line of symmetry of the piece, with both names
+Status findFold(const DrawingSource& all, std::size_t piece, const std::string& pieceName,
+  const PieceShape& shape, std::optional<PieceFold>& fold);
+
 /// The part of a closed polygon on the right of an axis; what runs across is closed along the axis.
 Points2 rightHalf(const Points2& polygon, const MirrorAxis& axis);
 

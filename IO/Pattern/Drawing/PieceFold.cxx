@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Drawing/HalfPiece.h"
+#include "Drawing/PieceFold.h"
+
+#include "Fairing/FairBorders.h"
+#include "Outlines/PatternText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -151,8 +154,7 @@ std::vector<PatternLine> halfOf(PatternLine line, const MirrorAxis& axis)
   {
     joinEnds(parts);
   }
-  const auto nothing = [](const PatternLine& part) { return lengthOf(part) < onAxis; };
-  parts.erase(std::remove_if(parts.begin(), parts.end(), nothing), parts.end());
+  eraseIf(parts, [](const PatternLine& part) { return lengthOf(part) < onAxis; });
   for (PatternLine& part : parts)
   {
     part.restLength = line.restLength * lengthOf(part) / length;
@@ -165,6 +167,102 @@ std::vector<PatternLine> halfOf(PatternLine line, const MirrorAxis& axis)
   return parts;
 }
 
+const Point2& farthestFrom(const Point2& place, const Points2& points)
+{
+  return *std::max_element(
+    points.begin(), points.end(), [&place](const Point2& a, const Point2& b) {
+      return (a - place).squaredNorm() < (b - place).squaredNorm();
+    });
+}
+
+/// About which a shape is symmetric; of an outline that is drawn as its own mirror image as that
+/// is.
+std::optional<MirrorAxis> symmetryAxis(
+  const DrawingSource& all, std::size_t piece, const PieceShape& shape)
+{
+  std::optional<MirrorAxis> axis = findMirrorAxis(shape, mirrorTolerance);
+  if (axis && all.fair && all.fair->reports()[piece].mirror)
+  {
+    axis = all.fair->reports()[piece].mirror;
+    axis->miss = mirrorMiss(shape, *axis);
+  }
+  return axis;
+}
+}
+
+Status findFold(const DrawingSource& all, std::size_t piece, const std::string& pieceName,
+  const PieceShape& shape, std::optional<PieceFold>& fold)
+{
+  fold.reset();
+  const PatternOptions& options = all.options;
+  const auto refused = [&pieceName](const std::string& curve, const std::string& why) {
+    return Status{ StatusCode::InvalidOption,
+      "piece " + pieceName + " cannot be cut on the fold along " + curve + ", " + why, {},
+      { { Remedy::Give, "a straight curve about which the piece is symmetric" } } };
+  };
+  const SourceWire* named = nullptr;
+  Points2 points;
+  bool isBorder = true;
+  for (const SourceWire& wire : all.source.wires)
+  {
+    if (wire.piece != static_cast<Index>(piece) || options.foldsAlong.count(wire.name) == 0)
+    {
+      continue;
+    }
+    if (wire.type == WireType::Seam || wire.type == WireType::Dart)
+    {
+      return refused(wire.name, "which is sewn");
+    }
+    if (named && named->name != wire.name)
+    {
+      return refused(wire.name, "since it is folded along " + named->name);
+    }
+    named = &wire;
+    const Points2 line = all.at(wire.points);
+    points.insert(points.end(), line.begin(), line.end());
+    isBorder = isBorder && areOnBorder(all.border, wire.points);
+  }
+  if (!named)
+  {
+    const std::optional<MirrorAxis> axis =
+      options.cutOnFold && !options.oneLayer ? symmetryAxis(all, piece, shape) : std::nullopt;
+    if (axis)
+    {
+      fold = PieceFold{ *axis, false };
+    }
+    return {};
+  }
+  const Point2 from = farthestFrom(points.front(), points);
+  const Point2 way = farthestFrom(from, points) - from;
+  MirrorAxis axis{ from, (way.y() < 0.0 ? -1.0 : 1.0) * way.normalized(), 0.0 };
+  double bend = 0.0;
+  for (const Point2& p : points)
+  {
+    bend = std::max(bend, std::abs(rightOf(axis, p)));
+  }
+  const std::string limit = " mm, more than " + formatNumber(mirrorTolerance, 1) + " mm";
+  if (bend > mirrorTolerance)
+  {
+    return refused(named->name, "which bends by " + formatNumber(bend, 1) + limit);
+  }
+  if (options.oneLayer) // drawn whole
+  {
+    return isBorder
+      ? refused(named->name, "since the cloth of a lay is one layer and the piece is a half")
+      : Status();
+  }
+  if (!isBorder)
+  {
+    axis.miss = mirrorMiss(shape, axis);
+    if (axis.miss > mirrorTolerance)
+    {
+      return refused(named->name,
+        "about which it is not symmetric: mirrored it misses itself by " +
+          formatNumber(axis.miss, 1) + limit);
+    }
+  }
+  fold = PieceFold{ axis, isBorder };
+  return {};
 }
 
 Points2 rightHalf(const Points2& polygon, const MirrorAxis& axis)
@@ -263,8 +361,7 @@ void keepRightHalf(const MirrorAxis& axis, PatternPiece& piece)
   lines.push_back(foldLine(lines, axis));
   piece.lines = std::move(lines);
   const auto keepRight = [&axis](auto& marks, double tolerance, const auto& placeOf) {
-    const auto isLeft = [&](const auto& mark) { return rightOf(axis, placeOf(mark)) < -tolerance; };
-    marks.erase(std::remove_if(marks.begin(), marks.end(), isLeft), marks.end());
+    eraseIf(marks, [&](const auto& mark) { return rightOf(axis, placeOf(mark)) < -tolerance; });
   };
   keepRight(piece.notches, onAxis, [](const Notch& notch) { return notch.foot; });
   keepRight(piece.gradePoints, mirrorTolerance, [](const GradePoint& p) { return p.place; });
