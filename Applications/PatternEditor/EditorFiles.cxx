@@ -46,6 +46,20 @@ namespace
 {
 using flattening::OptionValues;
 
+void require(bool holds, const std::string& message)
+{
+  if (!holds)
+  {
+    throw std::runtime_error(message);
+  }
+}
+
+/// Throws what the curves say of a change that they did not make.
+void requireDone(bool done, vtkFeatureCurveEditor* curves)
+{
+  require(done, curves->GetMessage());
+}
+
 const char* const optionArray = "PatternOptions"; ///< of field data, "Property=value"
 
 /// The curves as they are written, with the unit of the surface and the options of the pattern that
@@ -158,10 +172,7 @@ bool EditorWindow::openSurface(const std::string& path)
     this->tell("", false);
     const wirewarp::SurfaceContents contents = wirewarp::readSurface(path);
     const figures::PolyData surface = wirewarp::polyDataOf(contents.surface);
-    if (!this->Curves->SetSurface(surface))
-    {
-      throw std::runtime_error(this->Curves->GetMessage());
-    }
+    requireDone(this->Curves->SetSurface(surface), this->Curves);
     const std::string healed = this->Curves->GetMessage();
     this->Surface = surface;
     this->Labels = contents.labels;
@@ -201,10 +212,7 @@ bool EditorWindow::openSurface(const std::string& path)
 bool EditorWindow::openCurves(const std::string& path)
 {
   return this->attempt([&] {
-    if (!this->Surface)
-    {
-      throw std::runtime_error("open a surface before its curves");
-    }
+    require(this->Surface, "open a surface before its curves");
     const wirewarp::CurveContents read =
       wirewarp::readCurves(path, wirewarp::dataSetOf(this->Surface));
     const vtkSmartPointer<vtkPolyData> curves = wirewarp::polyDataOf(read.curves);
@@ -217,16 +225,10 @@ bool EditorWindow::openCurves(const std::string& path)
 bool EditorWindow::takeSeams(wirewarp::SeamSource source)
 {
   return this->attempt([&] {
-    if (!this->Surface)
-    {
-      throw std::runtime_error("open a surface before its seams");
-    }
+    require(this->Surface, "open a surface before its seams");
     const wirewarp::DataSet seams =
       seamsOf(wirewarp::dataSetOf(this->Surface), this->Labels, source);
-    if (seams.lines.size() == 0)
-    {
-      throw std::runtime_error("the faces of the surface have no edge to cut along");
-    }
+    require(seams.lines.size() > 0, "the faces of the surface have no edge to cut along");
     this->showCurves(wirewarp::polyDataOf(seams));
     this->Saved = 0; // no file has them
     this->followSaving();
@@ -269,10 +271,7 @@ void EditorWindow::proposeUnit()
 
 void EditorWindow::showCurves(vtkPolyData* lines, const std::string& note)
 {
-  if (!this->Curves->SetCurves(lines))
-  {
-    throw std::runtime_error(this->Curves->GetMessage());
-  }
+  requireDone(this->Curves->SetCurves(lines), this->Curves);
   std::string odd = this->Curves->GetMessage();
   odd += (odd.empty() || note.empty() ? "" : "; ") + note;
   this->Saved = this->Curves->GetMTime();
@@ -322,10 +321,7 @@ void EditorWindow::offerLeftover()
   this->attempt([&] {
     const wirewarp::CurveContents left =
       wirewarp::readCurves(path, wirewarp::dataSetOf(this->Surface));
-    if (!this->Curves->SetCurves(wirewarp::polyDataOf(left.curves)))
-    {
-      throw std::runtime_error(this->Curves->GetMessage());
-    }
+    requireDone(this->Curves->SetCurves(wirewarp::polyDataOf(left.curves)), this->Curves);
     takeOptions(wirewarp::polyDataOf(left.curves), this->Pattern);
     this->tell("recovered what was not saved", false);
     this->takeUnit(wirewarp::unitOf(left.curves));
@@ -346,14 +342,8 @@ bool EditorWindow::savePattern(const std::string& path)
 {
   return this->attempt([&] {
     this->waitForPieces();
-    if (!this->Live->hasResult())
-    {
-      throw std::runtime_error("there is no flat piece yet to make a pattern of");
-    }
-    if (this->Live->isRefused())
-    {
-      throw std::runtime_error("nothing is exported, since " + this->Live->message());
-    }
+    require(this->Live->hasResult(), "there is no flat piece yet to make a pattern of");
+    require(!this->Live->isRefused(), "nothing is exported, since " + this->Live->message());
     this->Pattern->SetUnitByName(this->Unit->currentText().toStdString());
     this->Pattern->SetPatternName(this->Name.c_str());
     const figures::FlatPiece& result = this->Live->result();
@@ -389,10 +379,7 @@ bool EditorWindow::savePicture(const std::string& path)
       painter.drawImage(QRect(view->mapTo(this, QPoint(0, 0)), view->size()), image.mirrored());
     }
     painter.end();
-    if (!picture.save(QString::fromStdString(path)))
-    {
-      throw std::runtime_error("cannot write " + path);
-    }
+    require(picture.save(QString::fromStdString(path)), "cannot write " + path);
     this->tell("saved " + path, false);
   });
 }
@@ -400,10 +387,7 @@ bool EditorWindow::savePicture(const std::string& path)
 bool EditorWindow::saveSurface(const std::string& path)
 {
   return this->attempt([&] {
-    if (!this->Surface)
-    {
-      throw std::runtime_error("there is no surface to save");
-    }
+    require(this->Surface, "there is no surface to save");
     vtkNew<vtkPolyData> saved;
     saved->ShallowCopy(this->Surface);
     vtkFlatteningAlgorithm::SetLengthUnitOf(saved, this->Unit->currentText().toStdString());

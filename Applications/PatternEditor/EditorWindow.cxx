@@ -3,23 +3,28 @@
 
 #include "Files.h"
 #include "PatternPicture.h"
+#include "StraightCorners.h"
 
 #include <vtkCamera.h>
+#include <vtkCellData.h>
 #include <vtkFeatureCurveEditor.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkInteractorStyleImage.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkMath.h>
 #include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QFontDatabase>
+#include <QInputDialog>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QProgressDialog>
 #include <QScreen>
 #include <QSplitter>
 #include <QStatusBar>
@@ -28,6 +33,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace editor
 {
@@ -84,6 +90,17 @@ const char* const measureWords =
   "E_area: of areas, all 0 at best.\nE_h, E_r: the least and the largest change of area, of width "
   "to height, 1 at best.\nflips, overlaps: what cannot be cut so.";
 const char* const broken = "color: #b00000; font-weight: bold";
+
+// Seconds. Pieces that come later would be behind the mouse, drafts that come later no help.
+constexpr double quick = 0.040;
+constexpr double quickDraft = 0.5;
+/// What comes sooner is not announced: it would flicker.
+constexpr double soon = 0.1;
+constexpr std::size_t tableRows = 6;
+
+const char* const searching = "Looking for cuts and flattening with them";
+constexpr int dialogWidth = 420;
+const char* const everywhere = "everywhere alike";
 }
 
 EditorWindow::EditorWindow()
@@ -145,15 +162,14 @@ EditorWindow::EditorWindow()
   this->Measures->setToolTip(measureWords);
   this->takePalette();
 
-  this->Rest->setSingleShot(true);
-  this->Rest->setInterval(restMilliseconds);
-  QObject::connect(this->Rest, &QTimer::timeout, [this] { this->askForPieces(Care::Full); });
-  this->Late->setSingleShot(true);
-  this->Late->setInterval(lateMilliseconds);
-  QObject::connect(this->Late, &QTimer::timeout, [this] { this->showBehind(); });
-  this->Keep->setSingleShot(true);
-  this->Keep->setInterval(keepMilliseconds);
-  QObject::connect(this->Keep, &QTimer::timeout, [this] { this->keepUnsaved(); });
+  const auto after = [](QTimer* timer, int milliseconds, const auto& run) {
+    timer->setSingleShot(true);
+    timer->setInterval(milliseconds);
+    QObject::connect(timer, &QTimer::timeout, run);
+  };
+  after(this->Rest, restMilliseconds, [this] { this->askForPieces(Care::Full); });
+  after(this->Late, lateMilliseconds, [this] { this->showBehind(); });
+  after(this->Keep, keepMilliseconds, [this] { this->keepUnsaved(); });
   this->makeCloth(sideLayout);
   this->connectHand();
   this->makeFileMenu();
@@ -387,6 +403,315 @@ void EditorWindow::closeEvent(QCloseEvent* event)
   else
   {
     event->ignore();
+  }
+}
+
+void EditorWindow::followCurves()
+{
+  this->followChoice();
+  if (!this->Surface)
+  {
+    return;
+  }
+  this->tell("", false);
+  this->followSaving();
+  const bool atOnce = this->Live->seconds(Care::Full) < quick;
+  if (atOnce || this->Live->seconds(Care::Draft) < quickDraft)
+  {
+    this->askForPieces(atOnce ? Care::Full : Care::Draft);
+  }
+  if (!atOnce)
+  {
+    this->Rest->start();
+  }
+  this->expectPieces();
+}
+
+void EditorWindow::askForPieces(Care care)
+{
+  this->Rest->stop();
+  vtkNew<vtkPolyData> curves;
+  this->Curves->GetCurves(curves);
+  this->Live->ask(curves, care);
+}
+
+void EditorWindow::customEvent(QEvent*)
+{
+  this->takePieces();
+}
+
+void EditorWindow::takePieces()
+{
+  if (this->Live->take())
+  {
+    // What something else has said stays where there is nothing new to say.
+    std::string words = this->Live->message();
+    const std::string corners = words.empty() ? "" : cornersOfStraightKeys(this->Curves);
+    words = corners.empty() ? words : corners;
+    if (!words.empty() || this->Message->text().toStdString() == this->Broken)
+    {
+      this->tell(words, true);
+    }
+    this->Broken = words;
+    this->Late->stop();
+    this->Behind = this->Live->isRefused();
+    this->showResult();
+    if (this->Live->isBusy()) // with what was changed since
+    {
+      this->expectPieces();
+    }
+  }
+}
+
+void EditorWindow::waitForPieces()
+{
+  if (this->Rest->isActive())
+  {
+    this->askForPieces(Care::Full);
+  }
+  QApplication::setOverrideCursor(Qt::WaitCursor);
+  while (this->Live->isBusy())
+  {
+    QApplication::processEvents(QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents);
+    this->takePieces();
+  }
+  QApplication::restoreOverrideCursor();
+}
+
+void EditorWindow::expectPieces()
+{
+  const double full = this->Live->seconds(Care::Full);
+  const double draft = this->Live->seconds(Care::Draft);
+  const double expected = full < quick || draft >= quickDraft ? full : draft;
+  if (expected > soon)
+  {
+    this->showBehind();
+  }
+  else if (!this->Behind && !this->Late->isActive())
+  {
+    this->Late->start();
+  }
+}
+
+void EditorWindow::showBehind()
+{
+  this->Late->stop();
+  this->Behind = true;
+  this->showMeasures();
+  if (this->Live->hasResult() && !this->PlaneScene.isDim())
+  {
+    this->PlaneScene.dim(true);
+    this->PlaneWidget->renderWindow()->Render();
+  }
+}
+
+void EditorWindow::showMeasures()
+{
+  QString table;
+  if (this->Live->hasResult())
+  {
+    for (const std::string& row : figures::errorTable(this->Live->result(), tableRows))
+    {
+      table += QString::fromStdString(row) + "\n";
+    }
+    table = table.trimmed();
+    table += this->Behind && this->isWaiting() ? "   (of before; recomputing...)"
+      : this->Behind                           ? "   (of before: what is there now is rejected)"
+      : this->Live->care() == Care::Draft      ? "   (draft)"
+                                               : "";
+  }
+  else if (this->Behind && this->isWaiting())
+  {
+    table = "flattening...";
+  }
+  this->Measures->setEnabled(!this->Behind); // grey
+  this->Measures->setText(table);
+  this->Readout->setEnabled(!this->Behind);
+}
+
+void EditorWindow::showResult()
+{
+  this->showMeasures();
+  if (!this->Live->hasResult())
+  {
+    return;
+  }
+  const figures::Coloring coloring = this->shownColoring();
+  const figures::FlatPiece piece = coloring == figures::Coloring::Strain
+    ? figures::withStrain(this->Live->result())
+    : this->Live->result();
+  this->SpaceScene.color(piece, coloring);
+  this->PlaneScene.show(piece, coloring);
+  this->PlaneScene.dim(this->Behind);
+  this->Reader.setPiece(this->PlaneScene.shown());
+  this->SpaceWidget->renderWindow()->Render();
+  this->PlaneWidget->renderWindow()->Render();
+}
+
+void EditorWindow::makeCloth(QVBoxLayout* side)
+{
+  side->insertWidget(1, this->Cloth);
+  this->Readout->setWordWrap(true);
+  this->Readout->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  this->Cloth->onChange = [this] { this->followCloth(); };
+  this->PlaneWidget->interactor()->AddObserver(
+    vtkCommand::MouseMoveEvent, this, &EditorWindow::readPlane);
+}
+
+void EditorWindow::followCloth()
+{
+  const bool changed = this->Live->setCloth(this->Cloth->material(), this->Cloth->grain());
+  if (this->Surface && changed)
+  {
+    this->askForPieces(Care::Full);
+    this->expectPieces();
+  }
+}
+
+figures::Coloring EditorWindow::shownColoring() const
+{
+  const auto& threads = figures::threadColorings;
+  const bool ofThreads = std::find(threads.begin(), threads.end(), this->Coloring) != threads.end();
+  vtkPolyData* const flat = this->Live->result().flat;
+  return ofThreads && !(flat && flat->GetCellData()->HasArray("StrainWarp"))
+    ? figures::Coloring::Homogeneity
+    : this->Coloring;
+}
+
+void EditorWindow::readPlane()
+{
+  const int* const at = this->PlaneWidget->interactor()->GetEventPosition();
+  this->Readout->setText(QString::fromStdString(this->Reader.at(this->Plane, at[0], at[1])));
+}
+
+void EditorWindow::askProposals()
+{
+  const std::vector<std::string> arrays =
+    this->Surface ? weightArrays(this->Surface) : std::vector<std::string>();
+  if (arrays.empty())
+  {
+    this->propose();
+    return;
+  }
+  QStringList choices{ everywhere };
+  for (const std::string& name : arrays)
+  {
+    choices.append(QString::fromStdString(name));
+  }
+  bool given = false;
+  const QString choice = QInputDialog::getItem(this, "Propose cuts",
+    "Where distortion matters: everywhere alike, or as an array of the surface says,\n"
+    "which has a weight for each triangle, 0 where it does not matter",
+    choices, 0, false, &given);
+  if (given)
+  {
+    const int row = choices.indexOf(choice);
+    this->propose(row > 0 ? arrays[static_cast<std::size_t>(row - 1)] : std::string());
+  }
+}
+
+void EditorWindow::propose(const std::string& weights)
+{
+  if (!this->Surface)
+  {
+    this->tell("open a surface before asking for proposals", true);
+    return;
+  }
+  // The search does not know how many flattenings it needs.
+  QProgressDialog dialog(searching, "Stop", 0, 0, this); // what is found by then stays
+  dialog.setWindowModality(Qt::WindowModal);
+  dialog.setMinimumDuration(0);
+  dialog.setAutoReset(false);
+  dialog.setMinimumWidth(dialogWidth);
+  dialog.show();
+  vtkNew<vtkPolyData> curves;
+  this->Curves->GetCurves(curves);
+  const auto goOn = [&dialog](const std::string& phase) {
+    dialog.setLabelText(QString("%1\n%2").arg(searching).arg(QString::fromStdString(phase)));
+    QApplication::processEvents();
+    return !dialog.wasCanceled();
+  };
+  const auto preview = [this](vtkPolyData* lines) {
+    this->SpaceScene.showGhosts(lines, lines->GetNumberOfCells());
+    this->SpaceWidget->renderWindow()->Render();
+  };
+  Proposals proposals = editor::propose(this->Surface, curves, weights, goOn, preview);
+  dialog.hide();
+  std::string words = proposals.stopped ? "the search was stopped"
+    : proposals.cuts.empty() && proposals.message.empty()
+    ? "the surface lies flat as it is: there is nothing to propose"
+    : proposals.message;
+  const bool bad = proposals.cuts.empty() && !proposals.stopped && !proposals.message.empty();
+  if (!proposals.cuts.empty() && !proposals.mirror.empty())
+  {
+    words += (words.empty() ? "" : "; ") + std::string("the surface is mirrored across ") +
+      proposals.mirror;
+  }
+  this->Proposed->set(std::move(proposals));
+  this->tell(words, bad);
+}
+
+void EditorWindow::connectProposals()
+{
+  this->Proposed->onAccept = [this](const Proposal& proposal) {
+    this->Hand->Choose(-1, -1); // ends a curve that is being drawn, which is undone by itself
+    const int curve = this->Curves->GetNumberOfCurves();
+    if (!accept(proposal, this->Curves))
+    {
+      this->tell(this->Curves->GetMessage(), true);
+      return false;
+    }
+    this->Hand->Choose(curve, -1);
+    return true;
+  };
+  this->Proposed->onAcceptAll = [this](const std::function<void()>& accept) {
+    this->Hand->Choose(-1, -1); // as above
+    const int before = this->Curves->GetNumberOfCommands();
+    accept();
+    this->Curves->JoinCommandsSince(before);
+    this->followChoice();
+  };
+  this->Proposed->onChange = [this] {
+    this->SpaceScene.showGhosts(linesOf(this->Proposed->cuts()), this->Proposed->chosen());
+    this->SpaceWidget->renderWindow()->Render();
+  };
+}
+
+bool EditorWindow::addOffset(double distance)
+{
+  if (this->Hand->IsDrawing())
+  {
+    this->Hand->Do(vtkFeatureCurveWidget::FINISH);
+  }
+  const int curve = this->Curves->GetNumberOfCurves();
+  const bool done = this->Curves->AddOffset(this->Hand->GetChosenCurve(), distance);
+  if (done)
+  {
+    this->Hand->Choose(curve, -1);
+  }
+  else
+  {
+    this->tell(this->Curves->GetMessage(), true);
+  }
+  return done;
+}
+
+void EditorWindow::askOffset()
+{
+  if (this->Hand->GetChosenCurve() < 0)
+  {
+    this->tell("choose the curve that the offset is to follow", true);
+    return;
+  }
+  bool given = false;
+  const double length = this->Curves->GetCurveLength(this->Hand->GetChosenCurve());
+  const double distance = QInputDialog::getDouble(this, "Offset",
+    QString("Distance over the surface, in %1; negative: on the other side")
+      .arg(this->Unit->currentText()),
+    0.05 * length, -1e9, 1e9, 4, &given);
+  if (given)
+  {
+    this->addOffset(distance);
   }
 }
 }

@@ -4,8 +4,6 @@
 #include "Files.h"
 #include "WindowWords.h"
 
-#include <vtkCommand.h>
-
 #include <new>
 #include <utility>
 
@@ -31,22 +29,6 @@ vtkSmartPointer<Data> copyOf(Data* data)
   copy->DeepCopy(data);
   return copy;
 }
-
-/// Ends a run from within, where its progress is told: no other thread may touch the filter.
-class Stopper : public vtkCommand
-{
-public:
-  static Stopper* New() { return new Stopper; }
-  void Execute(vtkObject* caller, unsigned long, void*) override
-  {
-    if (this->isOver())
-    {
-      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-    }
-  }
-
-  std::function<bool()> isOver;
-};
 }
 
 LiveFlattening::LiveFlattening(std::function<void()> onDone)
@@ -132,17 +114,6 @@ bool LiveFlattening::isBusy() const
   return this->Waiting || this->Found || (this->Running && !this->Useless);
 }
 
-bool LiveFlattening::run(vtkPolyData* curves, Care care)
-{
-  this->ask(curves, care);
-  std::unique_lock<std::mutex> lock(this->Guard);
-  this->Answered.wait(lock, [this] { return !this->Waiting && !this->Running; });
-  const bool flat = this->Found && this->Found->piece;
-  lock.unlock();
-  this->take();
-  return flat;
-}
-
 bool LiveFlattening::isOvertaken()
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
@@ -180,7 +151,6 @@ void LiveFlattening::work()
     {
       this->Found = std::move(answer);
     }
-    this->Answered.notify_all();
     if (useful && this->OnDone)
     {
       lock.unlock();

@@ -3,6 +3,8 @@
 
 #include "Pieces.h"
 
+#include <vtkAlgorithm.h>
+#include <vtkCommand.h>
 #include <vtkNew.h>
 #include <vtkWireWarpingFilter.h>
 
@@ -24,6 +26,22 @@ enum class Care
 {
   Draft, ///< by the global scheme, which takes a fraction of the time; wires as long as they are
   Full,
+};
+
+/// Ends a run from within, where its progress is reported: no other thread may touch the filter.
+class Stopper : public vtkCommand
+{
+public:
+  static Stopper* New() { return new Stopper; }
+  void Execute(vtkObject* caller, unsigned long, void*) override
+  {
+    if (this->isOver())
+    {
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    }
+  }
+
+  std::function<bool()> isOver;
 };
 
 /// Flattens one surface again and again, with other curves, on a thread of its own.
@@ -52,9 +70,6 @@ public:
   bool take();
   /// Whether something was asked for that is not taken yet.
   bool isBusy() const;
-  /// Asks, waits for the answer and takes it. \return whether there is a result of it; else that of
-  /// the run before is kept
-  bool run(vtkPolyData* curves, Care care = Care::Full);
 
   bool hasResult() const { return this->Result.flat != nullptr; }
   const figures::FlatPiece& result() const { return this->Result; }
@@ -99,8 +114,7 @@ private:
 
   // Of both threads, under the guard.
   mutable std::mutex Guard;
-  std::condition_variable Wake;     ///< the other thread: there is something to do
-  std::condition_variable Answered; ///< this thread: there is something to take
+  std::condition_variable Wake; ///< the other thread: there is something to do
   std::optional<Order> Waiting;
   std::optional<Answer> Found;
   bool Running = false;

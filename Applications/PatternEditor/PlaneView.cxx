@@ -14,7 +14,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace editor
 {

@@ -2,9 +2,9 @@
 #include "Proposals.h"
 
 #include "Files.h"
+#include "LiveFlattening.h"
 #include "WindowWords.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -21,29 +21,18 @@ namespace
 /// How far an accepted curve may be from the one proposed, as a fraction of its length.
 constexpr double nearness = 1e-4;
 
-struct Watch
+/// Hands on what a search has found so far.
+class Preview : public vtkCommand
 {
-  const std::function<bool(const std::string&)>* goOn;
-  const std::function<void(vtkPolyData*)>* preview;
-  bool stopped = false;
-};
+public:
+  static Preview* New() { return new Preview; }
+  void Execute(vtkObject*, unsigned long, void* lines) override
+  {
+    this->show(static_cast<vtkPolyData*>(lines));
+  }
 
-void follow(vtkObject* caller, unsigned long event, void* client, void* data)
-{
-  auto* const watch = static_cast<Watch*>(client);
-  if (event == vtkFeatureCurveSuggestion::PreviewEvent)
-  {
-    (*watch->preview)(static_cast<vtkPolyData*>(data));
-    return;
-  }
-  auto* const filter = static_cast<vtkAlgorithm*>(caller);
-  const char* const phase = filter->GetProgressText();
-  if (!watch->stopped && !(*watch->goOn)(phase ? phase : ""))
-  {
-    watch->stopped = true;
-    filter->SetAbortExecute(1);
-  }
-}
+  std::function<void(vtkPolyData*)> show;
+};
 
 Proposal proposalOf(vtkPolyData* curves, vtkIdType cell)
 {
@@ -73,12 +62,17 @@ Proposals propose(vtkPolyData* surface, vtkPolyData* curves, const std::string& 
 {
   vtkNew<vtkFeatureCurveSuggestion> filter;
   figures::silence(filter);
-  Watch watch{ &goOn, &preview };
-  vtkNew<vtkCallbackCommand> progress;
-  progress->SetCallback(follow);
-  progress->SetClientData(&watch);
-  filter->AddObserver(vtkCommand::ProgressEvent, progress);
-  filter->AddObserver(vtkFeatureCurveSuggestion::PreviewEvent, progress);
+  Proposals proposals;
+  vtkNew<Stopper> stopper;
+  stopper->isOver = [&] {
+    const char* const phase = filter->GetProgressText();
+    proposals.stopped = proposals.stopped || !goOn(phase ? phase : "");
+    return proposals.stopped;
+  };
+  filter->AddObserver(vtkCommand::ProgressEvent, stopper);
+  vtkNew<Preview> watched;
+  watched->show = preview;
+  filter->AddObserver(vtkFeatureCurveSuggestion::PreviewEvent, watched);
   filter->SetSchemeToIsometric();
   filter->ReleaseTrialsOff();
   filter->SetWeightArray(weights.c_str());
@@ -86,9 +80,7 @@ Proposals propose(vtkPolyData* surface, vtkPolyData* curves, const std::string& 
   filter->SetCurvesData(curves);
   filter->Update();
 
-  Proposals proposals;
-  proposals.stopped = watch.stopped;
-  proposals.message = watch.stopped ? "" : messageOf(filter);
+  proposals.message = proposals.stopped ? "" : messageOf(filter);
   vtkPolyData* const found = filter->GetOutput(5);
   vtkDataArray* const ranks = found->GetCellData()->GetArray("Rank");
   for (vtkIdType cell = 0; ranks && cell < found->GetNumberOfCells(); ++cell)

@@ -8,7 +8,8 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
-#include <array>
+#include <Eigen/Core>
+
 #include <cmath>
 
 namespace editor
@@ -19,29 +20,21 @@ constexpr double cornerDegrees = 30.0;
 /// The direction of a segment at its end is that of so much of it: edges zigzag.
 constexpr double partOfSegment = 0.25;
 
-using CurvePoint = std::array<double, 3>;
-
 /// The point of a line at a length from its first point, or from its last one.
-CurvePoint placeOn(vtkPolyData* lines, vtkIdType cell, double length, bool fromEnd)
+Eigen::Vector3d placeOn(vtkPolyData* lines, vtkIdType cell, double length, bool fromEnd)
 {
   vtkNew<vtkIdList> ids;
   lines->GetCellPoints(cell, ids);
   const vtkIdType count = ids->GetNumberOfIds();
-  CurvePoint last{};
+  Eigen::Vector3d last = Eigen::Vector3d::Zero();
   for (vtkIdType k = 0; k < count; ++k)
   {
-    CurvePoint place{};
+    Eigen::Vector3d place;
     lines->GetPoint(ids->GetId(fromEnd ? count - 1 - k : k), place.data());
-    const double step =
-      k > 0 ? std::sqrt(vtkMath::Distance2BetweenPoints(last.data(), place.data())) : 0.0;
+    const double step = k > 0 ? (place - last).norm() : 0.0;
     if (k > 0 && step >= length)
     {
-      const double share = step > 0.0 ? length / step : 0.0;
-      for (std::size_t i = 0; i < place.size(); ++i)
-      {
-        last[i] += share * (place[i] - last[i]);
-      }
-      return last;
+      return step > 0.0 ? Eigen::Vector3d(last + length / step * (place - last)) : last;
     }
     length -= step;
     last = place;
@@ -54,13 +47,9 @@ double turnAfter(const vtkFeatureCurveEditor* curves, int curve, int segment, vt
 {
   const double before = partOfSegment * curves->GetSegmentLength(curve, segment);
   const double after = partOfSegment * curves->GetSegmentLength(curve, segment + 1);
-  const CurvePoint from = placeOn(lines, segment, before, true);
-  const CurvePoint node = placeOn(lines, segment + 1, 0.0, false);
-  const CurvePoint to = placeOn(lines, segment + 1, after, false);
-  CurvePoint in{};
-  CurvePoint out{};
-  vtkMath::Subtract(node.data(), from.data(), in.data());
-  vtkMath::Subtract(to.data(), node.data(), out.data());
+  const Eigen::Vector3d node = placeOn(lines, segment + 1, 0.0, false);
+  const Eigen::Vector3d in = node - placeOn(lines, segment, before, true);
+  const Eigen::Vector3d out = placeOn(lines, segment + 1, after, false) - node;
   return vtkMath::DegreesFromRadians(vtkMath::AngleBetweenVectors(in.data(), out.data()));
 }
 }

@@ -7,10 +7,25 @@
 #include <vtkCellArray.h>
 #include <vtkPoints.h>
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 namespace sheets
 {
+/// Flattens and waits for the pieces. \return whether there are any
+inline bool run(
+  editor::LiveFlattening& live, vtkPolyData* curves, editor::Care care = editor::Care::Full)
+{
+  live.ask(curves, care);
+  while (live.isBusy())
+  {
+    live.take();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return !live.isRefused();
+}
+
 inline double bulge(double x, double y)
 {
   return 0.1 * std::sin(3.0 * x) * std::sin(3.0 * y);

@@ -175,7 +175,7 @@ TEST(LiveFlattening, WhatIsAskedLastIsFoundAtLast)
 
   LiveFlattening alone;
   alone.setSurface(sheet(small));
-  ASSERT_TRUE(alone.run(curveAlong(small, 7)));
+  ASSERT_TRUE(sheets::run(alone, curveAlong(small, 7)));
   EXPECT_EQ(placesOf(live), placesOf(alone));
 }
 
@@ -214,7 +214,7 @@ TEST(LiveFlattening, CutsOfAClosedSurfaceMayComeAndGo)
 {
   LiveFlattening live;
   live.setSurface(helmet());
-  EXPECT_FALSE(live.run(cutsOfHelmet(0, false))); // closed
+  EXPECT_FALSE(sheets::run(live, cutsOfHelmet(0, false))); // closed
   std::mt19937 random(5);
   for (int turn = 0; turn < 24; ++turn)
   {
@@ -231,7 +231,7 @@ TEST(LiveFlattening, CutsOfAClosedSurfaceMayComeAndGo)
     ASSERT_FALSE(live.isRefused()) << live.message();
     LiveFlattening alone;
     alone.setSurface(helmet());
-    ASSERT_TRUE(alone.run(cutsOfHelmet(last, ring), live.care()));
+    ASSERT_TRUE(sheets::run(alone, cutsOfHelmet(last, ring), live.care()));
     EXPECT_EQ(placesOf(live), placesOf(alone)) << last << ring;
     EXPECT_EQ(live.message(), alone.message());
     for (const char* name : { "ForecastAreaLoss", "ForecastCutFrom", "ForecastCutTo" })
@@ -276,7 +276,7 @@ TEST(LiveFlattening, ChangesOfWhatWasGivenDoNotReachIt)
   ASSERT_TRUE(live.hasResult()) << live.message();
   LiveFlattening alone;
   alone.setSurface(sheet(small));
-  ASSERT_TRUE(alone.run(curveAlong(small, 9)));
+  ASSERT_TRUE(sheets::run(alone, curveAlong(small, 9)));
   EXPECT_EQ(placesOf(live), placesOf(alone));
 }
 
@@ -284,13 +284,13 @@ TEST(LiveFlattening, ARefusalIsSaidAndKeepsThePiece)
 {
   LiveFlattening live;
   live.setSurface(sheet(small));
-  ASSERT_TRUE(live.run(curveAlong(small, 9)));
+  ASSERT_TRUE(sheets::run(live, curveAlong(small, 9)));
   const std::vector<double> before = placesOf(live);
   const figures::PolyData off = curveAlong(small, 9);
   off->GetPoints()->SetPoint(3, 0.3, 0.3, 5.0);
-  EXPECT_FALSE(live.run(off));
+  EXPECT_FALSE(sheets::run(live, off));
   EXPECT_NE(live.message().find("curve"), std::string::npos) << live.message();
   EXPECT_EQ(placesOf(live), before);
-  EXPECT_TRUE(live.run(curveAlong(small, 9)));
+  EXPECT_TRUE(sheets::run(live, curveAlong(small, 9)));
   EXPECT_EQ(live.message(), "");
 }

@@ -2,6 +2,7 @@
 // Mouse and keys as Qt gets them from the X server, with the curves and flat pieces that must come
 // of them.
 #include "EditorSession.h"
+#include "Sheet.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkFeatureEdges.h>
@@ -24,7 +25,7 @@ TEST_F(PatternEditor, TheTutorialsCurvesDrawnByMouseSavedAndLoadedGiveItsReport)
   this->picture("drawn");
   editor::LiveFlattening expected;
   expected.setSurface(this->surface);
-  ASSERT_TRUE(expected.run(tutorialLines(this->surface)));
+  ASSERT_TRUE(sheets::run(expected, tutorialLines(this->surface)));
 
   const std::string path = this->file("drawn_curves.vtp");
   ASSERT_TRUE(this->window->saveCurves(path));
