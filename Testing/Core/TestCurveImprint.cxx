@@ -445,6 +445,30 @@ TEST(CurveImprint, KeepsACurveOnOnePartWherePartsTouchWithoutBeingJoined)
     StatusCode::CurveLeavesSurface);
 }
 
+TEST(CurveImprint, KeepsACurveOnThePartItLiesOnBesideVerticesOfAnother)
+{
+  const double gap = 0.005; // nearer than what moves a point onto a vertex
+  const TriangleMesh mesh = testmeshes::together(
+    { testmeshes::patch(6, 6, [](double i, double j) { return Point3(i, j, 0.0); }),
+      testmeshes::patch(6, 6, [gap](double i, double j) {
+        return Point3(i - 0.4, j - 0.3, gap);
+      }) }).mesh;
+  Points3 points;
+  for (double y = 1.0; y < 5.0; y += 0.5)
+  {
+    points.emplace_back(3.0, y, gap);
+  }
+  for (const Polyline& line : bothWays(points))
+  {
+    const ImprintedSurface surface = imprintCurves(mesh, { line }, {});
+    ASSERT_TRUE(surface.status.ok()) << surface.status.message;
+    for (Index v : surface.curves[0].vertices)
+    {
+      EXPECT_NEAR(surface.mesh.point(v).z(), gap, 1e-12);
+    }
+  }
+}
+
 TEST(CurveImprint, KeepsACurveOnItsSideOfASlit)
 {
   // A sheet that is slit from its left edge to its middle, both sides in one place.

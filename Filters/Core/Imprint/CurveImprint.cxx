@@ -258,6 +258,7 @@ private:
     if (!this->Locator)
     {
       this->Locator.emplace(this->Mesh);
+      connectedParts(this->Mesh, {}, this->Parts);
     }
     const Polyline& polyline = this->Polylines[c];
     Indices off;
@@ -274,11 +275,14 @@ private:
       }
       Index& vertex = this->Vertices[this->First[c] + i];
       const Indices& sheet = places[i].sheet;
-      const bool elsewhere =
+      const bool offSheet =
         !sheet.empty() && std::none_of(sheet.begin(), sheet.end(), [&](Index t) {
           const Triangle& corners = this->Mesh.triangle(t);
           return std::find(corners.begin(), corners.end(), vertex) != corners.end();
         });
+      const bool elsewhere = offSheet ||
+        (vertex != none && point.triangle != none &&
+          this->Parts[this->Mesh.outgoing(vertex) / 3] != this->Parts[point.triangle]);
       vertex = elsewhere ? none : vertex;
     }
     if (off.empty())
@@ -536,6 +540,7 @@ private:
   std::vector<std::size_t> First;
   Indices Vertices; ///< per point of all polylines
   std::optional<SheetLocator> Locator;
+  Indices Parts; ///< by triangle, of what is joined; with the locator
 };
 }
 
