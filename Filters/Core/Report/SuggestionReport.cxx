@@ -172,7 +172,7 @@ std::string describeShortfall(const CurveSuggestions& suggestions, double bound,
       return left + (more ? "it takes more than " + needed + " cuts; " : std::string()) +
         "allow more or longer cuts, or a larger strain";
     default:
-      return left + "allow more or longer cuts, seams as well as darts, or a larger strain";
+      return left + "no other cut that is allowed helps; search longer, or allow a larger strain";
   }
 }
 }

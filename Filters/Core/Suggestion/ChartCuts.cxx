@@ -4,6 +4,7 @@
 #include "Cut/SurfaceCut.h"
 #include "Imprint/CurveImprint.h"
 #include "Paths/PlaneSection.h"
+#include "Suggestion/CutMesh.h"
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/OpeningCuts.h"
 #include "Suggestion/PieceSurface.h"
@@ -88,14 +89,6 @@ Indices numbersTo(Index count)
   return numbers;
 }
 
-/// A mesh with cut edges.
-struct CutMesh
-{
-  TriangleMesh mesh;
-  std::vector<char> cut; ///< by half-edge
-  Indices images;        ///< by half-edge
-};
-
 /// The cut edges between charts of few triangles each.
 std::vector<char> firstCuts(const TriangleMesh& mesh, double bound, bool holed)
 {
@@ -108,26 +101,6 @@ std::vector<char> firstCuts(const TriangleMesh& mesh, double bound, bool holed)
     cut[h] = twin != none && chart[h / 3] != chart[twin / 3] ? 1 : 0;
   }
   return cut;
-}
-
-/// The mesh cut along imprinted curves.
-CutMesh cutAlong(const ImprintedSurface& imprinted)
-{
-  CutMesh result;
-  result.mesh = imprinted.mesh;
-  result.cut.assign(result.mesh.halfedgeCount(), 0);
-  for (const FeatureCurve& curve : imprinted.curves)
-  {
-    forEachEdge(curve.vertices, [&](Index a, Index b) {
-      const Index h = result.mesh.find(a, b);
-      const Index twin = h == none ? none : result.mesh.twin(h);
-      if (twin != none)
-      {
-        result.cut[h] = result.cut[twin] = 1;
-      }
-    });
-  }
-  return result;
 }
 
 /// Each curve beside a triangle whose chart does not keep the bound.
@@ -313,7 +286,7 @@ public:
     TrialBudget budget(mergingShare * this->Budget.left(), this->Budget);
     first.divide(budget, this->Run.uninterrupted()); // a run that is cancelled ends with these
     CutMesh parted{ half, first.cut(), {} };
-    this->preview(this->withMirrored(parted));
+    this->preview(bothSides(withoutBridges(parted, this->Mirror), this->Mirror));
     if (this->Straight)
     {
       const auto straighten = [&](const TriangleMesh& mesh, const Charts& charts) {
@@ -332,12 +305,9 @@ public:
       merged.merge(true, some, this->Run);
       parted = straighten(parted.mesh, merged);
     }
-    const CutMesh whole = this->withMirrored(parted);
+    parted = withoutBridges(std::move(parted), this->Mirror);
+    const CutMesh whole = bothSides(parted, this->Mirror);
     this->preview(whole);
-    if (whole.mesh.triangleCount() == 0)
-    {
-      return {};
-    }
     Charts charts(whole.mesh, whole.cut, whole.images, this->Options, this->Size, this->Trials);
     charts.divide(budget, this->Run);
     if (this->Options.pieces > 0)
@@ -391,7 +361,7 @@ private:
   /// Hands on the seams as they run along edges.
   void preview(const CutMesh& parted)
   {
-    if (!this->Run.preview || parted.mesh.triangleCount() == 0)
+    if (!this->Run.preview)
     {
       return;
     }
@@ -529,53 +499,6 @@ private:
       }
     }
     return openedPart(this->Surface, triangles, open).mesh;
-  }
-
-  /// Both sides of the plane together, cut along it as well. Empty where edges inside lie in it.
-  CutMesh withMirrored(const CutMesh& half) const
-  {
-    CutMesh whole = half;
-    const Index count = half.mesh.halfedgeCount();
-    whole.images = numbersTo(count);
-    if (!this->Mirror)
-    {
-      return whole;
-    }
-    Points3 points = half.mesh.points();
-    Indices image;
-    for (Index v = 0; v < half.mesh.vertexCount(); ++v)
-    {
-      const bool shared = half.mesh.onBoundary(v) && this->Mirror->has(points[v]);
-      image.push_back(shared ? v : static_cast<Index>(points.size()));
-      if (!shared)
-      {
-        points.push_back(this->Mirror->plane.mirrored(points[v]));
-      }
-    }
-    for (Index h = 0; h < count; ++h)
-    {
-      if (half.mesh.twin(h) != none && image[half.mesh.from(h)] == half.mesh.from(h) &&
-        image[half.mesh.to(h)] == half.mesh.to(h))
-      {
-        return {}; // four triangles would meet at the edge
-      }
-    }
-    Triangles cells = half.mesh.triangles();
-    for (const auto& [a, b, c] : half.mesh.triangles())
-    {
-      cells.push_back({ image[a], image[c], image[b] });
-    }
-    whole.mesh = TriangleMesh(std::move(points), std::move(cells));
-    whole.cut.resize(2 * count);
-    whole.images.resize(2 * count);
-    for (Index h = 0; h < count; ++h)
-    {
-      const Index other = count + h / 3 * 3 + 2 - h % 3;
-      whole.cut[h] = whole.cut[other] = half.cut[h] || whole.mesh.twin(h) == other ? 1 : 0;
-      whole.images[h] = other;
-      whole.images[other] = h;
-    }
-    return whole;
   }
 
   /// \param half how many vertices are on one side of the plane
@@ -721,7 +644,7 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   std::vector<SuggestedCurve> cuts = first.run();
   if (execution.cancelled())
   {
-    // An edge between two vertices in the plane is in the way of an image.
+    // A plane need not part the surface.
     return cuts.empty() && plane ? chartCuts(mesh, std::nullopt, options, budget, execution) : cuts;
   }
   const ChartSearch* best = &first;

@@ -7,6 +7,7 @@
 #include "Suggestion/SurfaceMirror.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -20,6 +21,8 @@ constexpr int maxDrawings = 24;
 constexpr double relaxingShare = 0.5;
 /// Of the bound, up to where: the flattening to come may have a few triangles otherwise.
 constexpr double relaxedShare = 0.95;
+/// Of its length, the width of a strip between two seams that is no piece.
+constexpr double narrow = 0.25;
 
 /// By cut the pieces at its sides. \param first curve of the cuts
 std::vector<std::set<Index>> piecesBeside(const CutSurface& cut, std::size_t cuts, Index first)
@@ -94,8 +97,7 @@ public:
       changed = raiseLevels(now.bad, now.seamOf, levels);
       if (!changed && !now.laid)
       {
-        // What cannot be drawn in any way is left out: of seams on each other the shortest.
-        changed = this->leaveOut(now.bad.front(), now.seamOf, now.cuts, seams, levels);
+        changed = this->joinMeeting(now, seams, levels);
       }
       changed = changed || (this->Run.cancelled() && !cancelled);
       if (now.bad.empty() && now.worst <= this->Best.worst)
@@ -230,14 +232,100 @@ private:
     }
   }
 
-  /// The shortest of the cuts, and its image.
-  bool leaveOut(const Indices& set, const Indices& seamOf, const std::vector<SuggestedCurve>& cuts,
-    std::vector<ChartSeam>& seams, std::vector<int>& levels) const
+  /// The shortest of the first set, and its image.
+  bool leaveOut(const Drawn& now, std::vector<ChartSeam>& seams, std::vector<int>& levels) const
   {
-    const Index shortest = *std::min_element(
-      set.begin(), set.end(), [&](Index a, Index b) { return cuts[a].length < cuts[b].length; });
-    seams.erase(seams.begin() + seamOf[shortest]);
-    levels.erase(levels.begin() + seamOf[shortest]);
+    const Indices& set = now.bad.front();
+    const Index shortest = *std::min_element(set.begin(), set.end(),
+      [&](Index a, Index b) { return now.cuts[a].length < now.cuts[b].length; });
+    seams.erase(seams.begin() + now.seamOf[shortest]);
+    levels.erase(levels.begin() + now.seamOf[shortest]);
+    return !seams.empty();
+  }
+
+  /// Seams that cannot be drawn apart become seams from each place where they meet to the next, one
+  /// where two run beside each other. They have no images.
+  bool joinMeeting(const Drawn& now, std::vector<ChartSeam>& seams, std::vector<int>& levels) const
+  {
+    const ImprintedSurface drawn = imprintCurves(this->Surface, linesOf(now.cuts), {});
+    if (!drawn.status.ok())
+    {
+      return this->leaveOut(now, seams, levels);
+    }
+    std::set<Index> meeting;
+    for (const Indices& set : now.bad)
+    {
+      for (Index k : set)
+      {
+        meeting.insert(now.seamOf[k]);
+      }
+    }
+    std::set<std::pair<Index, Index>> all;
+    std::set<std::pair<Index, Index>> left; // of those that meet
+    std::vector<char> node(drawn.mesh.vertexCount(), 0);
+    Indices degree(drawn.mesh.vertexCount(), 0);
+    for (std::size_t c = 0; c < drawn.curves.size(); ++c)
+    {
+      const Indices& vertices = drawn.curves[c].vertices;
+      node[vertices.front()] = node[vertices.back()] = 1;
+      forEachEdge(vertices, [&](Index a, Index b) {
+        const std::pair<Index, Index> edge = std::minmax(a, b);
+        const Index more = all.insert(edge).second ? 1 : 0;
+        degree[a] += more;
+        degree[b] += more;
+        if (meeting.count(now.seamOf[c]) > 0)
+        {
+          left.insert(edge);
+        }
+      });
+    }
+    for (auto s = meeting.rbegin(); s != meeting.rend(); ++s)
+    {
+      seams.erase(seams.begin() + *s);
+      levels.erase(levels.begin() + *s);
+    }
+    const auto ends = [&](Index v) { return node[v] || degree[v] != 2; };
+    std::map<std::pair<Index, Index>, Points3> drawnBetween;
+    while (!left.empty())
+    {
+      auto first = std::find_if(left.begin(), left.end(),
+        [&](const auto& edge) { return ends(edge.first) || ends(edge.second); });
+      first = first == left.end() ? left.begin() : first;
+      Indices line{ first->first, first->second };
+      if (!ends(line.front()))
+      {
+        std::reverse(line.begin(), line.end());
+      }
+      left.erase(first);
+      while (!ends(line.back()) && line.back() != line.front())
+      {
+        const auto next = std::find_if(left.begin(), left.end(), [&](const auto& edge) {
+          return edge.first == line.back() || edge.second == line.back();
+        });
+        if (next == left.end())
+        {
+          break;
+        }
+        line.push_back(next->first == line.back() ? next->second : next->first);
+        left.erase(next);
+      }
+      ChartSeam seam;
+      for (Index v : line)
+      {
+        seam.chain.push_back(drawn.mesh.point(v));
+      }
+      const auto [other, isFirst] =
+        drawnBetween.emplace(std::minmax(line.front(), line.back()), seam.chain);
+      const Point3& middle = seam.chain[seam.chain.size() / 2];
+      if (!isFirst &&
+        (middle - other->second[other->second.size() / 2]).norm() < narrow * lengthOf(seam.chain))
+      {
+        continue;
+      }
+      seam.least = seam.level = SeamDrawing::levels - 1;
+      seams.push_back(std::move(seam));
+      levels.push_back(SeamDrawing::levels - 1);
+    }
     return !seams.empty();
   }
 

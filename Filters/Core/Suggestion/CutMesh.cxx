@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Suggestion/CutMesh.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <utility>
+
+namespace flattening
+{
+CutMesh cutAlong(const ImprintedSurface& imprinted)
+{
+  CutMesh result;
+  result.mesh = imprinted.mesh;
+  result.cut.assign(result.mesh.halfedgeCount(), 0);
+  for (const FeatureCurve& curve : imprinted.curves)
+  {
+    forEachEdge(curve.vertices, [&](Index a, Index b) {
+      const Index h = result.mesh.find(a, b);
+      const Index twin = h == none ? none : result.mesh.twin(h);
+      if (twin != none)
+      {
+        result.cut[h] = result.cut[twin] = 1;
+      }
+    });
+  }
+  return result;
+}
+
+CutMesh withoutBridges(CutMesh half, const std::optional<MirrorSection>& mirror)
+{
+  if (!mirror)
+  {
+    return half;
+  }
+  Points3 points = half.mesh.points();
+  Triangles cells = half.mesh.triangles();
+  std::set<std::pair<Index, Index>> cut;
+  const auto ends = [](Index a, Index b) { return std::pair(std::min(a, b), std::max(a, b)); };
+  const auto inPlane = [&](Index v) {
+    return half.mesh.onBoundary(v) && mirror->has(half.mesh.point(v));
+  };
+  for (Index h = 0; h < half.mesh.halfedgeCount(); ++h)
+  {
+    const Index a = half.mesh.from(h);
+    const Index b = half.mesh.to(h);
+    if (half.cut[h])
+    {
+      cut.insert(ends(a, b));
+    }
+    if (half.mesh.twin(h) < h || !inPlane(a) || !inPlane(b))
+    {
+      continue;
+    }
+    const auto middle = static_cast<Index>(points.size());
+    points.emplace_back(0.5 * (points[a] + points[b]));
+    for (std::size_t t = 0, count = cells.size(); t < count; ++t)
+    {
+      Triangle& cell = cells[t];
+      const auto first = std::find(cell.begin(), cell.end(), a);
+      const auto second = std::find(cell.begin(), cell.end(), b);
+      if (first != cell.end() && second != cell.end())
+      {
+        Triangle other = cell;
+        *first = middle;
+        std::replace(other.begin(), other.end(), b, middle);
+        cells.push_back(other);
+      }
+    }
+    if (half.cut[h])
+    {
+      cut.insert({ ends(a, middle), ends(b, middle) });
+    }
+  }
+  half.mesh = TriangleMesh(std::move(points), std::move(cells));
+  half.cut.assign(half.mesh.halfedgeCount(), 0);
+  for (Index h = 0; h < half.mesh.halfedgeCount(); ++h)
+  {
+    half.cut[h] = cut.count(ends(half.mesh.from(h), half.mesh.to(h))) > 0 ? 1 : 0;
+  }
+  return half;
+}
+
+CutMesh bothSides(const CutMesh& half, const std::optional<MirrorSection>& mirror)
+{
+  CutMesh whole = half;
+  const Index count = half.mesh.halfedgeCount();
+  whole.images.resize(count);
+  std::iota(whole.images.begin(), whole.images.end(), 0);
+  if (!mirror)
+  {
+    return whole;
+  }
+  Points3 points = half.mesh.points();
+  Indices image;
+  for (Index v = 0; v < half.mesh.vertexCount(); ++v)
+  {
+    const bool shared = half.mesh.onBoundary(v) && mirror->has(points[v]);
+    image.push_back(shared ? v : static_cast<Index>(points.size()));
+    if (!shared)
+    {
+      points.push_back(mirror->plane.mirrored(points[v]));
+    }
+  }
+  Triangles cells = half.mesh.triangles();
+  for (const auto& [a, b, c] : half.mesh.triangles())
+  {
+    cells.push_back({ image[a], image[c], image[b] });
+  }
+  whole.mesh = TriangleMesh(std::move(points), std::move(cells));
+  whole.cut.resize(2 * count);
+  whole.images.resize(2 * count);
+  for (Index h = 0; h < count; ++h)
+  {
+    const Index other = count + h / 3 * 3 + 2 - h % 3;
+    whole.cut[h] = whole.cut[other] = half.cut[h] || whole.mesh.twin(h) == other ? 1 : 0;
+    whole.images[h] = other;
+    whole.images[other] = h;
+  }
+  return whole;
+}
+}
