@@ -117,7 +117,7 @@ class Mending(command.CommandTest):
         self.write("pages.obj", command.obj(points, pages))
         report = self.flatten("pages.obj", "--unit", "cm", code=3)
         self.assertEqual((report["status"], report["ids"]), ("NonManifoldEdge", [0, 2, 4]))
-        warning = "the surface was separated at 1 edge of more than two triangles (first: 0-1)"
+        warning = "the surface was separated at 1 edge of more than two triangles (0-1)"
         self.assert_stderr(warning, "cut", "pages.obj", "--unit", "cm", "--output", "cuts", code=0)
         self.assertEqual(len(self.report("cuts")["pieces"]), 3)
         self.assert_stderr(warning, "check", "pages.obj", "--unit", "cm", "--output", "healed.vtp", code=0)
