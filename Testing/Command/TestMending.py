@@ -112,12 +112,21 @@ class Mending(command.CommandTest):
         self.assertEqual([piece["triangles"] for piece in healed["pieces"]], [count, 1])
 
     def test_sheets_that_meet_in_a_line_are_separated_where_cuts_are_proposed(self):
-        points = [(0, 0, 0), (0, 10, 0), (10, 0, 0), (10, 10, 0), (-5, 0, 9), (-5, 10, 9), (-5, 0, -9), (-5, 10, -9)]
-        pages = [t for page in (2, 4, 6) for t in ((0, 1, page + 1), (0, page + 1, page))]
+        spine = [(0.0, 3.0 * j, 0.0) for j in range(4)]
+        points, pages = list(spine), []
+        for angle in (0, 120, 240):
+            turn = math.radians(angle)
+            rows = [[0, 1, 2, 3]]
+            for r in (3.0, 6.0, 9.0):
+                rows.append([len(points) + j for j in range(4)])
+                points += [(r * math.cos(turn), y, r * math.sin(turn)) for _, y, _ in spine]
+            for near, far in zip(rows, rows[1:]):
+                for j in range(3):
+                    pages += [(near[j], near[j + 1], far[j + 1]), (near[j], far[j + 1], far[j])]
         self.write("pages.obj", command.obj(points, pages))
         report = self.flatten("pages.obj", "--unit", "cm", code=3)
-        self.assertEqual((report["status"], report["ids"]), ("NonManifoldEdge", [0, 2, 4]))
-        warning = "the surface was separated at 1 edge of more than two triangles (0-1)"
+        self.assertEqual((report["status"], report["ids"]), ("NonManifoldEdge", [0, 18, 36]))
+        warning = "the surface was separated at 3 edges of more than two triangles (0-1, 1-2, 2-3)"
         self.assert_stderr(warning, "cut", "pages.obj", "--unit", "cm", "--output", "cuts", code=0)
         self.assertEqual(len(self.report("cuts")["pieces"]), 3)
         self.assert_stderr(warning, "check", "pages.obj", "--unit", "cm", "--output", "healed.vtp", code=0)
