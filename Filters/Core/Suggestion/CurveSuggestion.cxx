@@ -661,6 +661,7 @@ private:
           for (std::size_t k = first; k < cuts.size(); ++k)
           {
             cuts[k].curve.points = drawing.moved(cuts[k].curve.points);
+            cuts[k].length = lengthOf(cuts[k].curve.points);
           }
         }
       }

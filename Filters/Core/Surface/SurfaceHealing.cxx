@@ -3,6 +3,7 @@
 
 #include "Base/CompressedRows.h"
 #include "Base/Memory.h"
+#include "Surface/SheetSeparation.h"
 #include "Surface/TriangleMesh.h"
 
 #include <algorithm>
@@ -410,171 +411,6 @@ bool pairAtEdge(const Draft& draft, const Parts& parts, Indices edge, Indices& p
   return true;
 }
 
-/// The points of an edge, the lower one first.
-std::pair<Index, Index> endsOf(const Draft& draft, Index h)
-{
-  const Triangle& t = draft.triangles[h / 3];
-  return std::minmax({ t[h % 3], t[(h + 1) % 3] });
-}
-
-/// Parts partners at crowded edges that cannot be oriented alike.
-void partOneSided(const Draft& draft, const std::vector<Indices>& crowded, Indices& partner)
-{
-  const Index count = static_cast<Index>(draft.triangles.size());
-  JoinedSets sides(2 * count); // of each triangle, and behind them of each turned over
-  const auto start = [&draft](Index h) { return draft.triangles[h / 3][h % 3]; };
-  const auto join = [&](Index h, Index g) {
-    const Index turn = start(h) != start(g) ? 0 : count;
-    const bool opposed = sides.find(h / 3) == sides.find(g / 3 + count - turn);
-    if (!opposed)
-    {
-      sides.join(h / 3, g / 3 + turn);
-      sides.join(h / 3 + count, g / 3 + count - turn);
-    }
-    return !opposed;
-  };
-  std::vector<char> isCrowded(partner.size(), 0);
-  for (const Indices& edge : crowded)
-  {
-    for (const Index h : edge)
-    {
-      isCrowded[h] = 1;
-    }
-  }
-  for (const char now : { 0, 1 })
-  {
-    for (std::size_t k = 0; k < partner.size(); ++k)
-    {
-      const Index h = static_cast<Index>(k);
-      const Index g = partner[k];
-      if (isCrowded[k] == now && g > h && !join(h, g) && now)
-      {
-        partner[h] = partner[g] = none;
-      }
-    }
-  }
-}
-
-/// The fans of triangles at points: sets of corners.
-JoinedSets fansOf(const Draft& draft, const Indices& partner)
-{
-  JoinedSets corners(static_cast<Index>(3 * draft.triangles.size()));
-  const auto next = [](Index h) { return TriangleMesh::next(h); };
-  const auto start = [&draft](Index h) { return draft.triangles[h / 3][h % 3]; };
-  for (std::size_t k = 0; k < partner.size(); ++k)
-  {
-    const Index h = static_cast<Index>(k);
-    const Index g = partner[k];
-    if (g != none)
-    {
-      const bool alike = start(h) != start(g); // neighbors may still be oriented differently
-      corners.join(h, alike ? next(g) : g);
-      corners.join(next(h), alike ? g : next(g));
-    }
-  }
-  return corners;
-}
-
-/// Triangles that are not partners at an edge, but have both its ends in common, are parted at one
-/// more edge. \return the ends of these edges
-Indices partAtEnds(const Draft& draft, Indices& partner)
-{
-  Indices opened;
-  const std::vector<Indices> crowded =
-    crowdedEdges(sortedSides(draft.triangles, draft.points.size()));
-  const auto start = [&draft](Index h) { return draft.triangles[h / 3][h % 3]; };
-  const auto next = [](Index h) { return TriangleMesh::next(h); };
-  for (std::size_t before = 1; before > 0;)
-  {
-    before = 0;
-    JoinedSets fans = fansOf(draft, partner);
-    for (const Indices& edge : crowded)
-    {
-      const Index low = endsOf(draft, edge.front()).first;
-      std::map<std::pair<Index, Index>, Index> first; // by the fans at both ends
-      for (const Index h : edge)
-      {
-        const Index atLow = start(h) == low ? h : next(h);
-        const Index atHigh = start(h) == low ? next(h) : h;
-        const Index kept =
-          first.emplace(std::pair(fans.find(atLow), fans.find(atHigh)), h).first->second;
-        if (kept == h || partner[h] == kept)
-        {
-          continue;
-        }
-        for (const Index side : { h, partner[h] })
-        {
-          // The other side of the triangle at the lower end.
-          const Index other = side == none ? none
-            : start(side) == low           ? next(next(side))
-                                           : next(side);
-          if (other != none && partner[other] != none)
-          {
-            const auto [from, to] = endsOf(draft, other);
-            opened.insert(opened.end(), { from, to });
-            partner[partner[other]] = none;
-            partner[other] = none;
-            ++before;
-          }
-        }
-      }
-    }
-  }
-  return opened;
-}
-
-/// Gives each fan of triangles at a point a point of its own; that of the most triangles keeps the
-/// old one. \return the points that had several
-Indices splitFans(Draft& draft, const Indices& partner)
-{
-  Triangles& triangles = draft.triangles;
-  JoinedSets corners = fansOf(draft, partner);
-  const auto start = [&triangles](Index h) { return triangles[h / 3][h % 3]; };
-  Indices fanOf(draft.points.size(), none); // the first
-  Indices pinched;
-  for (Index h = 0; h < static_cast<Index>(partner.size()); ++h)
-  {
-    Index& fan = fanOf[start(h)];
-    fan = fan == none ? corners.find(h) : fan;
-    if (fan != corners.find(h))
-    {
-      pinched.push_back(start(h));
-    }
-  }
-  sortUnique(pinched);
-  if (pinched.empty())
-  {
-    return pinched;
-  }
-  std::map<Index, std::map<Index, Indices>> fans; // of pinched points, by their least corner
-  for (Index h = 0; h < static_cast<Index>(partner.size()); ++h)
-  {
-    if (std::binary_search(pinched.begin(), pinched.end(), start(h)))
-    {
-      fans[start(h)][corners.find(h)].push_back(h);
-    }
-  }
-  for (const auto& [point, ofPoint] : fans)
-  {
-    const auto most = std::max_element(ofPoint.begin(), ofPoint.end(),
-      [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
-    for (auto fan = ofPoint.begin(); fan != ofPoint.end(); ++fan)
-    {
-      if (fan == most)
-      {
-        continue;
-      }
-      for (const Index h : fan->second)
-      {
-        triangles[h / 3][h % 3] = static_cast<Index>(draft.points.size());
-      }
-      draft.points.emplace_back(draft.points[point]);
-      draft.source.push_back(point);
-    }
-  }
-  return pinched;
-}
-
 void report(HealedSurface& result, SurfaceDefect defect, ElementKind kind, Indices ids)
 {
   std::sort(ids.begin(), ids.end());
@@ -610,13 +446,13 @@ Status separateParts(Draft& draft, Defects defects, HealedSurface& result)
         {
           around.push_back(draft.origin[h / 3]);
         }
-        const auto [low, high] = endsOf(draft, edge.front());
+        const auto [low, high] = endsOf(draft.triangles, edge.front());
         return crowdedEdge(low, high, around);
       }
     }
     if (defects == Defects::Separate)
     {
-      partOneSided(draft, crowded, partner);
+      partOneSided(draft.triangles, crowded, partner);
     }
   }
   const Parts parts(draft, partner);
@@ -653,7 +489,7 @@ Status separateParts(Draft& draft, Defects defects, HealedSurface& result)
     }
     if (kept > 2)
     {
-      const auto [low, high] = endsOf(draft, edge.front());
+      const auto [low, high] = endsOf(draft.triangles, edge.front());
       separated.insert(separated.end(), { low, high });
     }
   }
@@ -684,9 +520,9 @@ Status separateParts(Draft& draft, Defects defects, HealedSurface& result)
     partner = std::move(ofKept);
     takeOut(draft, [&placeOf](Index t) { return placeOf[t] == none; });
   }
-  const Indices opened = partAtEnds(draft, partner);
+  const Indices opened = partAtEnds(draft.triangles, draft.points.size(), partner);
   separated.insert(separated.end(), opened.begin(), opened.end());
-  Indices pinched = splitFans(draft, partner);
+  Indices pinched = splitFans(draft.triangles, draft.points, draft.source, partner);
   Indices onEdges = separated;
   std::sort(onEdges.begin(), onEdges.end());
   eraseIf(pinched, [&](Index p) { return std::binary_search(onEdges.begin(), onEdges.end(), p); });
