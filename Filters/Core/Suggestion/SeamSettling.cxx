@@ -97,7 +97,9 @@ public:
       changed = raiseLevels(now.bad, now.seamOf, levels);
       if (!changed && !now.laid)
       {
-        changed = this->joinMeeting(now, seams, levels);
+        // What cannot be drawn apart is left out one by one, or joined where that takes too long.
+        const bool many = static_cast<int>(now.bad.size()) > maxDrawings - k;
+        changed = many ? this->joinMeeting(now, seams, levels) : this->leaveOut(now, seams, levels);
       }
       changed = changed || (this->Run.cancelled() && !cancelled);
       if (now.bad.empty() && now.worst <= this->Best.worst)
