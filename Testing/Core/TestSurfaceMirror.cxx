@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Planes of symmetry, and surfaces that are their own mirror image as cloth, not in space: folded
 // along a line beside such a plane, which changes no length and no angle on them.
+#include "Suggestion/CutMesh.h"
 #include "Suggestion/SurfaceMirror.h"
 #include "Suggestion/SymmetryPlane.h"
 #include "SuggestionTesting.h"
@@ -189,4 +190,26 @@ TEST(IntrinsicMirror, CutsComeInPairsOfTheSameLength)
       EXPECT_LT((Point3(-p.x(), p.y(), p.z()) - q).norm(), 1e-9) << k;
     }
   }
+}
+
+TEST(CutMesh, DividesACutEdgeAcrossTheMirrorSoThatTwoTrianglesMeetAtEach)
+{
+  CutMesh half;
+  half.mesh = TriangleMesh(
+    { { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0.5, 0.5 }, { 1, 0.5, -0.5 } }, { { 0, 1, 2 }, { 1, 0, 3 } });
+  half.cut.assign(half.mesh.halfedgeCount(), 0);
+  half.cut[half.mesh.find(0, 1)] = half.cut[half.mesh.find(1, 0)] = 1;
+  const std::optional<MirrorSection> mirror = MirrorSection{ SymmetryPlane(), 1e-6 };
+  const CutMesh whole = bothSides(withoutBridges(half, mirror), mirror);
+  EXPECT_EQ(whole.mesh.triangleCount(), 8);
+  EXPECT_TRUE(crowdedEdges(sortedSides(whole.mesh.triangles(), whole.mesh.vertexCount())).empty());
+  EXPECT_NEAR(whole.mesh.area(), 2.0 * half.mesh.area(), 1e-15);
+  double length = 0.0; // of cut edges, from both sides
+  for (Index h = 0; h < whole.mesh.halfedgeCount(); ++h)
+  {
+    EXPECT_EQ(whole.images[whole.images[h]], h);
+    EXPECT_EQ(whole.cut[whole.images[h]], whole.cut[h]);
+    length += whole.cut[h] ? whole.mesh.length(h) : 0.0;
+  }
+  EXPECT_NEAR(length, 4.0, 1e-15); // the edge and its image
 }

@@ -143,7 +143,7 @@ void refusesParts(Checks& checks, const std::string& name)
     if (!messages.errors.empty())
     {
       checks.contains(messages.errors[0], "comes in 2 partitions", name + ": the defect");
-      checks.contains(messages.errors[0], "Merge Blocks", name + ": a way out");
+      checks.contains(messages.errors[0], "Merge Blocks", name + ": a remedy");
     }
     const std::vector<vtkIdType> cells = cellsOf(filter->GetOutputDataObject(0));
     const std::vector<vtkIdType> expected =

@@ -16,7 +16,7 @@ namespace flattening::pattern
 namespace
 {
 // Millimetres.
-constexpr double worthSaying = 0.1; ///< legs of a dart that miss each other by more are told of
+constexpr double worthSaying = 0.1; ///< gap between the legs of a dart that is reported
 constexpr double leastRoom = 0.2;   ///< of a sew line from the cut line, for a notch between them
 
 /// One piece while it is drawn.

@@ -18,7 +18,7 @@ struct PieceFold
 /// Along a curve that the options name, or where the piece is symmetric if they say so.
 /// \param fold none where there is none
 /// \return InvalidOption where the curve is sewn, bends by more than mirrorTolerance, is one of two,
-/// or is no line of symmetry of the piece, with both names
+/// or is not a line of symmetry of the piece, with both names
 Status findFold(const DrawingSource& all, std::size_t piece, const std::string& pieceName,
   const PieceShape& shape, std::optional<PieceFold>& fold);
 
