@@ -298,13 +298,25 @@ TEST(SuggestedSets, ACanIsCutAlongItsRims)
 
 TEST(CurveSuggestion, PartsWhatLiesOverItselfWithoutStrain)
 {
-  // Ramps round an axis: rings of more than a turn in the plane.
-  for (double turns : { 1.02, 1.5, 2.6 })
+  // Ramps round an axis: rings of more than a turn in the plane. In ribbons of one row no vertex is
+  // inside, so that a large one has no version with fewer triangles.
+  struct Ramp
   {
-    const TriangleMesh ramp = patch(90, 5, [turns](double i, double j) {
-      const double angle = 2.0 * pi * turns * i / 90.0;
-      const double radius = 1.0 + 0.1 * j;
-      return Point3(radius * std::cos(angle), radius * std::sin(angle), i / 150.0);
+    double turns;
+    Index columns;
+    Index rows;
+  };
+  for (const auto& [turns, columns, rows] : { Ramp{ 1.02, 90, 5 }, Ramp{ 1.5, 90, 5 },
+         Ramp{ 2.6, 90, 5 }, Ramp{ 8.0, 500, 1 }, Ramp{ 1.5, 7600, 1 } })
+  {
+    const double step = 1.0 / columns;
+    const double width = 0.5 / rows;
+    const double rise = turns / 3.0;
+    const double angleStep = 2.0 * pi * turns * step;
+    const TriangleMesh ramp = patch(columns, rows, [=](double i, double j) {
+      const double radius = 1.0 + width * j;
+      return Point3(
+        radius * std::cos(angleStep * i), radius * std::sin(angleStep * i), rise * step * i);
     }).mesh;
     const FlatteningResult uncut = flattenSurface(ramp, {}, {}, {});
     ASSERT_EQ(uncut.status.code, StatusCode::Overlap) << turns;

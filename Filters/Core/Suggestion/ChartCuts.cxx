@@ -629,12 +629,11 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   const std::optional<SurfaceMirror> mirror =
     plane ? std::optional<SurfaceMirror>(*plane) : std::nullopt;
   const double bound = partedShare * options.bound;
-  if (mesh.triangleCount() > largeSurface)
+  if (const std::optional<TriangleMesh> few = coarseVersion(mesh))
   {
-    const TriangleMesh few = fewTriangles(mesh, 2 * largeSurface / 3);
     std::optional<SurfaceMirror> moved = mirror;
-    std::vector<SuggestedCurve> cuts =
-      movedCuts(mesh, moved, chartCuts(few, plane, options, budget, execution), options.flattening);
+    std::vector<SuggestedCurve> cuts = movedCuts(
+      mesh, moved, chartCuts(*few, plane, options, budget, execution), options.flattening);
     return partedCharts(mesh, mirror, options, bound, std::move(cuts), budget, execution);
   }
   // What is left has to do for cuts without the mirror, where its two sides differ too much.

@@ -223,15 +223,17 @@ private:
     // Gores take few trials; few triangles do not mirror each other exactly.
     const bool exact = given && given->plane() && given->error <= SurfaceMirror::exact;
     CutSet set;
-    if (this->Mesh.triangleCount() <= largeSurface || !this->Curves.empty() || exact ||
-      !this->Weights.empty() || wanted.cuts == SuggestedCuts::Gores)
+    const std::optional<TriangleMesh> few = !this->Curves.empty() || exact ||
+        !this->Weights.empty() || wanted.cuts == SuggestedCuts::Gores
+      ? std::nullopt
+      : coarseVersion(this->Mesh);
+    if (!few)
     {
       return set;
     }
-    const TriangleMesh few = fewTriangles(this->Mesh, 2 * largeSurface / 3);
     TrialBudget searching(shareOfCoarse * this->Budget.left(), this->Budget);
     CurveSuggestions found =
-      Suggesting(few, this->Curves, this->Options, std::move(searching), this->Run).run();
+      Suggesting(*few, this->Curves, this->Options, std::move(searching), this->Run).run();
     this->Result.strainBefore = found.strainBefore;
     this->Result.mirror = std::move(found.mirror);
     set.cuts =
@@ -411,8 +413,9 @@ private:
                                              : best.end;
     this->Result.cutsNeeded = givenUp ? found.front().cutsNeeded : best.cutsNeeded;
     const TrialOutcome& with = best.outcome;
-    const bool worse = wanted.bound > 0.0 ? with.strainP95 > uncut.outcome.strainP95
-                                          : with.energy > uncut.outcome.energy;
+    const bool worse = wanted.bound > 0.0
+      ? !this->isFlat(best) && with.strainP95 > uncut.outcome.strainP95
+      : with.energy > uncut.outcome.energy;
     return uncut.outcome.valid && (worse || !with.valid) ? uncut : best;
   }
 

@@ -20,6 +20,10 @@ namespace
 /// one that changes, unless it becomes no worse.
 constexpr double minCosine = 0.7;
 constexpr double minShape = 0.15;
+/// Cuts of larger surfaces are found on a version with two thirds as many triangles.
+constexpr Index largeSurface = 15000;
+/// A version with more than this share of the triangles saves no work.
+constexpr double mostLeft = 0.8;
 /// What an edge of mean length weighs against curvature that moves, in radians.
 constexpr double lengthShare = 0.03;
 
@@ -337,6 +341,17 @@ TriangleMesh fewTriangles(const TriangleMesh& mesh, Index most)
     kept[mesh.from(h)] = kept[mesh.from(h)] || creases[h] ? 1 : 0;
   }
   return coarsened(mesh, std::move(kept), most).mesh;
+}
+
+std::optional<TriangleMesh> coarseVersion(const TriangleMesh& mesh)
+{
+  if (mesh.triangleCount() <= largeSurface)
+  {
+    return {};
+  }
+  TriangleMesh few = fewTriangles(mesh, 2 * largeSurface / 3);
+  return few.triangleCount() < mostLeft * mesh.triangleCount() ? std::optional(std::move(few))
+                                                               : std::nullopt;
 }
 
 std::vector<SuggestedCurve> movedCuts(const TriangleMesh& mesh,

@@ -21,11 +21,12 @@ struct CoarseSurface
 /// per vertex; those of the boundary are kept anyway
 CoarseSurface coarsened(const TriangleMesh& mesh, std::vector<char> kept, Index most);
 
-/// Cuts of larger surfaces are found on a version with two thirds as many triangles.
-inline constexpr Index largeSurface = 15000;
-
 /// A version with few triangles; boundaries and creases stay.
 TriangleMesh fewTriangles(const TriangleMesh& mesh, Index most);
+
+/// A version of a large surface on which its cuts are found. None where the surface is small
+/// enough itself, or hardly any vertex may go, as in a ribbon, whose are all on the boundary.
+std::optional<TriangleMesh> coarseVersion(const TriangleMesh& mesh);
 
 /// The cuts of a version with fewer triangles on the surface itself, without those that cannot be
 /// laid into it. \param mirror of that version, then of the surface
