@@ -233,7 +233,7 @@ std::string mendingOf(const Options& options)
   {
     words << " --fill-holes " << options.fillHoles;
   }
-  words << (options.outerSide ? " --outer-side" : "");
+  words << (options.outerSide == "true" ? " --outer-side" : "");
   if (options.height > 0.0)
   {
     words << " --height " << options.height;

@@ -98,8 +98,9 @@ void addMending(CLI::App& app, Options& options)
     ->type_name("MM")
     ->group(group);
   app
-    .add_flag("--outer-side", options.outerSide,
-      "Of a closed sheet with thickness take the outer side alone: the larger one within its rim")
+    .add_flag("--outer-side,!--no-outer-side", options.outerSide,
+      "Of closed sheets with thickness take the outer side alone: the larger one within its rim. "
+      "cut and make do so where a part is clearly such a sheet")
     ->group(group);
 }
 

@@ -533,11 +533,12 @@ MendedSurface mendedSurface(
   }
   request.doubled = contents.doubled;
   const std::string format = lowerCaseExtension(options.surface);
-  request.likely = options.weld.empty() && (format == ".obj" || format == ".ply") &&
-    (options.command == "cut" || options.command == "make");
+  const bool proposes = options.command == "cut" || options.command == "make";
+  request.likely = options.weld.empty() && (format == ".obj" || format == ".ply") && proposes;
   request.fillHoles = options.fillHoles;
   request.millimetres = millimetresOf(unit);
-  request.outerSide = options.outerSide;
+  request.outerSide = options.outerSide == "true";
+  request.likelySide = options.outerSide.empty() && proposes;
   return mendSurface(contents.surface, request);
 }
 

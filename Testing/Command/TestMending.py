@@ -245,7 +245,15 @@ class Mending(command.CommandTest):
                                     "kept, as --outer-side asks"])
         self.assert_whole(report, 2 * SIZE * SIZE)
         _, warnings = self.flattened(self.points, self.triangles, "--outer-side")
-        self.assertEqual(warnings, ["--outer-side found no closed sheet with a sharp rim"])
+        self.assertEqual(warnings, ["--outer-side found no closed sheet with two sides"])
+
+    def test_the_outer_side_of_a_sheet_is_taken_where_cuts_are_proposed(self):
+        cap = [(x, y, -0.02 * (x * x + y * y)) for x, y in ((x - 15.0, y - 15.0) for x, y, _ in self.points)]
+        self.write("bowl.obj", command.obj(*thick(cap, self.triangles, 0.2)))
+        cut = ("cut", "bowl.obj", "--unit", "cm", "--max-work", "5", "--output", "cuts.vtp")
+        words = (f"the {2 * SIZE * SIZE} of the outer side are kept, since the surface is a sheet", "mm thick; --no-outer-side")
+        self.assert_words(words, self.run_command(*cut, code=(0, 4)).stderr)
+        self.assertNotIn("outer side", self.run_command(*cut, "--no-outer-side", code=(0, 4)).stderr)
 
     def test_mends_take_effect_in_stl(self):
         self.write("cut.stl", command.stl(self.points, [t for t in self.triangles if at(5, 5) not in t]))

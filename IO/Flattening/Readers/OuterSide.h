@@ -3,10 +3,12 @@
 
 #include "TriangleList.h"
 
+#include <optional>
+
 namespace wirewarp
 {
-/// Of each closed part that is a sheet with thickness, as modellers and scanners give cloth, keeps
-/// the larger of the sides between the sharp edges of its rim; open parts stay as they are.
-/// \return a line that says what was done
-std::string takeOuterSide(TriangleList& list);
+/// Of closed parts that are sheets with thickness keeps the outer side, as thickSheets() has it;
+/// other parts stay as they are. \param clear only of those that clearly are
+/// \return their mean thickness, none where there is no such sheet
+std::optional<double> takeOuterSide(TriangleList& list, bool clear);
 }

@@ -68,6 +68,24 @@ void weld(
   }
 }
 
+void takeSide(TriangleList& list, const MendingRequest& request, std::vector<std::string>& notes)
+{
+  const std::size_t count = list.triangles.size();
+  if (const std::optional<double> thickness = takeOuterSide(list, !request.outerSide))
+  {
+    notes.push_back("of " + std::to_string(count) + " triangles the " +
+      std::to_string(list.triangles.size()) + " of the outer side are kept, " +
+      (request.outerSide
+          ? "as --outer-side asks"
+          : "since the surface is a sheet " + shortNumber(*thickness * request.millimetres) +
+            " mm thick; --no-outer-side keeps both sides"));
+  }
+  else if (request.outerSide)
+  {
+    notes.emplace_back("--outer-side found no closed sheet with two sides");
+  }
+}
+
 /// Whether most edges of the boundary lie on each other, as where texture seams double points.
 bool isMostlyUnjoined(const TriangleList& list, double size)
 {
@@ -204,9 +222,9 @@ MendedSurface mendSurface(const DataSet& surface, const MendingRequest& request)
   {
     joinSoup();
   }
-  if (request.outerSide)
+  if (request.outerSide || request.likelySide)
   {
-    mended.notes.push_back(takeOuterSide(list));
+    takeSide(list, request, mended.notes);
   }
   if (request.fillHoles > 0.0)
   {
