@@ -173,7 +173,8 @@ bool EditorWindow::openSurface(const std::string& path)
     const wirewarp::SurfaceContents contents = wirewarp::readSurface(path);
     const figures::PolyData surface = wirewarp::polyDataOf(contents.surface);
     requireDone(this->Curves->SetSurface(surface), this->Curves);
-    const std::string healed = this->Curves->GetMessage();
+    std::string healed = this->Curves->GetMessage();
+    healed += (healed.empty() ? "" : "; ") + contents.note;
     this->Surface = surface;
     this->Labels = contents.labels;
     this->Name = std::filesystem::path(path).stem().string();

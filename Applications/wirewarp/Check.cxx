@@ -262,6 +262,10 @@ int runCheck(const Options& options)
   }
   const std::string unit = stated.empty() ? likelyUnit(contents.surface).unit : stated;
   MendedSurface mend = mendedSurface(options, contents, unit);
+  if (!contents.note.empty())
+  {
+    mend.notes.push_back(contents.note);
+  }
   TriangleList list = listTriangles(mend.surface);
   if (list.triangles.empty())
   {

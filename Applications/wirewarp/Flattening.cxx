@@ -232,6 +232,10 @@ struct RunInput
 RunInput readInput(const Options& options, const std::string& base, Flattening& result)
 {
   SurfaceContents contents = readSurface(options.surface);
+  if (!contents.note.empty())
+  {
+    result.warnings.push_back(inQuotes(options.surface) + ": " + contents.note);
+  }
   DataSet seams = readSeams(options.surface, contents, options, result);
   const CurveFiles saved = readSavedCurves(options);
   chooseUnit(options, saved, contents, result);

@@ -92,6 +92,10 @@ int vtkSurfaceMeshReader::RequestData(vtkInformation* vtkNotUsed(request),
         path, "the extension is not .obj, .ply or .off; read other formats by VTK's readers");
     }
     SurfaceContents contents = readSurface(path);
+    if (!contents.note.empty())
+    {
+      vtkWarningMacro(<< path << ": " << contents.note);
+    }
     const vtkSmartPointer<vtkPolyData> read = polyDataOf(contents.surface);
     vtkPolyData* const surface = vtkPolyData::GetData(outputVector, 0);
     surface->ShallowCopy(read);

@@ -141,6 +141,22 @@ class Curves(command.CommandTest):
                    + "l " + " ".join(str(k + 1) for k in range(len(rows))) + "\n")
         self.assert_same_as_text(self.flatten("lune.obj", "curves.obj"), "key", "arc")
 
+    def test_edges_without_a_face_in_the_object_of_the_faces_are_no_curves(self):
+        surface = "o lune\n" + command.obj(self.points, self.triangles)
+        count = len(self.points)
+        loose = f"v 0 0 9\nv 0 1 9\nl {count + 1} {count + 2}\nl 1 {count + 1}\n"
+        self.write("loose.obj", surface + loose)
+        report = self.flatten("loose.obj")
+        self.assertEqual(report["curves"], [])
+        note = f"2 edges without a face are left out, the first at line {(surface + loose).count(chr(10)) - 1}"
+        self.assert_words((note,), report["warnings"][0])
+        self.assert_stderr(note, "check", "loose.obj", code=0)
+        # What has a name of its own, or ends at corners of faces, is a curve.
+        ids = [int(word) + 1 for word in self.read("arc.txt").split()[2:]]
+        lines = "".join(f"l {a} {b}\n" for a, b in zip(ids, ids[1:]))
+        self.write("both.obj", surface + loose + "g key-arc\n" + lines)
+        self.assert_same_as_text(self.flatten("both.obj"), "key", "arc")
+
     def test_rows_of_a_csv_table_are_points_of_curves(self):
         rows = self.arc_rows()
 

@@ -59,6 +59,14 @@ class Surfaces(Files):
                 self.assertEqual(types(curves), [2, 3])
                 np.testing.assert_allclose(lengths_of(curves), [1.0, 1.0], rtol=1e-15)
 
+    def test_edges_without_a_face_are_left_out_with_a_warning(self):
+        path = self.write("a.obj", "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nl 1 4\n")
+        for read in (sf.load_surface, sf.read_surface):
+            with self.assertWarnsRegex(sf.FlatteningWarning, "1 edge without a face is left out, at line 7") as told:
+                curves = read(path)
+            self.assertEqual(told.filename, __file__)
+        self.assertEqual(curves[1].GetNumberOfLines(), 0)
+
     def test_files_and_what_was_read_name_the_call_that_was_meant(self):
         path = self.write("a.obj", OBJ)
         for given, words in ((path, r"read by load_surface\(\)"), (pathlib.Path(path), r"read by load_surface\(\)"),

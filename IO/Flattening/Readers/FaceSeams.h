@@ -32,6 +32,7 @@ struct SurfaceContents
   std::string unit = {};  ///< that the file states, as in Units.h; empty: none
   FaceLabels labels = {}; ///< of the faces of .obj
   bool doubled = false;   ///< the format doubles points along texture seams, which are to be joined
+  std::string note = {};  ///< what is left out of a file; empty where nothing is
 };
 
 enum class SeamSource

@@ -124,7 +124,7 @@ DataSet readCurveText(const std::string& path, const DataSet& surface)
   return builder.take();
 }
 
-DataSet readObjCurves(const std::string& path)
+CurveContents readObjCurves(const std::string& path)
 {
   SurfaceContents contents = readObj(path);
   if (contents.curves.lines.size() == 0)
@@ -132,7 +132,7 @@ DataSet readObjCurves(const std::string& path)
     throw InputError(path, "has no line element ('l'); save the feature curves as lines");
   }
   setUnit(contents.curves, contents.unit);
-  return contents.curves;
+  return { std::move(contents.curves), std::move(contents.note) };
 }
 }
 
@@ -141,7 +141,7 @@ CurveContents readCurves(const std::string& path, const DataSet& surface)
   const std::string extension = lowerCaseExtension(path);
   if (extension == ".obj")
   {
-    return { readObjCurves(path) };
+    return readObjCurves(path);
   }
   if (extension == ".csv")
   {

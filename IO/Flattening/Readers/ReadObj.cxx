@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -17,6 +18,15 @@ namespace wirewarp
 {
 namespace
 {
+/// A line element.
+struct ObjLine
+{
+  std::vector<std::int64_t> ids;
+  CurveTitle title;
+  std::size_t object = 0;
+  std::size_t number = 0; ///< of its line in the file
+};
+
 struct ObjReader
 {
   std::string path;
@@ -100,13 +110,53 @@ struct ObjReader
     }
   }
 };
+
+/// The lines that are curves. Modellers also write edges without faces so, in the object of the
+/// faces that they hang on to. \param objects by face, 0: without a name
+CurveList curvesOf(const std::vector<ObjLine>& lines, const DataSet& surface,
+  const std::vector<std::size_t>& objects, std::string& note)
+{
+  std::vector<char> used(surface.points->size(), 0);
+  for (std::size_t k = 0; k < surface.faces.size(); ++k)
+  {
+    for (const std::int64_t* id = surface.faces.begin(k); id != surface.faces.end(k); ++id)
+    {
+      used[static_cast<std::size_t>(*id)] = 1;
+    }
+  }
+  const std::set<std::size_t> ofFaces(objects.begin(), objects.end());
+  CurveList curves;
+  std::size_t count = 0;
+  for (const ObjLine& line : lines)
+  {
+    const bool loose = line.ids.size() == 2 && line.object != 0 && ofFaces.count(line.object) > 0 &&
+      std::any_of(line.ids.begin(), line.ids.end(),
+        [&used](std::int64_t id) { return !used[static_cast<std::size_t>(id)]; });
+    if (!loose)
+    {
+      curves.add(line.ids, line.title);
+    }
+    else if (++count == 1)
+    {
+      note = "line " + std::to_string(line.number);
+    }
+  }
+  if (count > 0)
+  {
+    note = std::to_string(count) +
+      (count == 1 ? " edge without a face is left out, at "
+                  : " edges without a face are left out, the first at ") +
+      note + "; a curve would be in an object or a group of its own";
+  }
+  return curves;
+}
 }
 
 SurfaceContents readObj(const std::string& path)
 {
   const std::string text = readWholeFile(path);
   DataSet surface;
-  CurveList curves;
+  std::vector<ObjLine> found;
   CurveTitle title;
   std::string unit;
 
@@ -145,7 +195,7 @@ SurfaceContents readObj(const std::string& path)
       {
         reader.lines.refuse("a line needs two vertices; the file may be truncated");
       }
-      curves.add(reader.ids, title);
+      found.push_back({ reader.ids, title, reader.object, reader.lines.number() });
     }
     else if (keyword == "g" || keyword == "o")
     {
@@ -168,7 +218,8 @@ SurfaceContents readObj(const std::string& path)
   {
     surface.cellArrays.push_back({ "PieceName", std::move(names) });
   }
-  DataSet lines = curves.over(surface.points);
-  return { std::move(surface), std::move(lines), unit, std::move(reader.labels) };
+  std::string note;
+  DataSet lines = curvesOf(found, surface, reader.labels.objects, note).over(surface.points);
+  return { std::move(surface), std::move(lines), unit, std::move(reader.labels), false, note };
 }
 }

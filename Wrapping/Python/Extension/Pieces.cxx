@@ -251,7 +251,7 @@ void leaveToVtk(const std::string& path)
   }
 }
 
-/// What is wrong with a file, and its surface and curves.
+/// What is wrong with a file, its surface, curves and unit, and what of it is not read.
 py::tuple readSurfaceFile(const std::string& path, int seams)
 {
   wirewarp::SurfaceContents contents;
@@ -266,7 +266,8 @@ py::tuple readSurfaceFile(const std::string& path, int seams)
     }
   });
   return py::make_tuple(textOf(failure), dictOf(std::move(contents.surface)),
-    dictOf(std::move(contents.curves)), dictOf(std::move(along)), contents.unit);
+    dictOf(std::move(contents.curves)), dictOf(std::move(along)), contents.unit,
+    textOf(contents.note));
 }
 
 /// What is wrong with a file, its curves, and what of it is not read.

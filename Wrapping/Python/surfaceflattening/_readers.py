@@ -57,10 +57,16 @@ def _curves(data: Data) -> List[Curve]:
     return [replace(curve, points=data["points"][curve.points]) for curve in curves_of(data)]
 
 
+def _warn_of(path: Path, note: str) -> None:
+    if note:
+        warnings.warn(f"{os.fspath(path)}: {note}", FlatteningWarning, stacklevel=4)
+
+
 def _read(path: Path, seams: SeamSource) -> Tuple[Data, Data, Data, str]:
-    failure, surface, curves, along, unit = _core.read_surface(
+    failure, surface, curves, along, unit, note = _core.read_surface(
         text_of("path", os.fspath(path)), index_of(seams, get_args(SeamSource), "seams"))
     _raise_failure(path, failure)
+    _warn_of(path, note)
     return surface, curves, along, unit
 
 
@@ -74,6 +80,9 @@ def load_surface(path: Path, seams: SeamSource = "none") -> LoadedSurface:
     Raises:
         MissingFileError: there is no such file.
         FlatteningError: it cannot be read, or has nothing that gives such seams; the message names the line.
+
+    Warns:
+        FlatteningWarning: edges without a face, in an object of an .obj file that has faces, were left out.
     """
     surface, curves, along, unit = _read(path, seams)
     return LoadedSurface(surface["points"], _faces(surface), _curves(curves) + _curves(along), unit)
@@ -94,8 +103,7 @@ def load_curves(path: Path, points: ArrayLike = (), triangles: Optional[ArrayLik
 def _read_curves(path: Path, owner: Optional[Data]) -> Data:
     failure, curves, note = _core.read_curves(text_of("path", os.fspath(path)), owner or {"points": np.empty((0, 3))})
     _raise_failure(path, failure)
-    if note:
-        warnings.warn(f"{os.fspath(path)}: {note}", FlatteningWarning, stacklevel=3)
+    _warn_of(path, note)
     data: Data = curves
     return data
 
@@ -116,6 +124,9 @@ def read_surface(path: Path, seams: SeamSource = "none") -> Tuple[vtkPolyData, v
     Raises:
         MissingFileError: there is no such file.
         FlatteningError: it cannot be read, or has nothing that gives such seams; the message names the line.
+
+    Warns:
+        FlatteningWarning: edges without a face, in an object of an .obj file that has faces, were left out.
     """
     from ._vtk import mesh_of_data
 
