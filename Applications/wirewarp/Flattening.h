@@ -7,6 +7,7 @@
 #include "Options.h"
 #include "ReadSurface.h"
 #include "Report/FlatteningTables.h"
+#include "Suggestion/CurveSuggestions.h"
 #include "SurfaceMending.h"
 #include "Units.h"
 
@@ -32,8 +33,7 @@ using flattening::numberIn;
 using flattening::rowsOf;
 using flattening::textIn;
 
-/// A strain above this multiple of the bound misses it.
-constexpr double missedBy = 1.5;
+using flattening::missedBy;
 
 /// The remedies of one piece.
 std::vector<Remedy> remediesOf(const flattening::ReportTables& tables, std::size_t piece);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report/SuggestionReport.h"
 #include "Sewing/PieceSewing.h"
+#include "Suggestion/CutSetSearch.h"
 #include "SuggestionTesting.h"
 
 #include <map>
@@ -325,6 +326,34 @@ TEST(CurveSuggestion, PartsWhatLiesOverItselfWithoutStrain)
     EXPECT_LE(suggestions.curves.size(), static_cast<std::size_t>(2.0 * turns)) << turns;
     const FlatteningResult flat = flattened(ramp, {}, suggestions);
     EXPECT_EQ(flat.status.code, StatusCode::Ok) << turns;
+  }
+}
+
+TEST(CutSets, OneSmallPieceThatOverlapsIsBetterThanOneThatIsCrushed)
+{
+  const auto setOf = [](std::vector<double> strains, std::vector<double> areas, char lastFault) {
+    CutSet set;
+    set.outcome.valid = true;
+    set.outcome.strainP95 = *std::max_element(strains.begin(), strains.end());
+    set.outcome.pieceFaults.assign(strains.size(), 0);
+    set.outcome.pieceFaults.back() = lastFault;
+    set.outcome.pieceStrains = std::move(strains);
+    set.outcome.pieceAreas = std::move(areas);
+    return set;
+  };
+  const CutSet nearly = setOf({ 0.07 }, { 1.0 }, 0);
+  const CutSet small = setOf({ 0.04, 0.05 }, { 0.95, 0.05 }, 1);
+  const CutSet less = setOf({ 0.04, 0.2 }, { 0.6, 0.4 }, 0);
+  const CutSet large = setOf({ 0.04, 0.05 }, { 0.6, 0.4 }, 1);
+  const CutSet crushed = setOf({ 1.5 }, { 1.0 }, 0);
+  const CutSet folded = setOf({ 1.5 }, { 1.0 }, 1);
+  const std::vector<const CutSet*> order{ &nearly, &small, &less, &large, &crushed, &folded };
+  for (std::size_t a = 0; a < order.size(); ++a)
+  {
+    for (std::size_t b = 0; b < order.size(); ++b)
+    {
+      EXPECT_EQ(isBetter(*order[a], *order[b], optionsOf(0.05, 0).search, 1.0), a < b) << a << b;
+    }
   }
 }
 

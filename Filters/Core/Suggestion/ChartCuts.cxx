@@ -3,7 +3,6 @@
 
 #include "Cut/SurfaceCut.h"
 #include "Imprint/CurveImprint.h"
-#include "Paths/PlaneSection.h"
 #include "Suggestion/CutMesh.h"
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/OpeningCuts.h"
@@ -45,8 +44,6 @@ constexpr double workingSnap = 0.15;
 constexpr double mergingShare = 0.5;
 /// Of what is left then, for sewing seams from their ends on.
 constexpr double sewingShare = 0.2;
-/// Pieces with more strain than this many times the bound are parted again; darts do for others.
-constexpr double partedShare = 1.5;
 /// The flattening of a chart is given up after these steps; those of charts that keep the bound
 /// take 55 at most.
 constexpr double maxChartSteps = 50.0;
@@ -72,8 +69,6 @@ constexpr double unlikeSides = 0.01;
 constexpr double unpairedShare = 0.8;
 /// Of the work, what cuts in pairs may take where the mirror is not exact.
 constexpr double nearShare = 0.6;
-/// In snap distances of an imprint, how near points of the mirror plane's section are to it.
-constexpr double inPlaneShare = 2.0;
 
 /// Whether the surface may open into one piece along a tree of cuts. Of exact length the sides of a
 /// tree's cuts hardly ever lie flat without an overlap.
@@ -258,8 +253,7 @@ public:
   {
     if (plane)
     {
-      this->Mirror = MirrorSection{ *plane,
-        inPlaneShare * SnapDistance(mesh, ImprintOptions().snap).greatest() };
+      this->Mirror = sectionOf(mesh, *plane);
     }
     this->Options.bound *= straight ? coarseShare : ruggedShare;
     this->Options.bound /= options.pieces > 0 ? finerBound : 1.0;
@@ -275,8 +269,9 @@ public:
         return cuts;
       }
     }
-    const TriangleMesh half =
-      fewTriangles(this->side(), this->Mirror ? chartTriangles / 2 : chartTriangles);
+    const TriangleMesh half = this->Mirror
+      ? fewTriangles(halfOf(this->Surface, *this->Mirror), chartTriangles / 2)
+      : fewTriangles(this->Surface, chartTriangles);
     if (half.triangleCount() == 0 || this->Budget.spent())
     {
       return {};
@@ -334,7 +329,7 @@ public:
   /// Whether it misses a bound, or has more pieces than are wanted.
   bool misses(double bound) const { return this->excess() > 0 || this->Settled.worst > bound; }
   /// Whether it misses it by far.
-  bool fails(double bound) const { return this->misses(partedShare * bound); }
+  bool fails(double bound) const { return this->misses(missedBy * bound); }
   /// The bound of charts, or what the number that is wanted keeps.
   double bound() const { return this->Bound; }
   /// Whether its cuts are better than another's: fewer pieces beyond the number that is wanted;
@@ -457,48 +452,6 @@ private:
     std::vector<SuggestedCurve> cuts = joined(this->Settled.cuts);
     const CutTrials trials(this->Given, {}, {}, this->Options.flattening);
     return trials.paths(linesOf(cuts)).empty() ? this->Settled.cuts : cuts;
-  }
-
-  /// The surface on one side of the plane, if there is one.
-  TriangleMesh side()
-  {
-    if (!this->Mirror)
-    {
-      return this->Surface;
-    }
-    std::vector<Polyline> seams;
-    for (const PlaneSection& section : planeSections(this->Surface,
-           this->Mirror->plane.offset * this->Mirror->plane.normal, this->Mirror->plane.normal))
-    {
-      Polyline seam;
-      seam.type = CurveType::Seam;
-      seam.points = positionsOf(section.path.points);
-      seams.push_back(std::move(seam));
-    }
-    ImprintedSurface imprinted = imprintCurves(this->Surface, seams, {});
-    if (seams.empty() || !imprinted.status.ok())
-    {
-      return {};
-    }
-    const CutSurface cut = cutSurface(imprinted.mesh, imprinted.curves);
-    this->Surface = std::move(imprinted.mesh);
-    std::vector<double> side(cut.pieceCount, 0.0);
-    std::vector<char> open(cut.mesh.halfedgeCount(), 0);
-    for (Index h = 0; h < cut.mesh.halfedgeCount(); ++h)
-    {
-      open[h] = cut.mesh.twin(h) == none ? 1 : 0;
-      side[cut.pieceOfTriangle[h / 3]] +=
-        cut.mesh.area(h / 3) * this->Mirror->plane.side(cut.mesh.point(cut.mesh.from(h)));
-    }
-    Indices triangles;
-    for (Index t = 0; t < cut.mesh.triangleCount(); ++t)
-    {
-      if (side[cut.pieceOfTriangle[t]] > 0.0)
-      {
-        triangles.push_back(t);
-      }
-    }
-    return openedPart(this->Surface, triangles, open).mesh;
   }
 
   /// \param half how many vertices are on one side of the plane
@@ -628,8 +581,8 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
 {
   const std::optional<SurfaceMirror> mirror =
     plane ? std::optional<SurfaceMirror>(*plane) : std::nullopt;
-  const double bound = partedShare * options.bound;
-  if (const std::optional<TriangleMesh> few = coarseVersion(mesh))
+  const double bound = missedBy * options.bound; // darts do for what is nearer
+  if (const std::optional<TriangleMesh> few = coarseVersion(mesh, mirror))
   {
     std::optional<SurfaceMirror> moved = mirror;
     std::vector<SuggestedCurve> cuts = movedCuts(

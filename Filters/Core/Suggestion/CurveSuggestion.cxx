@@ -214,19 +214,17 @@ private:
 
   bool isFlat(const CutSet& set) const { return set.outcome.keeps(this->Options.search.bound); }
 
-  /// On a large surface without curves, weights and exact mirror, the cuts of a version with
-  /// fewer triangles, with what it takes to keep the bound. No cuts where none are found so.
+  /// On a large surface without curves and weights, the cuts of a version with fewer triangles,
+  /// with what it takes to keep the bound. No cuts where none are found so.
   CutSet coarseSet()
   {
     const SearchOptions& wanted = this->Options.search;
     const std::optional<SurfaceMirror> given = this->Result.mirror;
-    // Gores take few trials; few triangles do not mirror each other exactly.
-    const bool exact = given && given->plane() && given->error <= SurfaceMirror::exact;
     CutSet set;
-    const std::optional<TriangleMesh> few = !this->Curves.empty() || exact ||
-        !this->Weights.empty() || wanted.cuts == SuggestedCuts::Gores
+    const std::optional<TriangleMesh> few = !this->Curves.empty() || !this->Weights.empty() ||
+        wanted.cuts == SuggestedCuts::Gores // which take few trials
       ? std::nullopt
-      : coarseVersion(this->Mesh);
+      : coarseVersion(this->Mesh, given);
     if (!few)
     {
       return set;

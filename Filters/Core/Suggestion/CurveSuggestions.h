@@ -29,6 +29,9 @@ enum class SuggestedCuts
 inline constexpr double cutPrice = 0.2;
 inline constexpr double minCutLength = 0.12;
 
+/// A strain above this multiple of the bound misses it by far.
+inline constexpr double missedBy = 1.5;
+
 /// All lengths are in units of R, except where said.
 struct SearchOptions
 {

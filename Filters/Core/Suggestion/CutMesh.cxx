@@ -1,13 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Suggestion/CutMesh.h"
 
+#include "Cut/SurfaceCut.h"
+#include "Imprint/CurveImprint.h"
+#include "Paths/PlaneSection.h"
+#include "Suggestion/ChartClusters.h"
+
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 #include <utility>
 
 namespace flattening
 {
+namespace
+{
+/// In snap distances of an imprint, how near points of the mirror plane's section are to it.
+constexpr double inPlaneShare = 2.0;
+/// By what that is more than where the farthest one is.
+constexpr double atLeast = 1.0 + 1e-6;
+}
+
 CutMesh cutAlong(const ImprintedSurface& imprinted)
 {
   CutMesh result;
@@ -25,6 +39,56 @@ CutMesh cutAlong(const ImprintedSurface& imprinted)
     });
   }
   return result;
+}
+
+MirrorSection sectionOf(const TriangleMesh& surface, const SymmetryPlane& plane)
+{
+  return { plane, inPlaneShare * SnapDistance(surface, ImprintOptions().snap).greatest() };
+}
+
+TriangleMesh halfOf(TriangleMesh& surface, MirrorSection& mirror)
+{
+  std::vector<Polyline> seams;
+  for (const PlaneSection& section :
+    planeSections(surface, mirror.plane.offset * mirror.plane.normal, mirror.plane.normal))
+  {
+    Polyline seam;
+    seam.type = CurveType::Seam;
+    seam.points = positionsOf(section.path.points);
+    seams.push_back(std::move(seam));
+  }
+  ImprintedSurface imprinted = imprintCurves(surface, seams, {});
+  if (seams.empty() || !imprinted.status.ok())
+  {
+    return {};
+  }
+  const CutSurface cut = cutSurface(imprinted.mesh, imprinted.curves);
+  for (const FeatureCurve& curve : imprinted.curves)
+  {
+    for (Index v : curve.vertices) // of the surface, where these are near
+    {
+      mirror.distance =
+        std::max(mirror.distance, atLeast * std::abs(mirror.plane.side(imprinted.mesh.point(v))));
+    }
+  }
+  surface = std::move(imprinted.mesh);
+  std::vector<double> side(cut.pieceCount, 0.0);
+  std::vector<char> open(cut.mesh.halfedgeCount(), 0);
+  for (Index h = 0; h < cut.mesh.halfedgeCount(); ++h)
+  {
+    open[h] = cut.mesh.twin(h) == none ? 1 : 0;
+    side[cut.pieceOfTriangle[h / 3]] +=
+      cut.mesh.area(h / 3) * mirror.plane.side(cut.mesh.point(cut.mesh.from(h)));
+  }
+  Indices triangles;
+  for (Index t = 0; t < cut.mesh.triangleCount(); ++t)
+  {
+    if (side[cut.pieceOfTriangle[t]] > 0.0)
+    {
+      triangles.push_back(t);
+    }
+  }
+  return openedPart(surface, triangles, open).mesh;
 }
 
 CutMesh withoutBridges(CutMesh half, const std::optional<MirrorSection>& mirror)

@@ -21,6 +21,13 @@ struct CutMesh
 /// The mesh cut along imprinted curves.
 CutMesh cutAlong(const ImprintedSurface& imprinted);
 
+/// Where a plane mirrors a surface.
+MirrorSection sectionOf(const TriangleMesh& surface, const SymmetryPlane& plane);
+
+/// The part of a surface on the positive side of the plane, whose section is laid into the surface
+/// as edges. Empty where it cannot be. \param mirror whose distance becomes that of the edges
+TriangleMesh halfOf(TriangleMesh& surface, MirrorSection& mirror);
+
 /// With edges inside divided that join two points of the plane, at which four triangles of both
 /// sides would meet. \param half of the surface on one side of the plane
 CutMesh withoutBridges(CutMesh half, const std::optional<MirrorSection>& mirror);

@@ -35,6 +35,9 @@ constexpr double maxFolding = 4.0;
 constexpr double lastSteps = 400.0;
 /// As many of the cuts found are tried on the surface itself, where the coarse version misled.
 constexpr std::size_t maxAttempts = 4;
+/// What the largest strain counts where sets miss the bound, beside the share of the area that
+/// does.
+constexpr double strainWeight = 0.1;
 /// Up to this many cuts are searched for once.
 constexpr Index singleSearch = 2;
 
@@ -422,10 +425,22 @@ bool isBetter(const CutSet& a, const CutSet& b, const SearchOptions& wanted, dou
     }
     const double waste = wanted.pieces > 0 ? 0.0 : wastePrice * outcome.waste / area;
     const double price = waste + priceOf(set.cuts, std::sqrt(area / pi));
-    return outcome.keeps(wanted.bound)
-      ? std::tuple(0, excess, price)
-      : std::tuple(outcome.faults() > 0 ? 2 : 1, excess,
-          static_cast<double>(outcome.faults()) + outcome.strainP95);
+    if (outcome.keeps(wanted.bound))
+    {
+      return std::tuple(0, excess, price);
+    }
+    if (outcome.keeps(missedBy * wanted.bound))
+    {
+      return std::tuple(1, excess, outcome.strainP95);
+    }
+    // One piece of many that cannot be sewn is better than a surface that cannot.
+    double missing = strainWeight * outcome.strainP95 / (1.0 + outcome.strainP95);
+    for (std::size_t p = 0; p < outcome.pieceAreas.size(); ++p)
+    {
+      const bool kept = outcome.keeps(p, missedBy * wanted.bound);
+      missing += kept ? 0.0 : (outcome.pieceFaults[p] ? 2.0 : 1.0) * outcome.pieceAreas[p];
+    }
+    return std::tuple(2, excess, missing);
   };
   return merit(a) < merit(b);
 }

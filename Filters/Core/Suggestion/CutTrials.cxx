@@ -395,7 +395,11 @@ TrialOutcome CutTrials::measured(
       return triangle.smallStretch >= 0.0 && triangle.smallStretch < collapsed;
     }));
   outcome.areaError /= total;
-  outcome.minPiece = *std::min_element(areas.begin(), areas.end()) / total;
+  for (double area : areas)
+  {
+    outcome.pieceAreas.push_back(area / total);
+    outcome.minPiece = std::min(outcome.minPiece, area / total);
+  }
   if (this->Goal == SearchGoal::Strain)
   {
     outcome.pieceGoals = integrals(flat, counted,

@@ -92,7 +92,8 @@ struct TrialOutcome
   /// By piece, in the order of their smallest triangles.
   std::vector<double> pieceStrains;
   std::vector<double> pieceGoals;
-  std::vector<char> pieceFaults; ///< whether it is folded or lies over another part
+  std::vector<double> pieceAreas; ///< over that of all
+  std::vector<char> pieceFaults;  ///< whether it is folded or lies over another part
 
   double waste = 0.0;    ///< area of the pieces' convex hulls beyond their own
   double minPiece = 1.0; ///< area of the smallest piece over that of all
