@@ -329,30 +329,28 @@ TEST(CurveSuggestion, PartsWhatLiesOverItselfWithoutStrain)
   }
 }
 
-TEST(CutSets, OneSmallPieceThatOverlapsIsBetterThanOneThatIsCrushed)
+TEST(CutSets, OneSmallPieceThatOverlapsFailsLessThanOneThatIsCrushed)
 {
-  const auto setOf = [](std::vector<double> strains, std::vector<double> areas, char lastFault) {
+  const auto setOf = [](std::vector<double> strains, std::vector<double> areas, bool lastFault) {
     CutSet set;
     set.outcome.valid = true;
     set.outcome.strainP95 = *std::max_element(strains.begin(), strains.end());
     set.outcome.pieceFaults.assign(strains.size(), 0);
-    set.outcome.pieceFaults.back() = lastFault;
+    set.outcome.pieceFaults.back() = lastFault ? 1 : 0;
     set.outcome.pieceStrains = std::move(strains);
     set.outcome.pieceAreas = std::move(areas);
     return set;
   };
-  const CutSet nearly = setOf({ 0.07 }, { 1.0 }, 0);
-  const CutSet small = setOf({ 0.04, 0.05 }, { 0.95, 0.05 }, 1);
-  const CutSet less = setOf({ 0.04, 0.2 }, { 0.6, 0.4 }, 0);
-  const CutSet large = setOf({ 0.04, 0.05 }, { 0.6, 0.4 }, 1);
-  const CutSet crushed = setOf({ 1.5 }, { 1.0 }, 0);
-  const CutSet folded = setOf({ 1.5 }, { 1.0 }, 1);
-  const std::vector<const CutSet*> order{ &nearly, &small, &less, &large, &crushed, &folded };
-  for (std::size_t a = 0; a < order.size(); ++a)
+  const std::vector<CutSet> sets{ setOf({ 0.07 }, { 1.0 }, false),
+    setOf({ 0.04, 0.05 }, { 0.95, 0.05 }, true), setOf({ 0.04, 0.2 }, { 0.6, 0.4 }, false),
+    setOf({ 0.04, 0.05 }, { 0.6, 0.4 }, true), setOf({ 0.5 }, { 1.0 }, false),
+    setOf({ 1.5 }, { 1.0 }, false), setOf({ 1.5 }, { 1.0 }, true), CutSet() };
+  for (std::size_t a = 0; a < sets.size(); ++a)
   {
-    for (std::size_t b = 0; b < order.size(); ++b)
+    for (std::size_t b = a + 1; b < sets.size(); ++b)
     {
-      EXPECT_EQ(isBetter(*order[a], *order[b], optionsOf(0.05, 0).search, 1.0), a < b) << a << b;
+      const std::vector<CutSet> both{ sets[b], sets[a] };
+      EXPECT_EQ(&leastFailing(both, optionsOf(0.05, 0).search, 1.0), &both[1]) << a << ' ' << b;
     }
   }
 }

@@ -116,21 +116,3 @@ TEST(PieceSurface, FlattensAsThePieceDoes)
   }
   EXPECT_EQ(pieces[0].curves.size() + pieces[1].curves.size(), 3u);
 }
-
-TEST(SurfaceCoarsening, AMirroredSurfaceIsMirroredWithFewTrianglesAndStaysWhole)
-{
-  // Vertices that a modeller meant to be in the plane are near to it.
-  const TriangleMesh ring = moved(torus(90, 3.0), [](const Point3& p) -> Point3 {
-    return p + (std::abs(p.z()) < 1e-9 ? 1e-3 * std::sin(7.0 * p.x()) : 0.0) * Point3::UnitZ();
-  });
-  SymmetryPlane plane;
-  plane.normal = Point3::UnitZ();
-  const std::optional<SurfaceMirror> mirror(SurfaceMirror(measuredPlane(ring, plane)));
-  ASSERT_LE(mirror->error, SurfaceMirror::exact);
-  const std::optional<TriangleMesh> few = coarseVersion(ring, mirror);
-  ASSERT_TRUE(few.has_value());
-  EXPECT_LT(few->triangleCount(), 2 * ring.triangleCount() / 3);
-  EXPECT_TRUE(few->boundaryLoops().empty());
-  EXPECT_EQ(eulerCharacteristic(*few), 0);
-  EXPECT_LE(measuredPlane(*few, plane).error, SurfaceMirror::exact);
-}

@@ -213,3 +213,20 @@ TEST(CutMesh, DividesACutEdgeAcrossTheMirrorSoThatTwoTrianglesMeetAtEach)
   }
   EXPECT_NEAR(length, 4.0, 1e-15); // the edge and its image
 }
+
+TEST(CutMesh, HalvesOfARingWhoseVerticesAreOnlyNearToThePlaneFitTogether)
+{
+  TriangleMesh ring = moved(torus(30, 3.0), [](const Point3& p) -> Point3 {
+    return p + (std::abs(p.z()) < 1e-9 ? 3e-3 * std::sin(7.0 * p.x()) : 0.0) * Point3::UnitZ();
+  });
+  SymmetryPlane plane;
+  plane.normal = Point3::UnitZ();
+  std::optional<MirrorSection> mirror = sectionOf(ring, plane);
+  CutMesh half;
+  half.mesh = halfOf(ring, *mirror);
+  half.cut.assign(half.mesh.halfedgeCount(), 0);
+  const TriangleMesh whole = bothSides(withoutBridges(half, mirror), mirror).mesh;
+  EXPECT_GE(whole.triangleCount(), 1800);
+  EXPECT_TRUE(whole.boundaryLoops().empty());
+  EXPECT_EQ(eulerCharacteristic(whole), 0);
+}

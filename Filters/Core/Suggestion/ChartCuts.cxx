@@ -582,7 +582,7 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   const std::optional<SurfaceMirror> mirror =
     plane ? std::optional<SurfaceMirror>(*plane) : std::nullopt;
   const double bound = missedBy * options.bound; // darts do for what is nearer
-  if (const std::optional<TriangleMesh> few = coarseVersion(mesh, mirror))
+  if (const std::optional<TriangleMesh> few = coarseVersion(mesh))
   {
     std::optional<SurfaceMirror> moved = mirror;
     std::vector<SuggestedCurve> cuts = movedCuts(

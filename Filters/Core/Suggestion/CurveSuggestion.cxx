@@ -188,12 +188,6 @@ private:
     return this->Whole.run(linesOf(cuts), some, this->Run);
   }
 
-  const CutSet& bestOf(const std::vector<CutSet>& sets) const
-  {
-    return *std::min_element(sets.begin(), sets.end(),
-      [this](const CutSet& a, const CutSet& b) { return this->better(a, b); });
-  }
-
   SearchSubject subject(const SearchOptions& search, SearchGoal goal = SearchGoal::Energy) const
   {
     return { this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening, search,
@@ -214,17 +208,19 @@ private:
 
   bool isFlat(const CutSet& set) const { return set.outcome.keeps(this->Options.search.bound); }
 
-  /// On a large surface without curves and weights, the cuts of a version with fewer triangles,
-  /// with what it takes to keep the bound. No cuts where none are found so.
+  /// On a large surface without curves, weights and exact mirror, the cuts of a version with
+  /// fewer triangles, with what it takes to keep the bound. No cuts where none are found so.
   CutSet coarseSet()
   {
     const SearchOptions& wanted = this->Options.search;
     const std::optional<SurfaceMirror> given = this->Result.mirror;
+    // Gores take few trials; few triangles do not mirror each other exactly.
+    const bool exact = given && given->plane() && given->error <= SurfaceMirror::exact;
     CutSet set;
-    const std::optional<TriangleMesh> few = !this->Curves.empty() || !this->Weights.empty() ||
-        wanted.cuts == SuggestedCuts::Gores // which take few trials
+    const std::optional<TriangleMesh> few = !this->Curves.empty() || exact ||
+        !this->Weights.empty() || wanted.cuts == SuggestedCuts::Gores
       ? std::nullopt
-      : coarseVersion(this->Mesh, given);
+      : coarseVersion(this->Mesh);
     if (!few)
     {
       return set;
@@ -401,7 +397,7 @@ private:
       this->Result.end = this->Run.cancelled() ? SearchEnd::Interrupted : SearchEnd::CutsUsedUp;
       return uncut;
     }
-    const CutSet& best = this->bestOf(found);
+    const CutSet& best = leastFailing(found, wanted, this->Area);
     const bool limited = std::any_of(found.begin(), found.end(),
       [](const CutSet& one) { return one.end == SearchEnd::WorkUsedUp; });
     const bool givenUp = found.front().end == SearchEnd::GivenUp && !this->isFlat(best);
@@ -642,9 +638,9 @@ private:
       }
       std::vector<SuggestedCurve> here =
         chartCuts(pieces[p].mesh, plane ? mirror->plane() : std::nullopt, options, share, run);
-      if (here.empty() && findDefect(pieces[p]))
+      if (findDefect(pieces[p]) && !laysOpen(pieces[p].mesh, linesOf(here)))
       {
-        here = this->opened(pieces[p]);
+        here = this->opened(pieces[p]); // seams were left out that cannot be drawn apart
       }
       for (SuggestedCurve& one : here)
       {
@@ -721,7 +717,7 @@ private:
         this->Budget);
       found.push_back(searchCuts(this->subject(options, strategies[k].goal),
         this->start(first, strategies[k].goal, budget), budget, this->Run));
-      const bool met = this->isFlat(this->bestOf(found));
+      const bool met = this->isFlat(bestOf(found, this->Options.search, this->Area));
       if ((met && (found.back().cuts.size() == first.size() || k > 0)) ||
         found.back().end == SearchEnd::GivenUp || found.front().end == SearchEnd::GivenUp ||
         this->Budget.left() <= this->MostMeasuring)

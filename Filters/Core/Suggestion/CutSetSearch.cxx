@@ -73,6 +73,21 @@ std::vector<Polyline> settledCuts(const CutTrials& trials, const std::vector<Pol
   return settled;
 }
 
+/// Share of the area in pieces that do not keep a bound, those that fold or overlap twice, and a
+/// little for the largest strain; infinite where there is no flattening.
+double failingShare(const CutSet& set, double bound)
+{
+  const TrialOutcome& outcome = set.outcome;
+  double share = outcome.valid ? strainWeight * outcome.strainP95 / (1.0 + outcome.strainP95)
+                               : std::numeric_limits<double>::infinity();
+  for (std::size_t p = 0; p < outcome.pieceAreas.size(); ++p)
+  {
+    const double weight = outcome.pieceFaults[p] ? 2.0 : 1.0;
+    share += outcome.keeps(p, bound) ? 0.0 : weight * outcome.pieceAreas[p];
+  }
+  return share;
+}
+
 class SetSearch
 {
 public:
@@ -425,24 +440,30 @@ bool isBetter(const CutSet& a, const CutSet& b, const SearchOptions& wanted, dou
     }
     const double waste = wanted.pieces > 0 ? 0.0 : wastePrice * outcome.waste / area;
     const double price = waste + priceOf(set.cuts, std::sqrt(area / pi));
-    if (outcome.keeps(wanted.bound))
-    {
-      return std::tuple(0, excess, price);
-    }
-    if (outcome.keeps(missedBy * wanted.bound))
-    {
-      return std::tuple(1, excess, outcome.strainP95);
-    }
-    // One piece of many that cannot be sewn is better than a surface that cannot.
-    double missing = strainWeight * outcome.strainP95 / (1.0 + outcome.strainP95);
-    for (std::size_t p = 0; p < outcome.pieceAreas.size(); ++p)
-    {
-      const bool kept = outcome.keeps(p, missedBy * wanted.bound);
-      missing += kept ? 0.0 : (outcome.pieceFaults[p] ? 2.0 : 1.0) * outcome.pieceAreas[p];
-    }
-    return std::tuple(2, excess, missing);
+    return outcome.keeps(wanted.bound)
+      ? std::tuple(0, excess, price)
+      : std::tuple(outcome.faults() > 0 ? 2 : 1, excess,
+          static_cast<double>(outcome.faults()) + outcome.strainP95);
   };
   return merit(a) < merit(b);
+}
+
+const CutSet& bestOf(const std::vector<CutSet>& sets, const SearchOptions& wanted, double area)
+{
+  return *std::min_element(sets.begin(), sets.end(),
+    [&](const CutSet& a, const CutSet& b) { return isBetter(a, b, wanted, area); });
+}
+
+const CutSet& leastFailing(
+  const std::vector<CutSet>& sets, const SearchOptions& wanted, double area)
+{
+  const CutSet& best = bestOf(sets, wanted, area);
+  const double bound = missedBy * wanted.bound;
+  return bound == 0.0 || wanted.pieces > 0 || best.outcome.keeps(bound)
+    ? best
+    : *std::min_element(sets.begin(), sets.end(), [bound](const CutSet& a, const CutSet& b) {
+        return failingShare(a, bound) < failingShare(b, bound);
+      });
 }
 
 CutSet searchCuts(

@@ -22,14 +22,21 @@ bool keepsLimits(const CutSet& set, const SearchOptions& wanted);
 /// How many pieces a set has beyond the number that is wanted.
 Index excessPieces(const CutSet& set, const SearchOptions& wanted);
 
-/// Whether one set is before another. First are those that meet the bound, then those that nearly
-/// do, others, and those without a flattening. Of one kind the set with fewer pieces beyond the
-/// number that is wanted is first. Then sets that meet the bound go by their price, those that
-/// nearly do by strain, others by the area of the pieces that do not, of which those that fold or
-/// overlap count twice, and by strain; all, without a bound, by the product of the mean of the
-/// rigid energy and, counted twice, the square of the mean change of area. \param area of the
-/// surface
+/// Whether one set is before another. First are those that meet the bound, then those that do not,
+/// those with pieces that fold or overlap, and those without a flattening. Of one kind the set with
+/// fewer pieces beyond the number that is wanted is first. Then sets that meet the bound go by
+/// their price; others by how many pieces fold or overlap, and by strain; all, without a bound, by
+/// the product of the mean of the rigid energy and, counted twice, the square of the mean change of
+/// area. \param area of the surface
 bool isBetter(const CutSet& a, const CutSet& b, const SearchOptions& wanted, double area);
+
+/// The best of some sets, of which there is one at least.
+const CutSet& bestOf(const std::vector<CutSet>& sets, const SearchOptions& wanted, double area);
+
+/// The same, or, where the best one misses the bound by far, the one of which the least area does:
+/// one piece of many that cannot be sewn is better than a surface that cannot.
+const CutSet& leastFailing(
+  const std::vector<CutSet>& sets, const SearchOptions& wanted, double area);
 
 /// One search for a set of cuts: round by round the best cut of the piece that is distorted most,
 /// then what is not needed is taken back, or, where the bound is not met, each cut is looked for

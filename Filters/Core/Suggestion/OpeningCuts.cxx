@@ -2,6 +2,9 @@
 #include "Suggestion/OpeningCuts.h"
 
 #include "Base/CompressedRows.h"
+#include "Cut/PieceTopology.h"
+#include "Cut/SurfaceCut.h"
+#include "Imprint/CurveImprint.h"
 #include "Paths/PlaneSection.h"
 #include "Paths/StraightPath.h"
 #include "Surface/EdgePaths.h"
@@ -177,6 +180,18 @@ std::vector<Polyline> openingCuts(const TriangleMesh& mesh,
   }
   return loops == 0 ? sectionLoops(mesh, mirror ? *mirror : flattestPlane(mesh))
                     : joinLoops(mesh, barred);
+}
+
+bool laysOpen(const TriangleMesh& mesh, const std::vector<Polyline>& curves)
+{
+  const ImprintedSurface imprinted = imprintCurves(mesh, curves, {});
+  if (!imprinted.status.ok())
+  {
+    return false;
+  }
+  const std::vector<Piece> parts = extractPieces(cutSurface(imprinted.mesh, imprinted.curves));
+  return std::none_of(
+    parts.begin(), parts.end(), [](const Piece& part) { return findDefect(part).has_value(); });
 }
 
 std::vector<char> findHoles(const TriangleMesh& mesh, const std::vector<Indices>& loops)

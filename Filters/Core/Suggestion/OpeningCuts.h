@@ -29,6 +29,9 @@ inline constexpr double minHoleTurn = 0.95;
 std::vector<Polyline> openingCuts(const TriangleMesh& mesh,
   const std::optional<SymmetryPlane>& mirror = {}, const std::vector<char>& barred = {});
 
+/// Whether curves part a surface into pieces that can be laid flat.
+bool laysOpen(const TriangleMesh& mesh, const std::vector<Polyline>& curves);
+
 /// By boundary loop, whether it is a hole, which a piece may surround: it is short beside the
 /// longest, the first, or turns as the edge of a hole in a flat piece does.
 std::vector<char> findHoles(const TriangleMesh& mesh, const std::vector<Indices>& loops);

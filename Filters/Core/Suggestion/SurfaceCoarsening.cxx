@@ -2,7 +2,6 @@
 #include "Suggestion/SurfaceCoarsening.h"
 
 #include "Imprint/CurveImprint.h"
-#include "Suggestion/CutMesh.h"
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/CutTrials.h"
 #include "Suggestion/SeamDrawing.h"
@@ -287,11 +286,6 @@ private:
   Index Left;
 };
 
-bool isExact(const std::optional<SurfaceMirror>& mirror)
-{
-  return mirror && mirror->plane() && mirror->error <= SurfaceMirror::exact;
-}
-
 /// Those left where cuts that cannot be laid into the surface are taken out, with their images:
 /// what crosses itself, and otherwise the shortest of those that meet.
 std::vector<SuggestedCurve> possible(
@@ -349,27 +343,13 @@ TriangleMesh fewTriangles(const TriangleMesh& mesh, Index most)
   return coarsened(mesh, std::move(kept), most).mesh;
 }
 
-std::optional<TriangleMesh> coarseVersion(
-  const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirror)
+std::optional<TriangleMesh> coarseVersion(const TriangleMesh& mesh)
 {
   if (mesh.triangleCount() <= largeSurface)
   {
     return {};
   }
-  TriangleMesh few;
-  if (isExact(mirror))
-  {
-    MirrorSection section = sectionOf(mesh, *mirror->plane());
-    TriangleMesh divided = mesh;
-    CutMesh half;
-    half.mesh = fewTriangles(halfOf(divided, section), largeSurface / 3);
-    half.cut.assign(half.mesh.halfedgeCount(), 0);
-    few = bothSides(withoutBridges(std::move(half), section), section).mesh;
-  }
-  if (few.triangleCount() == 0)
-  {
-    few = fewTriangles(mesh, 2 * largeSurface / 3);
-  }
+  TriangleMesh few = fewTriangles(mesh, 2 * largeSurface / 3);
   return few.triangleCount() < mostLeft * mesh.triangleCount() ? std::optional(std::move(few))
                                                                : std::nullopt;
 }
@@ -383,7 +363,7 @@ std::vector<SuggestedCurve> movedCuts(const TriangleMesh& mesh,
     mirror = SurfaceMirror(measuredPlane(mesh, *mirror->plane()));
   }
   const SeamDrawing drawing(mesh);
-  const bool exact = isExact(mirror);
+  const bool exact = mirror && mirror->plane() && mirror->error <= SurfaceMirror::exact;
   for (SuggestedCurve& cut : cuts)
   {
     Points3& points = cut.curve.points;

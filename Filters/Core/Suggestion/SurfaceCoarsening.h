@@ -26,9 +26,7 @@ TriangleMesh fewTriangles(const TriangleMesh& mesh, Index most);
 
 /// A version of a large surface on which its cuts are found. None where the surface is small
 /// enough itself, or hardly any vertex may go, as in a ribbon, whose are all on the boundary.
-/// \param mirror by a plane, which mirrors the version as exactly where it is exact
-std::optional<TriangleMesh> coarseVersion(
-  const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirror);
+std::optional<TriangleMesh> coarseVersion(const TriangleMesh& mesh);
 
 /// The cuts of a version with fewer triangles on the surface itself, without those that cannot be
 /// laid into it. \param mirror of that version, then of the surface
