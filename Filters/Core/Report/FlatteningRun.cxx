@@ -177,6 +177,12 @@ std::optional<FlatteningResult> FlatteningRun::flatten(FlatteningOptions options
     return {};
   }
   this->warn(describeShortEnds(this->source));
+  return this->flattened(std::move(options), execution, kept);
+}
+
+std::optional<FlatteningResult> FlatteningRun::flattened(
+  FlatteningOptions options, const Execution& execution, FlatteningCache* kept)
+{
   FlatteningResult result = flattenSurface(this->source.imprinted.mesh,
     this->source.imprinted.curves, this->weighted(std::move(options)), execution, kept);
   if (!this->concludeFlattening(result.status, result))
@@ -210,6 +216,7 @@ std::optional<FlatteningResult> FlatteningRun::suggest(SuggestionOptions options
     return {};
   }
   const std::vector<Polyline> given = this->source.curves.polylines;
+  this->warn(describeShortEnds(this->source)); // those of proposed cuts are meant
   if (found.end == SearchEnd::Interrupted)
   {
     goOn();
@@ -220,7 +227,7 @@ std::optional<FlatteningResult> FlatteningRun::suggest(SuggestionOptions options
   if (this->conclude(this->source.outcome))
   {
     this->warn(this->source.warnings);
-    result = this->flatten(options.flattening, { -1, -1 }, execution.part(0.9, 1.0), kept);
+    result = this->flattened(options.flattening, execution.part(0.9, 1.0), kept);
   }
   const std::string shortfall = result && !lines
     ? describeShortfall(found, options.search.bound, options.search.maximumWidth, given)

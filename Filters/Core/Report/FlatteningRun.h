@@ -72,6 +72,8 @@ struct FlatteningRun
     const LoadedBody& body, FlattenableOptions options, const Execution& execution);
 
 private:
+  std::optional<FlatteningResult> flattened(
+    FlatteningOptions options, const Execution& execution, FlatteningCache* kept);
   bool concludeFlattening(const Status& outcome, const FlatteningResult& result);
   FlatteningOptions weighted(FlatteningOptions options) const;
 };
