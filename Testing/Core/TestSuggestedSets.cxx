@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report/SuggestionReport.h"
 #include "Sewing/PieceSewing.h"
-#include "Suggestion/CutSetSearch.h"
+#include "Suggestion/CutThinning.h"
+#include "Suggestion/SmallPieces.h"
 #include "SuggestionTesting.h"
 
 #include <map>
@@ -352,6 +353,39 @@ TEST(CutSets, OneSmallPieceThatOverlapsFailsLessThanOneThatIsCrushed)
       const std::vector<CutSet> both{ sets[b], sets[a] };
       EXPECT_EQ(&leastFailing(both, optionsOf(0.05, 0).search, 1.0), &both[1]) << a << ' ' << b;
     }
+  }
+}
+
+TEST(CutSets, SliversBetweenSeamsAreJoinedWithALargerNeighbor)
+{
+  // Across a flat sheet, and the same in two halves that mirror each other.
+  const TriangleMesh sheet = unitSquares(20, 10).mesh;
+  const std::vector<Polyline> none;
+  const SuggestionOptions options = optionsOf(0.05, 0);
+  for (bool mirrored : { false, true })
+  {
+    CutSet set;
+    const auto add = [&](double x, Index mirrorOf) {
+      set.cuts.push_back(proposedCut({ { x, 0, 0 }, { x, 10, 0 } }, CurveType::Seam, mirrorOf));
+    };
+    add(5.0, flattening::none);
+    add(5.1, flattening::none);
+    if (mirrored)
+    {
+      add(15.0, 0);
+      add(14.9, 1);
+    }
+    const CutTrials trials(sheet, {}, {}, options.flattening);
+    TrialBudget budget(1e12);
+    set.outcome = trials.trial(linesOf(set.cuts), budget, {}).outcome;
+    ASSERT_EQ(set.outcome.pieceAreas.size(), mirrored ? 5U : 3U);
+    const SearchSubject subject{ sheet, none, options.imprint, options.flattening, options.search,
+      std::nullopt, {} };
+    const CutSet fewer = withoutSmallPieces(set, subject, trials, budget, {});
+    ASSERT_EQ(fewer.cuts.size(), mirrored ? 2U : 1U);
+    EXPECT_EQ(fewer.outcome.pieceAreas.size(), fewer.cuts.size() + 1);
+    EXPECT_TRUE(fewer.outcome.keeps(0.05));
+    EXPECT_EQ(fewer.cuts.back().mirrorOf, mirrored ? 0 : flattening::none);
   }
 }
 

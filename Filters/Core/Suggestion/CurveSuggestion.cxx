@@ -12,6 +12,7 @@
 #include "Suggestion/SeamDrawing.h"
 #include "Suggestion/SeamSettling.h"
 #include "Suggestion/SideSeams.h"
+#include "Suggestion/SmallPieces.h"
 #include "Suggestion/StripSeams.h"
 #include "Suggestion/SurfaceCoarsening.h"
 
@@ -254,6 +255,8 @@ private:
       : this->Budget.spent()                 ? SearchEnd::WorkUsedUp
                                              : found.end;
     this->Result.cutsNeeded = found.cutsNeeded;
+    set = withoutSmallPieces(
+      std::move(set), this->subject(wanted), this->Whole, this->Budget, this->Run);
     return wanted.maximumWidth > 0.0 ? this->withStrips(std::move(set)) : set;
   }
 
@@ -457,8 +460,7 @@ private:
     return set;
   }
 
-  /// Charts in all pieces that do not keep the bound, with what it takes to keep it where the
-  /// surface is only nearly like the version that they were found on.
+  /// Charts in all pieces that do not keep the bound, and what it takes to keep it beside them.
   CutSet chartSet(const CutSet& uncut)
   {
     const SearchOptions& wanted = this->Options.search;
@@ -520,7 +522,8 @@ private:
       }
       set = this->parted(this->improved(std::move(set)));
     }
-    return set;
+    return withoutSmallPieces(
+      std::move(set), this->subject(wanted), this->Whole, this->Budget, this->Run);
   }
 
   /// With charts that miss the bound parted, where others than single cuts help.

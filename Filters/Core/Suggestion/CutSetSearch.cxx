@@ -459,11 +459,15 @@ const CutSet& leastFailing(
 {
   const CutSet& best = bestOf(sets, wanted, area);
   const double bound = missedBy * wanted.bound;
-  return bound == 0.0 || wanted.pieces > 0 || best.outcome.keeps(bound)
-    ? best
-    : *std::min_element(sets.begin(), sets.end(), [bound](const CutSet& a, const CutSet& b) {
-        return failingShare(a, bound) < failingShare(b, bound);
-      });
+  if (bound == 0.0 || wanted.pieces > 0 || best.outcome.keeps(bound))
+  {
+    return best;
+  }
+  const CutSet& least =
+    *std::min_element(sets.begin(), sets.end(), [bound](const CutSet& a, const CutSet& b) {
+      return failingShare(a, bound) < failingShare(b, bound);
+    });
+  return failingShare(least, bound) < failingShare(best, bound) ? least : best;
 }
 
 CutSet searchCuts(
