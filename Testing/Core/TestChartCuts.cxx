@@ -298,6 +298,7 @@ TEST(ChartCuts, KeepToTheMirrorThatIsStated)
 TEST(ChartCuts, AreMappedToTheOtherSideWhereAMirrorIsForced)
 {
   SuggestionOptions options = optionsOf(0.1, 0);
+  options.search.symmetric = "off";
   EXPECT_FALSE(suggestCurves(bean(), {}, options).mirror.has_value());
   options.search.symmetric = "force";
   const CurveSuggestions forced = suggestCurves(bean(), {}, options);
