@@ -174,7 +174,7 @@ bool EditorWindow::openSurface(const std::string& path)
     const figures::PolyData surface = wirewarp::polyDataOf(contents.surface);
     requireDone(this->Curves->SetSurface(surface), this->Curves);
     std::string healed = this->Curves->GetMessage();
-    healed += (healed.empty() ? "" : "; ") + contents.note;
+    healed += (healed.empty() || contents.note.empty() ? "" : "; ") + contents.note;
     this->Surface = surface;
     this->Labels = contents.labels;
     this->Name = std::filesystem::path(path).stem().string();
