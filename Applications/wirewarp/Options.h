@@ -46,8 +46,8 @@ struct Options
 
   /// Millimetres; "0": points that lie on each other; "false": none; empty: not given.
   std::string weld;
-  double fillHoles = 0.0; ///< mm; 0: none
-  std::string outerSide; ///< true, false; empty: where a sheet clearly has two
+  double fillHoles = 0.0;                  ///< mm; 0: none
+  std::string outerSide;                   ///< true, false; empty: where a sheet clearly has two
   double scale = 1.0;                      ///< of SURFACE
   double neutralLayer = 0.0;               ///< how far it lies within SURFACE, mm
   double height = 0.0;                     ///< to which it is scaled, mm; 0: not
