@@ -92,7 +92,7 @@ TriangleMesh partOf(const TriangleMesh& mesh, const Indices& triangles)
 double signedVolume(const TriangleMesh& mesh)
 {
   double sum = 0.0;
-  const Point3 origin = mesh.point(mesh.triangle(0)[0]);
+  const Point3& origin = mesh.point(mesh.triangle(0)[0]);
   for (const Triangle& t : mesh.triangles())
   {
     sum +=
