@@ -16,12 +16,12 @@ namespace
 /// Thicker parts, in roots of their area, are solid: a ball has 0.19.
 constexpr double maxThickness = 0.06;
 /// Least share of the area that the two sides have, and least area of the inner over the outer one.
-/// Of 17 public double walls (clothes, helmets, lampshades, a hull) the two have 0.78 and more, and
-/// the inner one 0.82; of solid bodies as thin, 0.67 and less, or hardly any inner side.
+/// Of 18 public double walls (clothes, helmets, lampshades, a hull) the two have 0.78 and more, and
+/// the inner one 0.82; of solids that bend as much, 0.67 and less, or an inner side of 0.42.
 constexpr double minSides = 0.72;
 constexpr double minInner = 0.7;
-/// Clear sheets are thinner than this, and than this share of how much they bend: double walls have
-/// up to 0.024, and 0.05 of the bend; surfboards 0.025, and 4.
+/// Clear sheets are thinner than this, and than this share of how much they bend: clothes, helmets
+/// and a hull have up to 0.024, and 0.04 of the bend; surfboards 0.025 and more, and four times it.
 constexpr double clearThickness = 0.03;
 constexpr double clearShare = 0.1;
 /// Of the border of a side, the share at which the other side may begin without a rim between them:
