@@ -647,3 +647,10 @@ TEST(CutCandidates, DartsAcrossTheirEdgeAreCheapest)
   EXPECT_NEAR(priceAt(135.0), priceAt(45.0), 1e-9);
   EXPECT_NEAR(priceAt(10.0), 2.0 * priceAt(90.0), 1e-9);
 }
+
+TEST(OpeningCuts, LayOpenWhatWouldBeRefused)
+{
+  const TriangleMesh ring = torus(16, 3.0);
+  EXPECT_FALSE(laysOpen(ring, {}));
+  EXPECT_TRUE(laysOpen(ring, openingCuts(ring)));
+}

@@ -29,7 +29,7 @@ inline constexpr double minHoleTurn = 0.95;
 std::vector<Polyline> openingCuts(const TriangleMesh& mesh,
   const std::optional<SymmetryPlane>& mirror = {}, const std::vector<char>& barred = {});
 
-/// Whether curves part a surface into pieces that can be laid flat.
+/// Whether curves part a surface into pieces with a boundary and without handles.
 bool laysOpen(const TriangleMesh& mesh, const std::vector<Polyline>& curves);
 
 /// By boundary loop, whether it is a hole, which a piece may surround: it is short beside the

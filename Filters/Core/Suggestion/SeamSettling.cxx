@@ -19,8 +19,6 @@ namespace
 constexpr int maxDrawings = 24;
 /// Of the work that is left then, what drawing them straighter may take.
 constexpr double relaxingShare = 0.5;
-/// Of the bound, up to where: the flattening to come may have a few triangles otherwise.
-constexpr double relaxedShare = 0.95;
 /// Of its length, the width of a strip between two seams that is no piece.
 constexpr double narrow = 0.25;
 

@@ -18,6 +18,10 @@ namespace flattening
 /// that keep the bound take 126 at most, beside the narrow triangles of seams that are drawn.
 inline constexpr double maxDrawnSteps = 130.0;
 
+/// Of the bound, up to where pieces are relaxed or joined: the flattening to come may have a few
+/// triangles otherwise.
+inline constexpr double relaxedShare = 0.95;
+
 /// A mirror plane along whose section the surface has edges.
 struct MirrorSection
 {

@@ -19,9 +19,6 @@ namespace
 {
 /// Of the area of the surface, below which a piece is small.
 constexpr double smallShare = 0.01;
-/// Of the bound, up to where: the flattening to come may have a few triangles otherwise.
-constexpr double keptShare = 0.95;
-
 /// Of the remaining work.
 constexpr double shareOfJoining = 0.5;
 
@@ -32,7 +29,7 @@ public:
     const FlatteningOptions& flattening, TrialBudget& budget, const Execution& execution)
     : Cuts(std::move(cuts))
     , Surface(imprintCurves(mesh, linesOf(this->Cuts), {}))
-    , Bound(keptShare * bound)
+    , Bound(relaxedShare * bound)
     , Budget(budget)
     , Run(execution)
     , Trials(flattening, maxDrawnSteps)

@@ -37,31 +37,20 @@ constexpr double foldCosine = -0.5;
 /// The triangles of each part without a boundary.
 std::vector<Indices> closedParts(const TriangleMesh& mesh)
 {
-  JoinedSets parts(mesh.triangleCount());
-  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
-  {
-    if (mesh.twin(h) != none)
-    {
-      parts.join(h / 3, mesh.twin(h) / 3);
-    }
-  }
-  std::map<Index, Indices> byPart;
+  Indices part;
+  std::vector<Indices> closed(connectedParts(mesh, {}, part));
   for (Index t = 0; t < mesh.triangleCount(); ++t)
   {
-    byPart[parts.find(t)].push_back(t);
+    closed[part[t]].push_back(t);
   }
   for (Index h = 0; h < mesh.halfedgeCount(); ++h)
   {
     if (mesh.twin(h) == none)
     {
-      byPart.erase(parts.find(h / 3));
+      closed[part[h / 3]].clear();
     }
   }
-  std::vector<Indices> closed;
-  for (auto& [part, triangles] : byPart)
-  {
-    closed.push_back(std::move(triangles));
-  }
+  eraseIf(closed, [](const Indices& triangles) { return triangles.empty(); });
   return closed;
 }
 

@@ -19,8 +19,8 @@ struct ThickSheet
   bool isClear = false;
 };
 
-/// The thick sheets among the parts of a surface. A triangle is of a side where others are opposite
-/// to it, about as far as the mean thickness, which is two volumes over the area; what has none
-/// opposite is the rim, which parts the two sides.
+/// The thick sheets among the parts of a surface. The mean thickness is twice the volume over the
+/// area. A triangle is of a side where other triangles are opposite to it at about this distance;
+/// those without an opposite one are the rim, which separates the two sides.
 std::vector<ThickSheet> thickSheets(const TriangleMesh& mesh);
 }
