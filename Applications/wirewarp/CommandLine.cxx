@@ -99,8 +99,9 @@ void addMending(CLI::App& app, Options& options)
     ->group(group);
   app
     .add_flag("--outer-side,!--no-outer-side", options.outerSide,
-      "Of closed sheets with thickness take the outer side alone: the larger one within its rim. "
-      "cut and make do so where a part is clearly such a sheet")
+      "Of closed sheets with thickness take the outer side alone: the larger one within its rim; "
+      "of "
+      "two-sided faces one. cut and make do so where a part is clearly such a sheet")
     ->group(group);
 }
 

@@ -255,6 +255,19 @@ class Mending(command.CommandTest):
         self.assert_words(words, self.run_command(*cut, code=(0, 4)).stderr)
         self.assertNotIn("outer side", self.run_command(*cut, "--no-outer-side", code=(0, 4)).stderr)
 
+    def test_of_two_sided_faces_one_is_taken_where_cuts_are_proposed(self):
+        count = len(self.points)
+        back = [(a + count, c + count, b + count) for a, b, c in self.triangles]
+        mixed = [t for pair in zip(back, self.triangles) for t in pair]
+        for doubled in (self.triangles + back, mixed):
+            self.write("two.obj", command.obj(self.points + self.points, doubled))
+            cut = ("cut", "two.obj", "--unit", "cm", "--max-work", "5", "--output", "two")
+            stderr = self.run_command(*cut).stderr
+            self.assertIn(f"{len(back)} triangles that lie on others are left out, as the back of two-sided faces", stderr)
+            self.assert_whole(self.report("two"), len(back))
+        self.assertNotIn("two-sided", self.run_command(*cut, "--no-outer-side", code=(0, 4)).stderr)
+        self.assertEqual(len(self.report("two")["pieces"]), 2)
+
     def test_mends_take_effect_in_stl(self):
         self.write("cut.stl", command.stl(self.points, [t for t in self.triangles if at(5, 5) not in t]))
         report = self.flatten("cut.stl", "--unit", "cm", "--fill-holes", "100")

@@ -68,6 +68,17 @@ void weld(
   }
 }
 
+void takeFaces(TriangleList& list, const MendingRequest& request, std::vector<std::string>& notes)
+{
+  if (const std::size_t count = takeOneOfTwoFaces(list))
+  {
+    notes.push_back(
+      counted(count, "triangle that lies on another is", "triangles that lie on others are") +
+      " left out, as the back of two-sided faces; " +
+      (request.outerSide ? "--outer-side takes one side" : "--no-outer-side keeps both sides"));
+  }
+}
+
 void takeSide(TriangleList& list, const MendingRequest& request, std::vector<std::string>& notes)
 {
   const std::size_t count = list.triangles.size();
@@ -213,6 +224,10 @@ MendedSurface mendSurface(const DataSet& surface, const MendingRequest& request)
       weldBoundary(list, weldDistance * size, 0.0);
     }
   };
+  if (request.outerSide || request.likelySide)
+  {
+    takeFaces(list, request, mended.notes);
+  }
   if (request.weld || (request.doubled && !soup) ||
     (request.likely && !soup && isMostlyUnjoined(list, size)))
   {

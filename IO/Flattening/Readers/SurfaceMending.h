@@ -18,8 +18,8 @@ struct MendingRequest
   bool likely = false;      ///< the same where most of the boundary lies on itself
   double fillHoles = 0.0;   ///< close openings up to so many millimetres across
   double millimetres = 1.0; ///< of the unit of the surface
-  bool outerSide = false;   ///< of closed sheets with thickness take the outer side alone
-  bool likelySide = false;  ///< the same of those that clearly are such sheets
+  bool outerSide = false;   ///< of sheets with thickness and of two-sided faces take one side
+  bool likelySide = false;  ///< the same of what clearly is such a sheet
 };
 
 struct MendedSurface
