@@ -92,6 +92,23 @@ TEST(SurfaceCoarsening, ACoarsePieceIsDistortedAlike)
   EXPECT_NEAR(rigidEnergy(coarse.mesh, {}), fine, 0.1 * fine);
 }
 
+TEST(SurfaceCoarsening, APairOfCutsMeetsInThePlaneWhenItIsMoved)
+{
+  // No vertex of the dome lies in the plane, and where the pair meets is only near to it.
+  const TriangleMesh mesh =
+    heightField(25, [](double x, double y) { return 0.4 * (1.0 - x * x) * (1.0 - y * y); }).mesh;
+  const Point3 middle(1e-3, 0.3, 0.5);
+  const Points3 right{ { 0.9, 0.3, 0.1 }, { 0.4, 0.4, 0.4 }, middle };
+  const Points3 left{ { -0.9, 0.3, 0.1 }, { -0.4, 0.4, 0.4 }, middle };
+  std::optional<SurfaceMirror> mirror = SurfaceMirror({ { 1.0, 0.0, 0.0 }, 0.0, 0.0 });
+  const std::vector<SuggestedCurve> cuts =
+    movedCuts(mesh, mirror, { proposedCut(right), proposedCut(left, CurveType::Seam, 0) }, {});
+  ASSERT_EQ(cuts.size(), 2u);
+  EXPECT_LE(mirror->error, SurfaceMirror::exact);
+  EXPECT_EQ(cuts[0].curve.points.back(), cuts[1].curve.points.back());
+  EXPECT_NEAR(cuts[0].curve.points.back().x(), 1e-3, 1e-6);
+}
+
 TEST(PieceSurface, FlattensAsThePieceDoes)
 {
   const TriangleMesh mesh = dome();

@@ -364,17 +364,24 @@ std::vector<SuggestedCurve> movedCuts(const TriangleMesh& mesh,
   }
   const SeamDrawing drawing(mesh);
   const bool exact = mirror && mirror->plane() && mirror->error <= SurfaceMirror::exact;
-  for (SuggestedCurve& cut : cuts)
+  std::vector<SuggestedCurve> moved = cuts;
+  for (std::size_t k = 0; k < cuts.size(); ++k)
   {
-    Points3& points = cut.curve.points;
-    if (exact && cut.mirrorOf != none)
+    const Points3& given = cuts[k].curve.points;
+    Points3& points = moved[k].curve.points;
+    if (exact && cuts[k].mirrorOf != none)
     {
-      points = mirror->mirrored(cuts[cut.mirrorOf].curve.points);
+      // Where a pair meets, in the plane, it still has to.
+      const Points3& other = cuts[cuts[k].mirrorOf].curve.points;
+      const Points3& first = moved[cuts[k].mirrorOf].curve.points;
+      points = mirror->mirrored(first);
+      points.front() = given.front() == other.front() ? first.front() : points.front();
+      points.back() = given.back() == other.back() ? first.back() : points.back();
       continue;
     }
-    points = drawing.moved(points);
-    cut.length = lengthOf(points);
+    points = drawing.moved(given);
+    moved[k].length = lengthOf(points);
   }
-  return possible(mesh, std::move(cuts), flattening);
+  return possible(mesh, std::move(moved), flattening);
 }
 }
