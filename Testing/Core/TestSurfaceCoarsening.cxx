@@ -109,6 +109,45 @@ TEST(SurfaceCoarsening, APairOfCutsMeetsInThePlaneWhenItIsMoved)
   EXPECT_NEAR(cuts[0].curve.points.back().x(), 1e-3, 1e-6);
 }
 
+TEST(SurfaceCoarsening, CutsThatRunAlongEachOtherPartTheSurfaceAsBefore)
+{
+  const TriangleMesh mesh = heightField(20, [](double, double) { return 0.0; }).mesh;
+  const auto along = [](std::initializer_list<std::pair<double, double>> places) {
+    Points3 points;
+    for (const auto& [x, y] : places)
+    {
+      points.emplace_back(x, y, 0.0);
+    }
+    return proposedCut(std::move(points));
+  };
+  std::optional<SurfaceMirror> mirror;
+  const std::vector<SuggestedCurve> cuts = movedCuts(mesh, mirror,
+    { along({ { -1.0, 0.0 }, { 1.0, 0.0 } }),
+      along({ { -1.0, 0.5 }, { -0.5, 0.0 }, { 0.5, 0.0 }, { 1.0, -0.5 } }),
+      along({ { 0.0, 0.0 }, { 0.0, 1.0 } }) },
+    {});
+  double length = 0.0;
+  for (const SuggestedCurve& cut : cuts)
+  {
+    length += lengthOf(cut.curve.points);
+  }
+  EXPECT_NEAR(length, 3.0 + std::sqrt(2.0), 1e-9);
+  const ImprintedSurface surface = imprintCurves(mesh, linesOf(cuts), {});
+  const CutSurface cut = cutSurface(surface.mesh, surface.curves);
+  std::vector<double> areas(cut.pieceCount, 0.0);
+  for (Index t = 0; t < cut.mesh.triangleCount(); ++t)
+  {
+    areas[cut.pieceOfTriangle[t]] += cut.mesh.area(t);
+  }
+  std::sort(areas.begin(), areas.end());
+  ASSERT_EQ(areas.size(), 5u);
+  EXPECT_NEAR(areas[0], 0.125, 1e-9);
+  EXPECT_NEAR(areas[1], 0.125, 1e-9);
+  EXPECT_NEAR(areas[2], 0.875, 1e-9);
+  EXPECT_NEAR(areas[3], 1.0, 1e-9);
+  EXPECT_NEAR(areas[4], 1.875, 1e-9);
+}
+
 TEST(PieceSurface, FlattensAsThePieceDoes)
 {
   const TriangleMesh mesh = dome();

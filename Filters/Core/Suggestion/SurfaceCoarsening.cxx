@@ -5,6 +5,7 @@
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/CutTrials.h"
 #include "Suggestion/SeamDrawing.h"
+#include "Suggestion/SeamSettling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -286,44 +287,85 @@ private:
   Index Left;
 };
 
-/// Those left where cuts that cannot be laid into the surface are taken out, with their images:
-/// what crosses itself, and otherwise the shortest of those that meet.
+/// Cuts that cannot be laid into a surface are changed this often at most.
+constexpr int maxLayings = 50;
+
+/// Without one cut and its image.
+std::vector<SuggestedCurve> without(const std::vector<SuggestedCurve>& cuts, Index gone)
+{
+  return withShare(cuts, cuts[gone].mirrorOf == none ? gone : cuts[gone].mirrorOf, 0.0);
+}
+
+/// Each cut in the parts that are left of it where it runs along one before it, which has that
+/// stretch, or along the boundary. Those in parts have no images.
+std::vector<SuggestedCurve> unshared(
+  const ImprintedSurface& surface, const std::vector<SuggestedCurve>& cuts)
+{
+  std::vector<char> used(surface.mesh.halfedgeCount(), 0);
+  std::vector<std::vector<Points3>> parts(cuts.size());
+  for (std::size_t c = 0; c < cuts.size(); ++c)
+  {
+    bool going = false;
+    forEachEdge(surface.curves[c].vertices, [&](Index a, Index b) {
+      const Index h = surface.mesh.find(a, b);
+      const Index twin = h == none ? none : surface.mesh.twin(h);
+      const bool own = twin != none && !used[h];
+      if (own && !going)
+      {
+        parts[c].push_back({ surface.mesh.point(a) });
+      }
+      if (own)
+      {
+        parts[c].back().push_back(surface.mesh.point(b));
+        used[h] = used[twin] = 1;
+      }
+      going = own;
+    });
+  }
+  std::vector<SuggestedCurve> left;
+  Indices place(cuts.size(), none);
+  const auto whole = [&](std::size_t c) {
+    return parts[c].size() == 1 && parts[c].front().size() == surface.curves[c].vertices.size();
+  };
+  for (std::size_t c = 0; c < cuts.size(); ++c)
+  {
+    if (whole(c))
+    {
+      place[c] = static_cast<Index>(left.size());
+      left.push_back(cuts[c]);
+      left.back().mirrorOf = cuts[c].mirrorOf == none ? none : place[cuts[c].mirrorOf];
+      continue;
+    }
+    for (Points3& points : parts[c])
+    {
+      left.push_back(proposedCut(std::move(points), cuts[c].curve.type));
+    }
+  }
+  return left;
+}
+
+/// The cuts as they can be laid into the surface together.
 std::vector<SuggestedCurve> possible(
   const TriangleMesh& mesh, std::vector<SuggestedCurve> cuts, const FlatteningOptions& flattening)
 {
   const CutTrials trials(mesh, {}, {}, flattening);
-  while (!cuts.empty() && trials.paths(linesOf(cuts)).empty())
+  for (int k = 0; k < maxLayings; ++k)
   {
-    std::vector<Indices> bad = failingLines(imprintCurves(mesh, linesOf(cuts), {}), cuts.size());
-    const auto alone = [](const Indices& set) { return set.front() == set.back(); };
-    const bool all = bad.size() == cuts.size() || std::none_of(bad.begin(), bad.end(), alone);
-    std::vector<char> out(cuts.size(), 0);
-    for (const Indices& set : bad)
+    if (cuts.empty() || !trials.paths(linesOf(cuts)).empty())
     {
-      out[*std::min_element(set.begin(), set.end(),
-        [&](Index a, Index b) { return cuts[a].length < cuts[b].length; })] |= all || alone(set);
+      return cuts;
     }
-    if (bad.empty() || bad.size() == cuts.size())
+    const ImprintedSurface imprinted = imprintCurves(mesh, linesOf(cuts), {});
+    if (imprinted.status.ok())
     {
-      return {};
+      cuts = unshared(imprinted, cuts);
+      openDividingDarts(mesh, {}, {}, cuts);
+      continue;
     }
-    std::vector<SuggestedCurve> left;
-    Indices place(cuts.size(), none);
-    for (std::size_t k = 0; k < cuts.size(); ++k)
-    {
-      const Index first = cuts[k].mirrorOf;
-      const bool image = k + 1 < cuts.size() && cuts[k + 1].mirrorOf == static_cast<Index>(k);
-      if (out[k] || (image && out[k + 1]) || (first != none && place[first] == none))
-      {
-        continue;
-      }
-      place[k] = static_cast<Index>(left.size());
-      left.push_back(std::move(cuts[k]));
-      left.back().mirrorOf = first == none ? none : place[first];
-    }
-    cuts = std::move(left);
+    const Index bad = imprinted.status.curve;
+    cuts = bad == none ? std::vector<SuggestedCurve>{} : without(cuts, bad);
   }
-  return cuts;
+  return {};
 }
 }
 
