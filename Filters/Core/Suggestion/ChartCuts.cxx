@@ -564,8 +564,8 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
       addImages(more, static_cast<Index>(cuts.size()), *mirror);
     }
     openDividingDarts(mesh, {}, {}, more);
-    // Beside the others it may come too near to them.
-    if (!CutTrials(mesh, {}, {}, options.flattening).paths(linesOf(more)).empty())
+    more = laidTogether(mesh, std::move(more), options.flattening); // they may come too near
+    if (!more.empty())
     {
       cuts = std::move(more);
       added = true;

@@ -3,6 +3,7 @@
 
 #include "Imprint/CurveImprint.h"
 #include "Suggestion/CutThinning.h"
+#include "Suggestion/CutTrials.h"
 #include "Suggestion/SeamDrawing.h"
 #include "Suggestion/SurfaceMirror.h"
 
@@ -21,6 +22,8 @@ constexpr int maxDrawings = 24;
 constexpr double relaxingShare = 0.5;
 /// Of its length, the width of a strip between two seams that is no piece.
 constexpr double narrow = 0.25;
+/// Cuts that cannot be laid into a surface are changed this often at most.
+constexpr int maxLayings = 50;
 
 /// By cut the pieces at its sides. \param first curve of the cuts
 std::vector<std::set<Index>> piecesBeside(const CutSurface& cut, std::size_t cuts, Index first)
@@ -50,6 +53,60 @@ std::vector<Indices> dividingDarts(
     }
   }
   return sets;
+}
+
+/// Without one cut and its image.
+std::vector<SuggestedCurve> without(const std::vector<SuggestedCurve>& cuts, Index gone)
+{
+  return withShare(cuts, cuts[gone].mirrorOf == none ? gone : cuts[gone].mirrorOf, 0.0);
+}
+
+/// Each cut in the parts that are left of it where it runs along one before it, which has that
+/// stretch, or along the boundary. Those in parts have no images.
+std::vector<SuggestedCurve> unshared(
+  const ImprintedSurface& surface, const std::vector<SuggestedCurve>& cuts)
+{
+  std::vector<char> used(surface.mesh.halfedgeCount(), 0);
+  std::vector<std::vector<Points3>> parts(cuts.size());
+  for (std::size_t c = 0; c < cuts.size(); ++c)
+  {
+    bool going = false;
+    forEachEdge(surface.curves[c].vertices, [&](Index a, Index b) {
+      const Index h = surface.mesh.find(a, b);
+      const Index twin = h == none ? none : surface.mesh.twin(h);
+      const bool own = twin != none && !used[h];
+      if (own && !going)
+      {
+        parts[c].push_back({ surface.mesh.point(a) });
+      }
+      if (own)
+      {
+        parts[c].back().push_back(surface.mesh.point(b));
+        used[h] = used[twin] = 1;
+      }
+      going = own;
+    });
+  }
+  std::vector<SuggestedCurve> left;
+  Indices place(cuts.size(), none);
+  const auto whole = [&](std::size_t c) {
+    return parts[c].size() == 1 && parts[c].front().size() == surface.curves[c].vertices.size();
+  };
+  for (std::size_t c = 0; c < cuts.size(); ++c)
+  {
+    if (whole(c))
+    {
+      place[c] = static_cast<Index>(left.size());
+      left.push_back(cuts[c]);
+      left.back().mirrorOf = cuts[c].mirrorOf == none ? none : place[cuts[c].mirrorOf];
+      continue;
+    }
+    for (Points3& points : parts[c])
+    {
+      left.push_back(proposedCut(std::move(points), cuts[c].curve.type));
+    }
+  }
+  return left;
 }
 
 class SeamSettling
@@ -431,6 +488,29 @@ void openDividingDarts(const TriangleMesh& mesh, const std::vector<Polyline>& cu
     }
   }
   pairTypes(cuts);
+}
+
+std::vector<SuggestedCurve> laidTogether(
+  const TriangleMesh& mesh, std::vector<SuggestedCurve> cuts, const FlatteningOptions& flattening)
+{
+  const CutTrials trials(mesh, {}, {}, flattening);
+  for (int k = 0; k < maxLayings; ++k)
+  {
+    if (cuts.empty() || !trials.paths(linesOf(cuts)).empty())
+    {
+      return cuts;
+    }
+    const ImprintedSurface imprinted = imprintCurves(mesh, linesOf(cuts), {});
+    if (imprinted.status.ok())
+    {
+      cuts = unshared(imprinted, cuts);
+      openDividingDarts(mesh, {}, {}, cuts);
+      continue;
+    }
+    const Index bad = imprinted.status.curve;
+    cuts = bad == none ? std::vector<SuggestedCurve>{} : without(cuts, bad);
+  }
+  return {};
 }
 
 SettledSeams settleSeams(const TriangleMesh& surface, const TriangleMesh& drawn,
