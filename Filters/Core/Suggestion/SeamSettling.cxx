@@ -20,8 +20,6 @@ namespace
 constexpr int maxDrawings = 24;
 /// Of the work that is left then, what drawing them straighter may take.
 constexpr double relaxingShare = 0.5;
-/// Of its length, the width of a strip between two seams that is no piece.
-constexpr double narrow = 0.25;
 /// Cuts that cannot be laid into a surface are changed this often at most.
 constexpr int maxLayings = 50;
 
@@ -63,9 +61,20 @@ std::vector<SuggestedCurve> without(const std::vector<SuggestedCurve>& cuts, Ind
 
 /// Each cut in the parts that are left of it where it runs along one before it, which has that
 /// stretch, or along the boundary. Those in parts have no images.
+/// \param atMeetings whether it is parted where others meet it, too
 std::vector<SuggestedCurve> unshared(
-  const ImprintedSurface& surface, const std::vector<SuggestedCurve>& cuts)
+  const ImprintedSurface& surface, const std::vector<SuggestedCurve>& cuts, bool atMeetings = false)
 {
+  std::vector<std::set<Index>> around(surface.mesh.vertexCount());
+  std::vector<char> node(surface.mesh.vertexCount(), 0);
+  for (const FeatureCurve& curve : surface.curves)
+  {
+    node[curve.vertices.front()] = node[curve.vertices.back()] = 1;
+    forEachEdge(curve.vertices, [&](Index a, Index b) {
+      around[a].insert(b);
+      around[b].insert(a);
+    });
+  }
   std::vector<char> used(surface.mesh.halfedgeCount(), 0);
   std::vector<std::vector<Points3>> parts(cuts.size());
   for (std::size_t c = 0; c < cuts.size(); ++c)
@@ -75,7 +84,7 @@ std::vector<SuggestedCurve> unshared(
       const Index h = surface.mesh.find(a, b);
       const Index twin = h == none ? none : surface.mesh.twin(h);
       const bool own = twin != none && !used[h];
-      if (own && !going)
+      if (own && (!going || (atMeetings && (node[a] || around[a].size() > 2))))
       {
         parts[c].push_back({ surface.mesh.point(a) });
       }
@@ -301,88 +310,24 @@ private:
   }
 
   /// Seams that cannot be drawn apart become seams from each place where they meet to the next, one
-  /// where two run beside each other. They have no images.
+  /// where two run along each other. They have no images.
   bool joinMeeting(const Drawn& now, std::vector<ChartSeam>& seams, std::vector<int>& levels) const
   {
-    const ImprintedSurface drawn = imprintCurves(this->Surface, linesOf(now.cuts), {});
-    if (!drawn.status.ok())
+    const ImprintedSurface surface = imprintCurves(this->Surface, linesOf(now.cuts), {});
+    if (!surface.status.ok())
     {
       return this->leaveOut(now, seams, levels);
     }
-    std::set<Index> meeting;
-    for (const Indices& set : now.bad)
+    seams.clear();
+    for (SuggestedCurve& cut : unshared(surface, now.cuts, true))
     {
-      for (Index k : set)
-      {
-        meeting.insert(now.seamOf[k]);
-      }
-    }
-    std::set<std::pair<Index, Index>> all;
-    std::set<std::pair<Index, Index>> left; // of those that meet
-    std::vector<char> node(drawn.mesh.vertexCount(), 0);
-    Indices degree(drawn.mesh.vertexCount(), 0);
-    for (std::size_t c = 0; c < drawn.curves.size(); ++c)
-    {
-      const Indices& vertices = drawn.curves[c].vertices;
-      node[vertices.front()] = node[vertices.back()] = 1;
-      forEachEdge(vertices, [&](Index a, Index b) {
-        const std::pair<Index, Index> edge = std::minmax(a, b);
-        const Index more = all.insert(edge).second ? 1 : 0;
-        degree[a] += more;
-        degree[b] += more;
-        if (meeting.count(now.seamOf[c]) > 0)
-        {
-          left.insert(edge);
-        }
-      });
-    }
-    for (auto s = meeting.rbegin(); s != meeting.rend(); ++s)
-    {
-      seams.erase(seams.begin() + *s);
-      levels.erase(levels.begin() + *s);
-    }
-    const auto ends = [&](Index v) { return node[v] || degree[v] != 2; };
-    std::map<std::pair<Index, Index>, Points3> drawnBetween;
-    while (!left.empty())
-    {
-      auto first = std::find_if(left.begin(), left.end(),
-        [&](const auto& edge) { return ends(edge.first) || ends(edge.second); });
-      first = first == left.end() ? left.begin() : first;
-      Indices line{ first->first, first->second };
-      if (!ends(line.front()))
-      {
-        std::reverse(line.begin(), line.end());
-      }
-      left.erase(first);
-      while (!ends(line.back()) && line.back() != line.front())
-      {
-        const auto next = std::find_if(left.begin(), left.end(), [&](const auto& edge) {
-          return edge.first == line.back() || edge.second == line.back();
-        });
-        if (next == left.end())
-        {
-          break;
-        }
-        line.push_back(next->first == line.back() ? next->second : next->first);
-        left.erase(next);
-      }
       ChartSeam seam;
-      for (Index v : line)
-      {
-        seam.chain.push_back(drawn.mesh.point(v));
-      }
-      const auto [other, isFirst] =
-        drawnBetween.emplace(std::minmax(line.front(), line.back()), seam.chain);
-      const Point3& middle = seam.chain[seam.chain.size() / 2];
-      if (!isFirst &&
-        (middle - other->second[other->second.size() / 2]).norm() < narrow * lengthOf(seam.chain))
-      {
-        continue;
-      }
+      seam.chain = std::move(cut.curve.points);
+      seam.dart = cut.curve.type == CurveType::Dart;
       seam.least = seam.level = SeamDrawing::levels - 1;
       seams.push_back(std::move(seam));
-      levels.push_back(SeamDrawing::levels - 1);
     }
+    levels.assign(seams.size(), SeamDrawing::levels - 1);
     return !seams.empty();
   }
 
