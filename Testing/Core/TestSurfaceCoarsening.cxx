@@ -102,7 +102,7 @@ TEST(SurfaceCoarsening, APairOfCutsMeetsInThePlaneWhenItIsMoved)
   const Points3 left{ { -0.9, 0.3, 0.1 }, { -0.4, 0.4, 0.4 }, middle };
   std::optional<SurfaceMirror> mirror = SurfaceMirror({ { 1.0, 0.0, 0.0 }, 0.0, 0.0 });
   const std::vector<SuggestedCurve> cuts =
-    movedCuts(mesh, mirror, { proposedCut(right), proposedCut(left, CurveType::Seam, 0) }, {});
+    movedCuts(mesh, mirror, { proposedCut(right), proposedCut(left, CurveType::Seam, 0) });
   ASSERT_EQ(cuts.size(), 2u);
   EXPECT_LE(mirror->error, SurfaceMirror::exact);
   EXPECT_EQ(cuts[0].curve.points.back(), cuts[1].curve.points.back());
@@ -124,8 +124,7 @@ TEST(SurfaceCoarsening, CutsThatRunAlongEachOtherPartTheSurfaceAsBefore)
   const std::vector<SuggestedCurve> cuts = movedCuts(mesh, mirror,
     { along({ { -1.0, 0.0 }, { 1.0, 0.0 } }),
       along({ { -1.0, 0.5 }, { -0.5, 0.0 }, { 0.5, 0.0 }, { 1.0, -0.5 } }),
-      along({ { 0.0, 0.0 }, { 0.0, 1.0 } }) },
-    {});
+      along({ { 0.0, 0.0 }, { 0.0, 1.0 } }) });
   double length = 0.0;
   for (const SuggestedCurve& cut : cuts)
   {

@@ -564,7 +564,7 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
       addImages(more, static_cast<Index>(cuts.size()), *mirror);
     }
     openDividingDarts(mesh, {}, {}, more);
-    more = laidTogether(mesh, std::move(more), options.flattening); // they may come too near
+    more = laidTogether(mesh, std::move(more)); // they may come too near
     if (!more.empty())
     {
       cuts = std::move(more);
@@ -585,8 +585,8 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   if (const std::optional<TriangleMesh> few = coarseVersion(mesh))
   {
     std::optional<SurfaceMirror> moved = mirror;
-    std::vector<SuggestedCurve> cuts = movedCuts(
-      mesh, moved, chartCuts(*few, plane, options, budget, execution), options.flattening);
+    std::vector<SuggestedCurve> cuts =
+      movedCuts(mesh, moved, chartCuts(*few, plane, options, budget, execution));
     return partedCharts(mesh, mirror, options, bound, std::move(cuts), budget, execution);
   }
   // What is left has to do for cuts without the mirror, where its two sides differ too much.

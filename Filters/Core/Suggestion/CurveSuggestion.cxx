@@ -231,8 +231,7 @@ private:
       Suggesting(*few, this->Curves, this->Options, std::move(searching), this->Run).run();
     this->Result.strainBefore = found.strainBefore;
     this->Result.mirror = std::move(found.mirror);
-    set.cuts =
-      movedCuts(this->Mesh, this->Result.mirror, std::move(found.curves), this->Options.flattening);
+    set.cuts = movedCuts(this->Mesh, this->Result.mirror, std::move(found.curves));
     if (wanted.bound > 0.0)
     {
       TrialBudget budget(shareOfSearch * this->Budget.left(), this->Budget);

@@ -161,9 +161,7 @@ public:
       changed = raiseLevels(now.bad, now.seamOf, levels);
       if (!changed && !now.laid)
       {
-        // What cannot be drawn apart is left out one by one, or joined where that takes too long.
-        const bool many = static_cast<int>(now.bad.size()) > maxDrawings - k;
-        changed = many ? this->joinMeeting(now, seams, levels) : this->leaveOut(now, seams, levels);
+        changed = this->joinMeeting(now, seams, levels);
       }
       changed = changed || (this->Run.cancelled() && !cancelled);
       if (now.bad.empty() && now.worst <= this->Best.worst)
@@ -298,28 +296,15 @@ private:
     }
   }
 
-  /// The shortest of the first set, and its image.
-  bool leaveOut(const Drawn& now, std::vector<ChartSeam>& seams, std::vector<int>& levels) const
-  {
-    const Indices& set = now.bad.front();
-    const Index shortest = *std::min_element(set.begin(), set.end(),
-      [&](Index a, Index b) { return now.cuts[a].length < now.cuts[b].length; });
-    seams.erase(seams.begin() + now.seamOf[shortest]);
-    levels.erase(levels.begin() + now.seamOf[shortest]);
-    return !seams.empty();
-  }
-
   /// Seams that cannot be drawn apart become seams from each place where they meet to the next, one
   /// where two run along each other. They have no images.
   bool joinMeeting(const Drawn& now, std::vector<ChartSeam>& seams, std::vector<int>& levels) const
   {
-    const ImprintedSurface surface = imprintCurves(this->Surface, linesOf(now.cuts), {});
-    if (!surface.status.ok())
-    {
-      return this->leaveOut(now, seams, levels);
-    }
+    std::vector<SuggestedCurve> cuts = laidTogether(this->Surface, now.cuts);
+    cuts = unshared(imprintCurves(this->Surface, linesOf(cuts), {}), cuts, true);
+    openDividingDarts(this->Surface, {}, {}, cuts);
     seams.clear();
-    for (SuggestedCurve& cut : unshared(surface, now.cuts, true))
+    for (SuggestedCurve& cut : cuts)
     {
       ChartSeam seam;
       seam.chain = std::move(cut.curve.points);
@@ -435,10 +420,9 @@ void openDividingDarts(const TriangleMesh& mesh, const std::vector<Polyline>& cu
   pairTypes(cuts);
 }
 
-std::vector<SuggestedCurve> laidTogether(
-  const TriangleMesh& mesh, std::vector<SuggestedCurve> cuts, const FlatteningOptions& flattening)
+std::vector<SuggestedCurve> laidTogether(const TriangleMesh& mesh, std::vector<SuggestedCurve> cuts)
 {
-  const CutTrials trials(mesh, {}, {}, flattening);
+  const CutTrials trials(mesh, {}, {}, {});
   for (int k = 0; k < maxLayings; ++k)
   {
     if (cuts.empty() || !trials.paths(linesOf(cuts)).empty())

@@ -312,9 +312,8 @@ std::optional<TriangleMesh> coarseVersion(const TriangleMesh& mesh)
                                                                : std::nullopt;
 }
 
-std::vector<SuggestedCurve> movedCuts(const TriangleMesh& mesh,
-  std::optional<SurfaceMirror>& mirror, std::vector<SuggestedCurve> cuts,
-  const FlatteningOptions& flattening)
+std::vector<SuggestedCurve> movedCuts(
+  const TriangleMesh& mesh, std::optional<SurfaceMirror>& mirror, std::vector<SuggestedCurve> cuts)
 {
   if (mirror && mirror->plane())
   {
@@ -340,6 +339,6 @@ std::vector<SuggestedCurve> movedCuts(const TriangleMesh& mesh,
     points = drawing.moved(given);
     moved[k].length = lengthOf(points);
   }
-  return laidTogether(mesh, std::move(moved), flattening);
+  return laidTogether(mesh, std::move(moved));
 }
 }

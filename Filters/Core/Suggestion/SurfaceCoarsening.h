@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Flattening/FlatteningOptions.h"
 #include "Suggestion/CurveSuggestions.h"
 #include "Suggestion/SurfaceMirror.h"
 #include "Surface/TriangleMesh.h"
@@ -30,7 +29,6 @@ std::optional<TriangleMesh> coarseVersion(const TriangleMesh& mesh);
 
 /// The cuts of a version with fewer triangles on the surface itself, without those that cannot be
 /// laid into it. \param mirror of that version, then of the surface
-std::vector<SuggestedCurve> movedCuts(const TriangleMesh& mesh,
-  std::optional<SurfaceMirror>& mirror, std::vector<SuggestedCurve> cuts,
-  const FlatteningOptions& flattening);
+std::vector<SuggestedCurve> movedCuts(
+  const TriangleMesh& mesh, std::optional<SurfaceMirror>& mirror, std::vector<SuggestedCurve> cuts);
 }
