@@ -8,9 +8,8 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from surfaces import command, points_of, polylines_of, read_file, triangles_of
+from surfaces import FLIPPED_STRAIN, command, points_of, polylines_of, read_file, triangles_of
 
-FLIPPED_STRAIN = 100.0
 # Surface, or surface+set of curves, and options.
 CASES = (
     ("shirt_front",),

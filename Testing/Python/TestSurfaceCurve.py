@@ -10,13 +10,12 @@ from vtkmodules.vtkCommonDataModel import (
     vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPartitionedDataSetCollection, vtkPolyData)
 
 import surfaceflattening as sf
-from surfaces import command, grid, lengths_of, points_of, read, vtk_points
+import surfaces
+from surfaces import command, lengths_of, points_of, read, vtk_points
 
 
-def cylinder(columns=40, rows=20):
-    """A part of a polyhedral cylinder of radius 1 and height 2."""
-    return sf.make_surface(*grid(columns, rows, lambda i, j: (
-        math.cos(3 * i / columns), math.sin(3 * i / columns), 2 * j / rows)))
+def cylinder():
+    return sf.make_surface(*surfaces.cylinder())
 
 
 def tube(sides=24, rows=10, radius=lambda j: 1.0):

@@ -16,6 +16,8 @@ sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pard
 import command  # noqa: E402  - it lies in another folder
 from command import DATA, SOURCE  # noqa: E402, F401
 
+FLIPPED_STRAIN = 100.0  # what a flipped triangle counts as
+
 
 @contextlib.contextmanager
 def quiet():
@@ -96,6 +98,39 @@ def grid(columns=4, rows=3, place=lambda i, j: (i, j, 0.0), **options):
     """Squares, of a plane by default, each two triangles."""
     points, triangles = command.grid(columns, rows, place, **options)
     return np.array(points, float), np.array(triangles)
+
+
+def shell(columns=10, rows=12, height=0.25):
+    """A doubly curved patch, whose diagonals alternate."""
+    return grid(columns, rows, lambda i, j: (
+        i / columns, j / columns, height * np.sin(np.pi * i / columns) * np.sin(np.pi * j / rows)),
+        other=lambda i, j: (i + j) % 2)
+
+
+def column_of(columns, rows, i):
+    """The vertices of a column of a grid; those of a row follow each other."""
+    return [(columns + 1) * j + i for j in range(rows + 1)]
+
+
+def cylinder(columns=40, rows=20):
+    """A part of a polyhedral cylinder of radius 1 and height 2."""
+    return grid(columns, rows, lambda i, j: (np.cos(3 * i / columns), np.sin(3 * i / columns), 2 * j / rows))
+
+
+def cone(columns, rows):
+    """A sector of a polyhedral cone about the z axis with its apex left out, seen from outside."""
+    def place(i, j):
+        radius, turn = 0.4 + 1.1 * j / rows, -2.4 * i / columns
+        return radius * np.sin(0.45) * np.cos(turn), radius * np.sin(0.45) * np.sin(turn), radius * np.cos(0.45)
+    return grid(columns, rows, place)
+
+
+def moved_rigidly(points):
+    """Turned by 1.2 about (1, -2, 0.5), and moved."""
+    x, y, z = np.array([1.0, -2.0, 0.5]) / np.sqrt(5.25)
+    across = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    turn = np.eye(3) + np.sin(1.2) * across + (1 - np.cos(1.2)) * across @ across
+    return points @ turn.T + (3, -7, 11)
 
 
 def dome(*sides, **options):
