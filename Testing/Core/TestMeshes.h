@@ -379,15 +379,6 @@ inline Surface pyramid(double height)
   return surface;
 }
 
-/// A spiral staircase, which turns more than once: it lies on itself in the plane.
-inline Surface staircase()
-{
-  return patch(40, 2, [](double i, double j) {
-    const double turn = 3.0 * pi * i / 40.0;
-    return Point3((1.0 + j) * std::cos(-turn), (1.0 + j) * std::sin(-turn), 0.05 * i);
-  });
-}
-
 /// Vertices i = 0 .. columns of row j of a patch(), as a curve across it.
 inline FeatureCurve rowCurve(Index columns, Index j, CurveType type = CurveType::Accessory)
 {
