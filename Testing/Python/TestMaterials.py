@@ -12,17 +12,42 @@ import warnings
 import numpy as np
 
 import surfaceflattening as sf
-from surfaces import SOURCE, command, grid, quiet
+from surfaces import SOURCE, column_of, command, cone, cylinder, grid, moved_rigidly, quiet, shell
 
 
-def shell(columns=10, rows=12, height=0.25):
-    return grid(columns, rows, lambda i, j: (
-        i / columns, j / columns, height * np.sin(np.pi * i / columns) * np.sin(np.pi * j / rows)))
+def tangent_developable(strips=5, division=4):
+    """The tangents of a helix between two distances from it. Each strip between neighboring tangents is two flat
+    triangles, so that it can be unrolled as it is; no two of them lie in one plane."""
+    def tangent(turn, distance):
+        way = np.array([-np.sin(turn), np.cos(turn), 0.4]) / np.hypot(1, 0.4)
+        return np.array([np.cos(turn), np.sin(turn), 0.4 * turn]) + distance * way
+
+    def place(i, j):
+        strip = min(i // division, strips - 1)
+        a, b = i / division - strip, j / division
+        near, far = (lambda distance: tangent(0.2 * strip, distance)), (lambda distance: tangent(0.2 * (strip + 1), distance))
+        if a >= b:
+            return (1 - a) * near(0.3) + (a - b) * far(0.3) + b * far(1.5)
+        return (1 - b) * near(0.3) + (b - a) * near(1.5) + a * far(1.5)
+
+    return grid(division * strips, division, place)
+
+
+# Of the shell.
+CURVES = [sf.Curve(column_of(10, 12, 5), name="column"), sf.Curve(range(66, 77), name="row")]
 
 
 @quiet()
 def flatten(*arguments, **options):
     return sf.flatten(*arguments, **options)
+
+
+def cloth_of(result):
+    return result.report["pieces"][0]["cloth"]
+
+
+def thread_rms(result):
+    return np.hypot(cloth_of(result)["strain_warp_rms"], cloth_of(result)["strain_weft_rms"])
 
 
 def threads_of(points, result):
@@ -65,6 +90,92 @@ class Materials(command.CommandTest):
             self.assertAlmostEqual(cloth["share_out_of_limit"], share[out].sum(), 12)
             locked = np.abs(shear) > twill["shear_limit"]
             self.assertAlmostEqual(cloth["share_locked"], share[locked].sum(), 12)
+
+    def test_the_triangle_farthest_beyond_its_limits_is_named_first(self):
+        points, triangles = shell()
+        result = flatten(points, triangles, CURVES, material="laminate")
+        warp, weft, shear, _ = threads_of(points, result)
+        (laminate,) = (material for material in sf.materials() if material["name"] == "laminate")
+        beyond = np.max([np.abs(100 * warp) / laminate["warp_greatest"], np.abs(100 * weft) / laminate["weft_greatest"],
+                         np.abs(shear) / laminate["shear_limit"]], axis=0)
+        self.assertEqual(set(result.report["ids"]), set(np.flatnonzero(beyond > 1)))
+        self.assertGreater(beyond[result.report["ids"][0]], (1 - 1e-9) * beyond.max())
+        self.assertTrue({"AddDarts", "TakeSofterCloth"} <= {remedy["name"] for remedy in result.report["remedies"]})
+        self.assertLess(result.report["pieces"][0]["E_len_max"], 1e-12)
+
+    def test_the_worst_of_several_broken_promises_is_the_status_and_tells_the_others(self):
+        report = flatten(*shell(), CURVES, material="laminate", grain="waist").report
+        self.assertEqual(report["status"], "MissingGrain")
+        self.assertIn("beyond the limits", report["message"])
+        self.assertTrue({"NameGrain", "AddDarts"} <= {remedy["name"] for remedy in report["remedies"]})
+
+    def test_the_isotropic_sheet_is_the_plain_scheme(self):
+        plain, sheet = flatten(*shell(), CURVES), flatten(*shell(), CURVES, material="isotropic")
+        np.testing.assert_allclose(sheet.positions, plain.positions, atol=1e-6)
+        self.assertGreater(thread_rms(sheet), 0)
+        self.assertNotEqual(sheet.report["pieces"][0]["energy_used"], "cloth")
+        self.assertNotIn("StrainWarp", plain.cell_arrays)
+
+    def test_threads_are_strained_less_than_in_the_isotropic_sheet_and_lengths_hold(self):
+        before = thread_rms(flatten(*shell(), CURVES, material="isotropic"))
+        for material in ("plain", "twill", "woven-carbon"):
+            result = flatten(*shell(), CURVES, material=material)
+            piece, = result.report["pieces"]
+            with self.subTest(material, message=piece["message"]):
+                self.assertIn(piece["status"], ("Ok", "BeyondLimits"))
+                self.assertLess(thread_rms(result), 0.75 * before)
+                self.assertLess(piece["E_len_max"], 1e-12)
+                self.assertEqual((piece["flipped"], piece["energy_used"]), (0, "cloth"))
+
+    def test_developable_pieces_are_exact_at_any_grain(self):
+        for surface in (cylinder(12, 6), cone(12, 6), grid(8, 9), tangent_developable()):
+            for material in ("twill", "jersey", "laminate"):
+                for grain in (0, 23, 45, -80, "free"):
+                    result = sf.flatten(*surface, material=material, grain=grain)
+                    self.assertEqual(result.report["status"], "Ok")
+                    self.assertLess(max(thread_rms(result), np.radians(cloth_of(result)["shear_rms"])), 1e-8)
+                    self.assertEqual(cloth_of(result)["share_out_of_limit"], 0)
+
+    def test_turning_the_surface_with_its_grain_changes_nothing(self):
+        points, triangles = shell()
+        for material, grain in (("twill", 20), ("twill", "column:10"), ("jersey", "row:-35")):
+            one, other = (flatten(places, triangles, CURVES, material=material, grain=grain)
+                          for places in (points, moved_rigidly(points)))
+            np.testing.assert_allclose(one.positions, other.positions, atol=1e-7)
+
+    def test_a_free_grain_is_no_worse_than_any_that_is_given(self):
+        free, *given = (flatten(*shell(), CURVES, material="stretch-woven", grain=grain).report["pieces"][0]["energy_sheet"]
+                        for grain in ("free", *range(0, 180, 30)))
+        self.assertLessEqual(free, 1.02 * min(given))
+
+    def test_limits_take_back_what_is_beyond_them(self):
+        points, triangles = shell()
+        (jersey,) = (material for material in sf.materials() if material["name"] == "jersey")
+        material = {key: jersey[key] for key in ("warp", "weft", "shear", "compression")}
+        self.write("cloth.json", json.dumps(material))
+        without = flatten(points, triangles, CURVES, material=self.path("cloth.json"))
+        self.assertEqual(cloth_of(without)["share_out_of_limit"], 0)
+        rms = cloth_of(without)["strain_warp_rms"]
+        self.write("cloth.json", json.dumps({**material, "limits": {"warp": [-100 * rms, 100 * rms]}}))
+        limited = flatten(points, triangles, CURVES, material=self.path("cloth.json"))
+        self.assertLess(cloth_of(limited)["strain_warp_rms"], rms)
+        before, after = ((share * np.maximum(np.abs(warp) - rms, 0)**2).sum()
+                         for warp, _, _, share in (threads_of(points, result) for result in (without, limited)))
+        self.assertLess(after, 0.6 * before)
+
+    def test_strains_that_the_boundary_forces_are_not_spread_beyond_those_of_the_isotropic_sheet(self):
+        for height in (0.3, 0.5):
+            sheet, *woven = (cloth_of(flatten(*shell(12, 12, height), material=material, grain="free"))["share_over_5_percent"]
+                             for material in ("isotropic", "plain", "twill"))
+            self.assertLessEqual(max(woven), sheet)
+
+    def test_wires_between_slivers_are_not_given_up_for_the_cloth(self):
+        # Half of it is pressed to a billionth of its width.
+        sheet = grid(8, 8, lambda i, j: (
+            i / 8 if i < 4 else 0.5 + 1e-9 * (i / 8 - 0.5), j / 8, 0.2 * np.sin(6 * j / 8) * i / 8))
+        before, *after = (flatten(*sheet, **cloth).report["pieces"][0]["E_len_max"]
+                          for cloth in ({}, {"material": "twill"}, {"material": "jersey"}))
+        self.assertLess(max(after), max(1e-6, 10 * before))
 
     def test_the_dominant_stretch_is_the_largest(self):
         points, triangles = shell()
