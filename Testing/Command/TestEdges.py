@@ -111,6 +111,9 @@ class Edges(command.CommandTest):
         self.flatten("pattern", "bulged.obj", ease(0.03, 0), *words)
         for _, lengths, _ in self.walk():
             self.assertAlmostEqual(lengths[0] / lengths[1], 1.03, places=6)
+        self.flatten("pattern", "bulged.obj", ease(0.03, 0), *words, "--ease", "curve 0:1=-2%")  # in its place
+        for _, lengths, _ in self.walk():
+            self.assertAlmostEqual(lengths[0] / lengths[1], 0.98, places=6)
         for fraction, piece, says in ((0.06, 0, ["6 %", "5 %"]), (0.03, 2, ["piece 3"]), (0.03, -1, ["1, 2"]),
                                       (1.0, 0, ["LengthEase", "(-1, 1)"]), (0.03, -2, ["EasedPiece"])):
             self.assert_stderr(says, "pattern", "bulged.obj", ease(fraction, piece), *words, "--output", "none")

@@ -1,33 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Flattened.h"
 
-#include <map>
-#include <set>
-
 using namespace flattening;
 using namespace testmeshes;
-
-namespace
-{
-/// Turning angles of a flat polyline at its inner points.
-std::vector<double> turnings(const Points2& positions, const Indices& vertices)
-{
-  std::vector<double> result;
-  for (std::size_t k = 1; k + 1 < vertices.size(); ++k)
-  {
-    const Point2 in = positions[vertices[k]] - positions[vertices[k - 1]];
-    const Point2 out = positions[vertices[k + 1]] - positions[vertices[k]];
-    result.push_back(std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out)));
-  }
-  return result;
-}
-
-const Wire& wireOfCurve(const FlatteningResult& result, Index curve)
-{
-  return *std::find_if(result.wires.begin(), result.wires.end(),
-    [curve](const Wire& wire) { return wire.curve == curve; });
-}
-}
 
 TEST(SurfaceFlattening, OnTheTwoArcsOfFigure14ThePapersIterationFailsAndNewtonFindsTheBetterMinimum)
 {
@@ -64,60 +39,6 @@ TEST(SurfaceFlattening, DevelopablesUnrollToTheirExactShape)
   }
 }
 
-TEST(SurfaceFlattening, AStraightKeyIsAStraightLineInThePlaneAndStandsUpright)
-{
-  Surface surface = withCurves(cushion(8, 8, 0.2),
-    { curveOf(CurveType::Key, "grain", columnCurve(8, 8, 3).vertices), rowCurve(8, 4) });
-  surface.curves[0].keyShape = KeyShape::Straight;
-  for (const Scheme scheme : { Scheme::Global, Scheme::Progressive, Scheme::Isometric })
-  {
-    FlatteningOptions options = optionsOf(scheme, InteriorMethod::AsRigidAsPossible);
-    options.arrange = true;
-    const FlatteningResult result = flatten(surface, options);
-    ASSERT_FALSE(result.status.refused()) << result.status.message;
-    const Wire& grain = wireOfCurve(result, 0);
-    for (const double turn : turnings(result.positions, grain.vertices))
-    {
-      EXPECT_NEAR(turn, 0.0, 1e-10);
-    }
-    const Point2 direction =
-      result.positions[grain.vertices.back()] - result.positions[grain.vertices.front()];
-    EXPECT_NEAR(direction.x(), 0.0, 1e-10);
-    EXPECT_NEAR(direction.y(), grain.restLength, 1e-10);
-  }
-}
-
-TEST(SurfaceFlattening, AKeyWithAPlanarShapeTurnsAsItIsPrescribed)
-{
-  Surface surface = cushion(8, 8, 0.1);
-  FeatureCurve key = curveOf(CurveType::Key, "arc", columnCurve(8, 8, 3).vertices);
-  key.keyShape = KeyShape::Planar;
-  for (int k = 0; k <= 8; ++k)
-  {
-    key.planarShape.emplace_back(std::cos(0.1 * k), std::sin(0.1 * k));
-  }
-  surface.curves = { key, rowCurve(8, 4) };
-  const FlatteningResult result = flatten(surface, optionsOf(Scheme::Global));
-  ASSERT_FALSE(result.status.refused()) << result.status.message;
-  for (const double turn : turnings(result.positions, wireOfCurve(result, 0).vertices))
-  {
-    EXPECT_NEAR(turn, 0.1, 1e-10);
-  }
-  EXPECT_LT(result.pieces.front().quality.maximumEdgeLengthError, 1e-12);
-}
-
-TEST(SurfaceFlattening, ReleasedKeysAreAccessoryCurves)
-{
-  Surface surface = withCurves(cushion(8, 8, 0.2), { rowCurve(8, 3), columnCurve(8, 8, 3) });
-  const FlatteningResult accessoryResult = flatten(surface, optionsOf(Scheme::Global));
-  surface.curves[0].type = CurveType::Key;
-  FlatteningOptions options = optionsOf(Scheme::Global);
-  options.releaseKeys = true;
-  const FlatteningResult released = flatten(surface, options);
-  EXPECT_LT(rigidDistance(released.positions, accessoryResult.positions), 1e-12);
-  EXPECT_EQ(released.pieces.front().freeWireNodes, released.pieces.front().wireNodes);
-}
-
 TEST(SurfaceFlattening, NamesKeysThatCannotKeepTheirShapesAndGoesOnWithoutTheLeastSet)
 {
   // What Eq. 1 gives for the ring cannot close around the curved region in it; the row is innocent.
@@ -142,48 +63,6 @@ TEST(SurfaceFlattening, NamesKeysThatCannotKeepTheirShapesAndGoesOnWithoutTheLea
     EXPECT_LT(rigidDistance(result.positions, expected.positions), 1e-10);
     EXPECT_EQ(result.pieces.front().warpingOrder, expected.pieces.front().warpingOrder);
   }
-}
-
-TEST(SurfaceFlattening, PiecesAreFlattenedAsIfEachWereAlone)
-{
-  Surface surface =
-    withCurves(cushion(9, 6, 0.2), { columnCurve(9, 6, 4, CurveType::Seam), rowCurve(9, 3) });
-  const FlatteningResult result = flatten(surface, optionsOf(Scheme::Progressive));
-  ASSERT_EQ(result.pieces.size(), 2U);
-  const std::vector<Piece> pieces = extractPieces(*result.cut);
-  std::set<Index> patches;
-  for (std::size_t p = 0; p < 2; ++p)
-  {
-    Points2 together;
-    std::map<Index, Index> vertexOf;
-    for (Index v = 0; v < pieces[p].mesh.vertexCount(); ++v)
-    {
-      together.push_back(result.positions[pieces[p].vertices[v]]);
-      vertexOf[result.cut->originalVertex[pieces[p].vertices[v]]] = v;
-    }
-    Indices row;
-    for (const Index original : surface.curves[1].vertices)
-    {
-      if (vertexOf.count(original))
-      {
-        row.push_back(vertexOf[original]);
-      }
-    }
-    const FlatteningResult alone =
-      flattenSurface(pieces[p].mesh, { accessory("row", row) }, optionsOf(Scheme::Progressive), {});
-    EXPECT_LT(rigidDistance(together, alone.positions), 1e-12);
-    EXPECT_NEAR(result.pieces[p].objective, alone.pieces.front().objective, 1e-13);
-    for (const Index t : pieces[p].triangles)
-    {
-      patches.insert(result.patchOfTriangle[t]);
-    }
-    // Wire-patches are numbered through all pieces.
-    for (const Index patch : result.pieces[p].warpingOrder)
-    {
-      EXPECT_EQ(patches.count(patch), 1U);
-    }
-  }
-  EXPECT_EQ(patches, (std::set<Index>{ 0, 1, 2, 3 }));
 }
 
 namespace
@@ -212,20 +91,6 @@ TEST(FlatteningEnds, APlanarShapeOfAnotherNumberOfPointsOrWithoutAnAngleIsRefuse
     surface.curves[0].planarShape = shape;
     const FlatteningResult result = flatten(surface, {});
     EXPECT_STREQ(statusName(result.status.code), "InvalidCurve");
-    expectEmpty(result);
-  }
-}
-
-TEST(FlatteningEnds, ACurveOfAnUnknownTypeIsRefusedByItsId)
-{
-  for (const int type : { -1, 4, 9 })
-  {
-    Surface surface = withCurves(cushion(4, 4, 0.2),
-      { rowCurve(4, 1), curveOf(static_cast<CurveType>(type), "k", { 10, 11, 12 }) });
-    const FlatteningResult result = flatten(surface, {});
-    EXPECT_STREQ(statusName(result.status.code), "InvalidCurve");
-    EXPECT_EQ(result.status.ids.kind, ElementKind::Curves);
-    EXPECT_EQ(result.status.ids.values, std::vector<std::int64_t>{ 1 });
     expectEmpty(result);
   }
 }
