@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a run reports of its pieces, against what follows from the flat positions by themselves.
 #include "Flattened.h"
-#include "Flattening/WireReport.h"
 
 #include <map>
 #include <set>
@@ -226,21 +225,6 @@ TEST(PieceReport, ARepairOfProgressiveAnglesIsTold)
   EXPECT_FALSE(flatten(surface, withScheme(Scheme::Global)).pieces[0].repaired);
 }
 
-TEST(PieceReport, LengthsThatTheLastCorrectionLeftOffAreTold)
-{
-  // The edges to the top of a steep pyramid of four sides fix its angles there, which are not flat.
-  for (Scheme scheme : { Scheme::Global, Scheme::Isometric })
-  {
-    EXPECT_TRUE(flatten(quarterSphere(), withScheme(scheme)).pieces[0].fallbacks.empty());
-    const FlatteningResult result = flatten(pyramid(1.0), withScheme(scheme));
-    const double worst = worstLength(result);
-    ASSERT_GT(worst, 1e-3);
-    const std::vector<std::string>& all = result.pieces[0].fallbacks;
-    ASSERT_FALSE(all.empty());
-    EXPECT_NE(all.back().find("off by " + shortNumber(worst)), std::string::npos) << all.back();
-  }
-}
-
 TEST(PieceReport, ARelaxationThatRunsOutOfIterationsHasNotConverged)
 {
   const Surface surface = cushion(12, 12, 0.4);
@@ -254,53 +238,4 @@ TEST(PieceReport, ARelaxationThatRunsOutOfIterationsHasNotConverged)
   // The isometric scheme starts there alone, and ends at its minimum.
   options.scheme = Scheme::Isometric;
   EXPECT_TRUE(run().status.ok()) << run().status.message;
-}
-
-namespace
-{
-std::vector<Wire> wiresOf(const std::vector<Wire>& wires, Index curve)
-{
-  std::vector<Wire> found;
-  std::copy_if(wires.begin(), wires.end(), std::back_inserter(found),
-    [curve](const Wire& wire) { return wire.curve == curve; });
-  return found;
-}
-}
-
-TEST(WireReport, ACurveThatNothingCutsIsOneWireInItsOwnOrder)
-{
-  Surface surface = withCurves(cushion(6, 4, 0.2), { rowCurve(6, 2) });
-  const CutSurface cut = cutSurface(surface.mesh, surface.curves);
-  const std::vector<Wire> wires = traceWires(surface.mesh, cut, surface.curves);
-  ASSERT_EQ(wiresOf(wires, 0).size(), 1U);
-  EXPECT_EQ(wiresOf(wires, 0).front().vertices, surface.curves[0].vertices);
-  // The boundary is one loop.
-  ASSERT_EQ(wiresOf(wires, none).size(), 1U);
-  const Wire boundary = wiresOf(wires, none).front();
-  EXPECT_TRUE(boundary.boundary);
-  EXPECT_EQ(boundary.vertices.front(), boundary.vertices.back());
-  EXPECT_EQ(boundary.vertices.size(), 21U);
-  EXPECT_EQ(wires.size(), 2U);
-}
-
-TEST(WireReport, ACurveAcrossADartGoesOnOnBothItsSides)
-{
-  Surface surface = withCurves(
-    cushion(6, 4, 0.2), { curveOf(CurveType::Dart, "dart", { 3, 10, 17 }), rowCurve(6, 1) });
-  const CutSurface cut = cutSurface(surface.mesh, surface.curves);
-  const std::vector<Wire> wires = traceWires(surface.mesh, cut, surface.curves);
-  const std::vector<Wire> parts = wiresOf(wires, 1);
-  ASSERT_EQ(parts.size(), 2U);
-  EXPECT_EQ(parts[0].vertices.size(), 4U);
-  EXPECT_EQ(parts[1].vertices.size(), 4U);
-  EXPECT_NE(parts[0].vertices.back(), parts[1].vertices.front());
-  for (const Wire& wire : wires)
-  {
-    for (std::size_t k = 0; k + 1 < wire.vertices.size(); ++k)
-    {
-      const Index a = wire.vertices[k];
-      const Index b = wire.vertices[k + 1];
-      EXPECT_TRUE(cut.mesh.find(a, b) != none || cut.mesh.find(b, a) != none);
-    }
-  }
 }

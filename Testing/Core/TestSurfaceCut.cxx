@@ -1,106 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cut/SurfaceCut.h"
-#include "WiredSurface.h"
-
-#include <map>
 
 using namespace flattening;
 using namespace testmeshes;
 
 namespace
 {
-/// How many boundary vertices of the cut surface are copies of an original vertex.
-Index copiesOf(const CutSurface& cut, Index original)
-{
-  return static_cast<Index>(
-    std::count(cut.originalVertex.begin(), cut.originalVertex.end(), original));
-}
-
-/// Both edges of each pair were one edge, run against each other and are open now.
-void expectSewable(const TriangleMesh& mesh, const CutSurface& cut)
-{
-  for (const SeamPair& pair : cut.seamPairs)
-  {
-    EXPECT_EQ(mesh.twin(pair.first), pair.second);
-    EXPECT_EQ(cut.mesh.twin(pair.first), none);
-    EXPECT_EQ(cut.mesh.twin(pair.second), none);
-    EXPECT_DOUBLE_EQ(cut.mesh.length(pair.first), cut.mesh.length(pair.second));
-    EXPECT_EQ(
-      cut.originalVertex[cut.mesh.from(pair.first)], cut.originalVertex[cut.mesh.to(pair.second)]);
-    EXPECT_EQ(
-      cut.originalVertex[cut.mesh.to(pair.first)], cut.originalVertex[cut.mesh.from(pair.second)]);
-    EXPECT_EQ(cut.curveOfHalfedge[pair.first], pair.curve);
-    EXPECT_EQ(cut.curveOfHalfedge[pair.second], pair.curve);
-  }
-}
-
 void expectRefusal(const CutSurface& cut, StatusCode code, ElementKind kind, const Indices& ids)
 {
   EXPECT_STREQ(statusName(cut.status.code), statusName(code));
   EXPECT_EQ(cut.status.ids, (ElementIds{ kind, ids }));
   EXPECT_NE(cut.status.message.find("\"c\""), std::string::npos) << cut.status.message;
 }
-}
-
-TEST(SurfaceCut, OpensCutsButNotTheirTipsAndPartsThePieces)
-{
-  const auto v = [](Index i, Index j) { return at(6, i, j); };
-  const auto dart = [](Indices vertices) { return curveOf(CurveType::Dart, "d", vertices); };
-  struct Case
-  {
-    const char* name;
-    std::vector<FeatureCurve> curves;
-    std::map<Index, Index> copies; ///< of vertices
-    std::size_t seamPairs;
-    Index pieces;
-    Index euler;
-  };
-  const std::vector<Case> cases{
-    { "what cuts nothing", { rowCurve(6, 2), curveOf(CurveType::Key, "k", { v(2, 0), v(2, 1) }) },
-      {}, 0, 1, 1 },
-    { "a dart from the boundary", { dart({ v(3, 0), v(3, 1), v(3, 2) }) },
-      { { v(3, 0), 2 }, { v(3, 1), 2 }, { v(3, 2), 1 } }, 2, 1, 1 },
-    { "one inside, which leaves a hole", { dart({ v(3, 1), v(3, 2), v(3, 3), v(3, 4) }) },
-      { { v(3, 1), 1 }, { v(3, 2), 2 }, { v(3, 4), 1 } }, 3, 1, 0 },
-    { "one inner edge, which opens nothing", { dart({ v(3, 2), v(3, 3) }) },
-      { { v(3, 2), 1 }, { v(3, 3), 1 } }, 0, 1, 1 },
-    { "a dart from side to side", { dart(columnCurve(6, 6, 2).vertices) }, { { v(2, 3), 2 } }, 6, 2,
-      2 },
-    { "a seam from side to side", { columnCurve(6, 6, 2, CurveType::Seam) }, { { v(2, 3), 2 } }, 6,
-      2, 2 },
-    { "three darts to one vertex",
-      { dart({ v(3, 0), v(3, 1), v(3, 2), v(3, 3) }), dart({ v(0, 3), v(1, 3), v(2, 3), v(3, 3) }),
-        dart({ v(3, 3), v(4, 3), v(5, 3), v(6, 3) }) },
-      { { v(3, 3), 3 } }, 9, 3, 3 },
-  };
-  const Surface surface = cushion(6, 6, 0.3);
-  for (const Case& one : cases)
-  {
-    SCOPED_TRACE(one.name);
-    const CutSurface cut = cutSurface(surface.mesh, one.curves);
-    ASSERT_TRUE(cut.status.ok());
-    for (const auto& [vertex, count] : one.copies)
-    {
-      EXPECT_EQ(copiesOf(cut, vertex), count);
-    }
-    EXPECT_EQ(cut.seamPairs.size(), one.seamPairs);
-    expectSewable(surface.mesh, cut);
-    EXPECT_EQ(cut.pieceCount, one.pieces);
-    EXPECT_EQ(eulerCharacteristic(cut.mesh), one.euler);
-    EXPECT_EQ(extractPieces(cut).front().triangles.front(), 0) << "in the order of their triangles";
-  }
-}
-
-TEST(SurfaceCut, TwoDartsThatMeetInsideCutAsOne)
-{
-  const Surface surface = cushion(4, 4, 0.3);
-  const CutSurface together =
-    cutSurface(surface.mesh, { curveOf(CurveType::Dart, "d", { 2, 7, 12, 13 }) });
-  const CutSurface parts = cutSurface(surface.mesh,
-    { curveOf(CurveType::Dart, "a", { 2, 7, 12 }), curveOf(CurveType::Dart, "b", { 13, 12 }) });
-  EXPECT_EQ(parts.mesh.triangles(), together.mesh.triangles());
-  EXPECT_EQ(parts.originalVertex, together.originalVertex);
-  EXPECT_EQ(copiesOf(parts, 12), 2);
 }
 
 TEST(SurfaceCut, ACurveThatEndsOnADartKeepsToItsSide)

@@ -160,22 +160,6 @@ TEST(Tubes, AreDisksOnceTheyAreCutAsProposed)
   }
 }
 
-TEST(Tubes, AdviceNamesOnlyWhatIsThere)
-{
-  // With so few triangles some turn over.
-  for (const double length : { 1.0, 4.0 })
-  {
-    for (const Scheme scheme : { Scheme::Isometric, Scheme::Global, Scheme::Progressive })
-    {
-      const Status status = flatten(revolved(6, 1, length), withScheme(scheme)).status;
-      EXPECT_FALSE(codeOf(status) == StatusCode::Ok);
-      EXPECT_FALSE(has(status, Remedy::ReleaseCurves)) << status.message;
-      EXPECT_FALSE(has(status, Remedy::AddDarts)) << status.message;
-      EXPECT_TRUE(has(status, Remedy::SeamBetweenLoops)) << status.message;
-    }
-  }
-}
-
 TEST(Tubes, AreToldBeforeTheLongWork)
 {
   for (const bool closed : { true, false })
@@ -196,6 +180,18 @@ TEST(Tubes, AreToldBeforeTheLongWork)
       std::find(phases.begin(), phases.end(), "Warping wires and interior together");
     EXPECT_LE(told, closed ? work : phases.end());
   }
+}
+
+TEST(Tubes, WithoutAnOpeningAreRefusedBeforeAnyPieceIsFlattened)
+{
+  const Surface closed = { garment(0, 1, 2, 1.0), {}, {} };
+  const Surface sheet = movedRigidly(unitSquares(4, 4));
+  std::set<std::string> phases;
+  Execution execution;
+  execution.progress = [&phases](double, const char* phase) { phases.insert(phase); };
+  const TriangleMesh mesh = together({ sheet, closed, sheet }).mesh;
+  EXPECT_EQ(flattenSurface(mesh, {}, {}, execution).status.code, StatusCode::ClosedSurface);
+  EXPECT_EQ(phases, std::set<std::string>{ "Cutting darts and seams" });
 }
 
 TEST(Tubes, OfManyTrianglesAreMappedAtOnceAndSaySo)
@@ -225,45 +221,4 @@ TEST(Tubes, OfManyTrianglesAreMappedAtOnceAndSaySo)
       EXPECT_TRUE(piece.fallbacks.empty());
     }
   }
-}
-
-namespace
-{
-/// A cap of the unit sphere down to an angle has the area 2 pi (1 - cos angle); the disk with the
-/// length of its boundary, which holds more than any other figure, pi sin^2 angle.
-double lossOfCap(double angle)
-{
-  return 1.0 - 0.5 * std::pow(std::sin(angle), 2) / (1.0 - std::cos(angle));
-}
-}
-
-TEST(AreaForecast, IsWhatADiskWithTheBoundaryOfACapOfTheSphereLacks)
-{
-  for (double degrees : { 70.0, 90.0, 120.0, 150.0, 170.0 })
-  {
-    const double angle = degrees * pi / 180.0;
-    const AreaForecast forecast = forecastArea(sphereCap(angle, 24, 0).mesh, {});
-    EXPECT_TRUE(forecast.known && forecast.deep()) << degrees;
-    EXPECT_NEAR(forecast.loss, lossOfCap(angle), 0.01) << degrees;
-  }
-  // At 60 degrees a quarter is lost, and the threshold is 0.3: nothing is said of what lies well.
-  for (double degrees : { 10.0, 45.0, 60.0 })
-  {
-    const AreaForecast forecast = forecastArea(sphereCap(degrees * pi / 180.0, 12, 0).mesh, {});
-    EXPECT_TRUE(forecast.known && !forecast.deep()) << degrees;
-    EXPECT_EQ(forecast.loss, 0.0);
-    EXPECT_TRUE(forecast.cut.empty());
-  }
-}
-
-TEST(AreaForecast, CutsFromTheBoundaryToThePoleOfACapAndLosesLessThen)
-{
-  constexpr Index rings = 16;
-  const TriangleMesh mesh = sphereCap(2.2, rings, 0).mesh;
-  const AreaForecast forecast = forecastArea(mesh, {});
-  ASSERT_EQ(forecast.cut.size(), std::size_t(rings + 1));
-  EXPECT_TRUE(mesh.onBoundary(forecast.cut.front()));
-  EXPECT_EQ(forecast.cut.back(), 0); // the pole
-  EXPECT_LT(forecast.lossAfterCut, 0.75 * forecast.loss);
-  EXPECT_GT(forecast.lossAfterCut, 0.0);
 }
