@@ -89,51 +89,6 @@ TEST(PieceArrangement, MovesPiecesRigidlyTurnsTheirGrainUpAndKeepsThemApart)
   }
 }
 
-TEST(PieceArrangement, WithoutGrainTheLongSideOfTheSmallestRectangleIsUpright)
-{
-  const Points2 rectangle{ Point2(0, 0), Point2(7, 0), Point2(7, 2), Point2(0, 2) };
-  for (double angle : { 0.0, 0.4, 1.3, 3.0 })
-  {
-    const auto placed =
-      arrangePieces({ { turnedAndMoved(rectangle, angle, Point2(8, 9)), {} } }, 0.0);
-    const Box box = boundsOf(placed[0]);
-    EXPECT_NEAR(box.sizes().x(), 2.0, 1e-13);
-    EXPECT_NEAR(box.sizes().y(), 7.0, 1e-13);
-    EXPECT_NEAR(box.min().norm(), 0.0, 1e-13);
-    EXPECT_LT(placed[0][0].y(), 1.0) << "the first vertex is below";
-  }
-}
-
-TEST(PieceArrangement, DoesNotDependOnWhereThePiecesWere)
-{
-  const auto pieces = severalPieces();
-  const auto reference = arrangePieces(pieces, 0.05);
-  auto elsewhere = pieces;
-  for (std::size_t k = 0; k < pieces.size(); ++k)
-  {
-    elsewhere[k].positions =
-      turnedAndMoved(pieces[k].positions, 0.3 + static_cast<double>(k), Point2(-2.0, 5.0));
-  }
-  const auto placed = arrangePieces(elsewhere, 0.05);
-  for (std::size_t k = 0; k < pieces.size(); ++k)
-  {
-    EXPECT_LT(largestDistance(placed[k], reference[k]), 1e-12) << k;
-  }
-}
-
-TEST(PieceArrangement, FillsRowsRatherThanOneLine)
-{
-  const Points2 square{ Point2(0, 0), Point2(1, 0), Point2(1, 1), Point2(0, 1) };
-  const std::vector<ArrangementPiece> pieces(60, { square, {} });
-  Box sheet;
-  for (const Points2& piece : arrangePieces(pieces, 0.1))
-  {
-    sheet.extend(boundsOf(piece));
-  }
-  EXPECT_LT(sheet.sizes().x(), 3.0 * sheet.sizes().y());
-  EXPECT_LT(sheet.sizes().y(), 3.0 * sheet.sizes().x());
-}
-
 TEST(PieceArrangement, CopesWithNothingWithPointsAndWithAGrainOfNoLength)
 {
   EXPECT_TRUE(arrangePieces({}, 0.05).empty());
