@@ -19,17 +19,14 @@ TriangleMesh vase()
   }).mesh;
 }
 
-Point3 onTwoBumps(double x, double y)
-{
-  const double square = (std::abs(x) - 0.5) * (std::abs(x) - 0.5) + (y - 1.3) * (y - 1.3);
-  return { x, y, 0.2 * std::exp(-9.0 * square) };
-}
-
 /// Its own mirror image in x = 0, with a bump on each side.
 TriangleMesh tallBumps()
 {
   return patch(24, 30, [](double i, double j) {
-    return onTwoBumps(i / 12.0 - 1.0, j / 12.0);
+    const double x = i / 12.0 - 1.0;
+    const double y = j / 12.0;
+    const double square = (std::abs(x) - 0.5) * (std::abs(x) - 0.5) + (y - 1.3) * (y - 1.3);
+    return Point3(x, y, 0.2 * std::exp(-9.0 * square));
   }).mesh;
 }
 
@@ -49,27 +46,6 @@ std::vector<SuggestedCurve> linesOfKind(
   }
   return found;
 }
-}
-
-TEST(LineSuggestion, DrawsTheCentreLineInTheMirrorPlaneFromEdgeToEdge)
-{
-  const CurveSuggestions suggestions = suggestLines(tallBumps(), {}, {});
-  ASSERT_TRUE(suggestions.status.ok()) << suggestions.status.message;
-  ASSERT_FALSE(suggestions.curves.empty());
-  const Polyline& line = suggestions.curves[0].curve;
-  EXPECT_EQ(line.name, "centre line 1");
-  EXPECT_EQ(line.type, CurveType::Key);
-  EXPECT_EQ(line.keyShape, KeyShape::Straight);
-  double low = 1.0;
-  double high = 1.0;
-  for (const Point3& p : line.points)
-  {
-    EXPECT_NEAR(p.x(), 0.0, 1e-9);
-    low = std::min(low, p.y());
-    high = std::max(high, p.y());
-  }
-  EXPECT_NEAR(low, 0.0, 1e-9);
-  EXPECT_NEAR(high, 2.5, 1e-9);
 }
 
 TEST(LineSuggestion, LeadsStyleLinesOverTheBumpsOfBothSides)
@@ -104,42 +80,6 @@ TEST(LineSuggestion, MeasuresGirthsWhereTheSurfaceIsNarrowestAndWidest)
   EXPECT_NEAR(heights[1], 2.0, 0.12);
 }
 
-TEST(LineSuggestion, TellsThePriceThatAFlatteningHas)
-{
-  const TriangleMesh mesh = tallBumps();
-  const CurveSuggestions suggestions = suggestLines(mesh, {}, {});
-  std::vector<Polyline> curves;
-  for (const SuggestedCurve& line : suggestions.curves)
-  {
-    curves.push_back(line.curve);
-    const ImprintedSurface surface = imprintCurves(mesh, curves, {});
-    FlatteningOptions options;
-    options.arrange = false;
-    const FlatteningResult flat = flattenSurface(surface.mesh, surface.curves, options, {});
-    ASSERT_EQ(flat.pieces.size(), 1u);
-    EXPECT_NEAR(line.areaErrorAfter, flat.pieces[0].quality.areaError, 1e-9);
-    EXPECT_NEAR(line.strainAfter, flat.pieces[0].quality.strainP95, 1e-9);
-  }
-  ASSERT_FALSE(curves.empty());
-  for (const SuggestedCurve& line : suggestions.leftOut)
-  {
-    EXPECT_TRUE(!line.sound || -line.gain > 0.05 * suggestions.rigidEnergyBefore)
-      << line.curve.name;
-  }
-}
-
-TEST(LineSuggestion, FindsNoGirthAndNoStyleLineOnACylinder)
-{
-  const TriangleMesh mesh = patch(12, 20, [](double i, double j) {
-    return Point3(std::cos(pi * i / 12.0), std::sin(pi * i / 12.0), j / 4.0);
-  }).mesh;
-  const CurveSuggestions suggestions = suggestLines(mesh, {}, {});
-  EXPECT_TRUE(linesOfKind(suggestions, "girth").empty());
-  EXPECT_TRUE(linesOfKind(suggestions, "style line").empty());
-  ASSERT_EQ(suggestions.curves.size(), 1u);
-  EXPECT_LT(suggestions.strainAfter, 1e-9);
-}
-
 TEST(LineSuggestion, DrawsNoLineWhereItsPlaneOnlyGrazesTheSurface)
 {
   // More than half a tube, with a dent where it stands upright, at x = -1.
@@ -164,22 +104,6 @@ TEST(LineSuggestion, DrawsNoLineWhereItsPlaneOnlyGrazesTheSurface)
   }
 }
 
-TEST(LineSuggestion, LeavesAPieceItsOwnKeyCurve)
-{
-  const TriangleMesh mesh = tallBumps();
-  Polyline key;
-  key.type = CurveType::Key;
-  key.name = "mine";
-  for (int j = 8; j < 13; ++j)
-  {
-    key.points.push_back(onTwoBumps(0.25, j / 12.0));
-  }
-  const CurveSuggestions suggestions = suggestLines(mesh, { key }, {});
-  ASSERT_TRUE(suggestions.status.ok()) << suggestions.status.message;
-  EXPECT_TRUE(linesOfKind(suggestions, "centre line").empty());
-  EXPECT_TRUE(linesOfKind(suggestions, "grain line").empty());
-}
-
 TEST(LineSuggestion, IsTheSameForAnyNumberOfThreadsAndEndsWhenItIsCancelled)
 {
   const TriangleMesh mesh = tallBumps();
@@ -189,19 +113,4 @@ TEST(LineSuggestion, IsTheSameForAnyNumberOfThreadsAndEndsWhenItIsCancelled)
   Execution cancelled;
   cancelled.cancel = [] { return true; };
   EXPECT_EQ(suggestLines(mesh, {}, {}, cancelled).status.code, StatusCode::Cancelled);
-}
-
-TEST(LineSuggestion, LeavesOutKeysThatCollapseATriangle)
-{
-  // The line through the middle passes a vertex so near that two edges of a triangle become its.
-  const TriangleMesh mesh = patch(10, 10, [](double i, double j) {
-    return Point3(0.1 * i, 0.15 * j, 0.3 * std::sin(0.3 * i) * std::sin(0.3 * j));
-  }).mesh;
-  const CurveSuggestions suggestions = suggestLines(mesh, {}, {});
-  const FlatteningResult result = flattened(mesh, {}, suggestions);
-  EXPECT_TRUE(result.status.ok()) << result.status.message;
-  for (const TriangleQuality& triangle : result.triangles)
-  {
-    EXPECT_GT(triangle.areaRatio, 0.5);
-  }
 }

@@ -164,6 +164,40 @@ class Suggestions(unittest.TestCase):
         self.assertTrue(seen)
         self.assertGreater(min(seen), 0)
 
+    def test_lines_are_those_that_measure_and_guide_and_cost_little(self):
+        def bumps(x, y):
+            return x, y, 0.2 * np.exp(-9 * ((abs(x) - 0.5)**2 + (y - 1.3)**2))
+
+        points, triangles = grid(24, 30, lambda i, j: bumps(i / 12 - 1, j / 12), other=lambda i, j: (i + j) % 2)
+        found = sf.suggest(points, triangles, cuts="lines")
+        line = found.cuts[0].curve
+        self.assertEqual((line.name, line.type, line.key_shape), ("centre line 1", "key", "straight"))
+        np.testing.assert_allclose(line.points[:, 0], 0, atol=1e-9)
+        np.testing.assert_allclose(np.sort(line.points[[0, -1], 1]), (0, 2.5), atol=1e-9)
+        for k, cut in enumerate(found.cuts, 1):  # at the price that a flattening has
+            piece, = sf.flatten(points, triangles, [cut.curve for cut in found.cuts[:k]]).report["pieces"]
+            self.assertAlmostEqual(cut.E_area_after, piece["E_area"], 9)
+            self.assertAlmostEqual(cut.strain_after, piece["strain_p95"], 9)
+        energy = sf.flatten(points, triangles).report["pieces"][0]["energy_rigid"]
+        for left in found.left_out:
+            self.assertTrue(not left.sound or -left.gain > 0.05 * energy, left)
+        # A piece keeps its own key.
+        mine = sf.Curve([bumps(0.25, j / 12) for j in range(8, 13)], "key", "mine")
+        found = sf.suggest(points, triangles, [mine], cuts="lines")
+        for line in (*(cut.curve for cut in found.cuts), *found.left_out):
+            self.assertNotRegex(line.name, "centre line|grain line")
+
+    def test_no_line_guides_on_a_cylinder_and_none_collapses_a_triangle(self):
+        found = sf.suggest(*grid(12, 20, lambda i, j: (np.cos(np.pi * i / 12), np.sin(np.pi * i / 12), j / 4)), cuts="lines")
+        self.assertEqual((len(found.cuts), found.left_out), (1, []))
+        self.assertNotRegex(found.cuts[0].curve.name, "girth|style line")
+        self.assertLess(found.flattening.report["pieces"][0]["strain_p95"], 1e-9)
+        # The line through the middle passes a vertex so near that two edges of a triangle become its.
+        found = sf.suggest(*grid(10, 10, lambda i, j: (0.1 * i, 0.15 * j, 0.3 * np.sin(0.3 * i) * np.sin(0.3 * j)),
+                                 other=lambda i, j: (i + j) % 2), cuts="lines")
+        self.assertEqual(found.flattening.report["status"], "Ok")
+        self.assertGreater(found.flattening.cell_arrays["AreaRatio"].min(), 0.5)
+
     def test_what_is_wrong_is_raised(self):
         points, triangles = dome()
         for kind, words, options in (
