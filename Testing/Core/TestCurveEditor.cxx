@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Curves drawn on surfaces by commands, and undone; what points snap to; offsets and strokes.
-#include "ClosedMeshes.h"
 #include "DrawnCurves.h"
 #include "Editing/CurveEditor.h"
 #include "Editing/CurveSnapping.h"
@@ -356,47 +355,6 @@ TEST(CurveEditor, NamesAreTakenOnce)
   EXPECT_EQ(editor.describe(1, traits).code, StatusCode::InvalidOption);
 }
 
-TEST(CurveEditor, TwoNodesOnATubeGirthItAndOnASheetAreRefused)
-{
-  // A tube of radius 2 with 40 sides: the girth square to its axis is their sum.
-  const Index sides = 40;
-  CurveEditor tube(
-    std::make_shared<const DrawingSurface>(testmeshes::revolved(sides, 10, 10.0, 2.0)));
-  ASSERT_TRUE(
-    tube.add(through(tube.surface(), { { 2, 0.1, 4.5 }, { -2, 0.1, 4.5 } }, SegmentKind::Section))
-      .ok());
-  ASSERT_TRUE(tube.setClosed(0, true).ok());
-  const double around = 4.0 * sides * std::sin(pi / sides);
-  EXPECT_NEAR(lengthOf(tube.curve(0)), around, 1e-9 * around);
-
-  CurveEditor flat = editorWith(plane(), { { 2, 2, 0 }, { 9, 9, 0 } }, SegmentKind::Section);
-  EXPECT_TRUE(flat.setClosed(0, true).refused());
-  EXPECT_FALSE(flat.curve(0).closed);
-}
-
-TEST(CurveEditor, AClosedCurvePulledTightIsTheShortestRoundThereAndIsUndone)
-{
-  // A tube of 16 sides with a waist at half its height.
-  const Index sides = 16;
-  const auto surface = std::make_shared<const DrawingSurface>(testmeshes::revolved(sides, 8, 2.0,
-    [](double share) { return 1.0 + 0.8 * (2.0 * share - 1.0) * (2.0 * share - 1.0); }));
-  CurveEditor editor(surface);
-  EditedCurve curve =
-    through(*surface, { Point3(1.5, 0.2, 1.7), Point3(-0.9, 1.2, 1.3), Point3(-0.8, -1.1, 1.6) });
-  ASSERT_TRUE(editor.add(curve).ok());
-  EXPECT_EQ(editor.tighten(0).code, StatusCode::InvalidOption); // open
-  ASSERT_TRUE(editor.setClosed(0, true).ok());
-  const CurveSet before = copied(editor.state());
-  const Status status = editor.tighten(0);
-  ASSERT_TRUE(status.ok()) << status.message;
-  EXPECT_NEAR(lengthOf(wholePath(editor.curve(0))), 2.0 * sides * std::sin(pi / sides), 1e-9);
-  EXPECT_TRUE(editor.curve(0).closed);
-  EXPECT_EQ(editor.curve(0).traits.name, before.curves[0]->traits.name);
-  editor.undo();
-  EXPECT_TRUE(identical(editor.state(), before));
-  EXPECT_EQ(editor.tighten(7).code, StatusCode::InvalidOption);
-}
-
 // Only a drag, or a node that was there, brings a curve to the longer side of a hill.
 TEST(CurveNodes, AnEditedCurveStaysOnItsSideOfAHill)
 {
@@ -526,31 +484,6 @@ testmeshes::Surface bulge(double height)
     return height * std::sin(pi * i / 20) * std::sin(pi * j / 20);
   });
 }
-}
-
-TEST(DerivedCurves, AnOffsetIsACurveOfItsOwnThatCanBeUndone)
-{
-  CurveEditor editor(drawing(plane()));
-  EditedCurve hem = through(editor.surface(), { { 0, 8, 0 }, { 20, 8, 0 } });
-  hem.traits.name = "hem";
-  hem.traits.type = CurveType::Key;
-  hem.traits.tolerance = 0.01;
-  ASSERT_TRUE(editor.add(hem).ok());
-  const CurveSet before = editor.state();
-  ASSERT_TRUE(editor.addOffset(0, 2.5).ok());
-  ASSERT_EQ(editor.curveCount(), 2U);
-  const EditedCurve& offset = editor.curve(1);
-  EXPECT_EQ(offset.traits.name, "hem offset");
-  EXPECT_EQ(offset.traits.type, CurveType::Key);
-  EXPECT_EQ(offset.traits.tolerance, 0.01);
-  ASSERT_EQ(offset.nodes.size(), 2U); // a straight line needs no more
-  EXPECT_NEAR(lengthOf(offset), 20.0, 1e-12);
-  EXPECT_LE((offset.nodes[0].position - Point3(0, 10.5, 0)).norm(), 1e-12);
-  editor.undo();
-  EXPECT_TRUE(identical(editor.state(), before));
-  EXPECT_EQ(editor.addOffset(0, 30.0).code, StatusCode::CurveLeavesSurface);
-  EXPECT_EQ(editor.addOffset(7, 1.0).code, StatusCode::InvalidOption);
-  EXPECT_TRUE(identical(editor.state(), before));
 }
 
 TEST(DerivedCurves, AnOffsetHasFewNodesAndKeepsItsDistance)

@@ -211,32 +211,6 @@ TEST(SurfaceHealing, SeparatesWhatStandsOnASurface)
   EXPECT_EQ(surface.originalPoint[surface.vertexOfPoint[Sheet::at(6, 3)]], Sheet::at(6, 3));
 }
 
-TEST(SurfaceHealing, RefusesOrSeparatesWhereItIsNotClearWhatGoesOn)
-{
-  // Three pages of a book.
-  Points3 points{ Point3(0, 0, 0), Point3(0, 1, 0) };
-  Triangles triangles;
-  for (const double angle : { 0.0, 120.0, 240.0 })
-  {
-    const Point3 out(std::cos(angle * degree), 0.0, std::sin(angle * degree));
-    const Index first = static_cast<Index>(points.size());
-    points.push_back(out);
-    points.emplace_back(out + Point3(0, 1, 0));
-    triangles.push_back({ 0, 1, first + 1 });
-    triangles.push_back({ 0, first + 1, first });
-  }
-  const HealedSurface surface = healSurface(points, triangles);
-  EXPECT_EQ(surface.status.code, StatusCode::NonManifoldEdge);
-  EXPECT_EQ(surface.status.ids, (ElementIds{ ElementKind::Cells, Indices{ 0, 2, 4 } }));
-  EXPECT_NE(surface.status.message.find("between points 0 and 1"), std::string::npos);
-  EXPECT_EQ(surface.mesh.triangleCount(), 0);
-  const HealedSurface pages =
-    healSurface(points, triangles, CoincidentPoints::Automatic, Defects::Separate);
-  EXPECT_EQ(defectsOf(pages), DefectMix{ SurfaceDefect::CrowdedEdges });
-  Indices part;
-  EXPECT_EQ(connectedParts(pages.mesh, {}, part), 3);
-}
-
 TEST(SurfaceHealing, SeparatesAnyTriangles)
 {
   std::mt19937 random(7);

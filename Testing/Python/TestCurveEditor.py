@@ -131,7 +131,7 @@ class Editor(command.CommandTest):
                            (lambda: editor.SetMirrorPlane((0, 0, 0), (0, 0, 0)), "normal"),
                            (lambda: editor.AddMirrorImage(0), "mirror plane"),
                            (lambda: editor.AddOffset(1, 0.0), "not 0"), (lambda: editor.AddOffset(1, 1e6), "1e+06"),
-                           (lambda: editor.AddOffset(1, math.nan), "finite"),
+                           (lambda: editor.AddOffset(1, math.nan), "finite"), (lambda: editor.TightenCurve(1), "closed"),
                            (lambda: editor.AddStroke(vtk_points([]), 0.05), ""),
                            (lambda: editor.AddStroke(stroke, 0.0), ""), (lambda: editor.AddStroke(stroke, math.nan), "")):
             before = editor.GetMTime()
@@ -147,6 +147,7 @@ class Editor(command.CommandTest):
         self.assertTrue(editor.AddOffset(1, -1.5), editor.GetMessage())
         curve, place = editor.GetNumberOfCurves() - 1, [0.0] * 3
         self.assertEqual(editor.GetCurveType(curve), editor.GetCurveType(1))
+        self.assertEqual(editor.GetCurveName(curve), editor.GetCurveName(1) + " offset")
         editor.GetNode(curve, 0, place)
         self.assertAlmostEqual(editor.GetDistance(1, place), -1.5, delta=0.005)
         stroke = vtk_points(np.array(self.surface.GetPoint(30)) + (x, 0.5 * math.sin(x), 0.0) for x in np.linspace(0, 3, 101))
