@@ -155,44 +155,6 @@ void normalsDoNotFollowIntoThePlane(Checks& check)
   check.that(!filter->GetOutput()->GetCellData()->GetNormals(), "no normals of cells in the plane");
   check.that(filter->GetOutput(2)->GetPointData()->GetNormals(), "normals stay on the surface");
 }
-
-void aRunThatDoesNotConvergeIsMarked(Checks& check)
-{
-  const auto surface = makeQuarterSphere();
-  vtkNew<vtkWireWarpingFilter> filter;
-  const Messages messages(filter);
-  filter->SetInputData(surface);
-  filter->SetCurvesData(makeQuarterSphereArc(surface));
-  filter->SetSolverToSequential();
-  filter->SetMaximumIterations(2);
-  filter->Update();
-  check.equal(filter->GetStatusCode(), static_cast<int>(vtkWireWarpingFilter::NOT_CONVERGED),
-    "status after two iterations");
-  check.that(!filter->IsRefused(), "it is no refusal");
-  check.equal(messages.errors.size(), std::size_t{ 0 }, "errors");
-  check.equal(messages.warnings.size(), std::size_t{ 1 }, "warnings");
-  check.equal(filter->GetOutput(0)->GetNumberOfPolys(), 56, "flat triangles");
-  check.equal(filter->GetOutput(2)->GetNumberOfPolys(), 56, "triangles in space");
-  check.that(filter->GetOutput(1)->GetNumberOfLines() > 0, "there are wires");
-  check.equal(text(filter->GetPieces(), "Status"), "NotConverged", "Status of the piece");
-  check.equal(text(filter->GetOutput(), "RunStatus"), "NotConverged", "RunStatus");
-  check.contains(text(filter->GetPieces(), "StatusMessage"), "2 iterations", "StatusMessage");
-}
-
-/// A value per point beside those of the input, which stays as it is.
-void developabilityIsAnArrayOfPoints(Checks& check)
-{
-  const vtkSmartPointer<vtkPolyData> surface = makeQuarterSphere();
-  const auto carried = filled<vtkDoubleArray>("Carried", 1, surface->GetNumberOfPoints(), 7.0);
-  surface->GetPointData()->AddArray(carried);
-  const auto filter = updated<vtkSurfaceDevelopability>(surface);
-  vtkPointData* const points = filter->GetOutput()->GetPointData();
-  check.that(points->GetArray("Carried") == carried, "point data of the input is carried along");
-  check.equal(points->GetArray("Developability")->GetNumberOfTuples(), surface->GetNumberOfPoints(),
-    "values");
-  check.that(points->GetArray("Developability")->GetRange()[1] > 0.0, "a sphere is curved");
-  check.that(!surface->GetPointData()->HasArray("Developability"), "the input stays as it is");
-}
 }
 
 int TestFilterManners(int, char*[])
@@ -204,7 +166,5 @@ int TestFilterManners(int, char*[])
   anAbortedRunIsDoneAgain<vtkWireWarpingFilter>(check);
   anAbortedRunIsDoneAgain<vtkLeastSquaresConformalFilter>(check);
   normalsDoNotFollowIntoThePlane(check);
-  aRunThatDoesNotConvergeIsMarked(check);
-  developabilityIsAnArrayOfPoints(check);
   return check.result();
 }

@@ -100,6 +100,7 @@ void theRestIsFlattened(Checks& checks)
   filter->Update();
   vtkPolyData* flat = filter->GetOutput();
   checks.equal(std::string(filter->GetStatusName()), std::string("Overlap"), "the stairs' status");
+  checks.equal(text(flat, "RunStatus"), std::string("Overlap"), "RunStatus");
   checks.that(filter->GetStatusIds()->GetNumberOfValues() > 0, "the stairs' triangles are named");
   for (vtkIdType k = 0; k < filter->GetStatusIds()->GetNumberOfValues(); ++k)
   {

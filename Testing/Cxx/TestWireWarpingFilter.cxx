@@ -99,35 +99,6 @@ void outputsAreAsDocumented(Checks& check)
   check.that(filter->GetAngleIterations()->GetNumberOfRows() > 0, "there are iterations");
   check.that(filter->GetSeconds()[3] > 0.0, "the time is measured");
 
-  // 16 boundary edges of 22.5 degrees on great circles, and the arc of 4.
-  const double edge = 2.0 * std::sin(vtkMath::Pi() / 16.0);
-  double boundary = 0.0;
-  double arc = 0.0;
-  for (vtkIdType w = 0; w < wires->GetNumberOfLines(); ++w)
-  {
-    const auto value = [wires, w](const char* name) { return cellValue(wires, name, w); };
-    const bool isBoundary = value("Boundary") == 1.0;
-    (isBoundary ? boundary : arc) += value("RestLength");
-    check.near(value("FlatLength"), value("RestLength"), 1e-10, "length of a wire");
-    check.near(value("LengthError"), 0.0, 1e-10, "length error of a wire");
-    check.equal(value("CurveType"), isBoundary ? -1.0 : 0.0, "CurveType of a wire");
-    check.equal(value("CurveId"), isBoundary ? -1.0 : 0.0, "CurveId of a wire");
-  }
-  check.near(boundary, 16 * edge, 1e-12, "length of the boundary");
-  check.near(arc, 4 * edge, 1e-12, "length of the arc");
-  check.equal(text(filter->GetCurves(), "Name"), "curve 0", "default name of a curve");
-  check.near(number(filter->GetCurves(), "RestLength"), 4 * edge, 1e-12, "length of the curve");
-  check.near(
-    number(filter->GetCurves(), "FlatLength"), 4 * edge, 1e-10, "flat length of the curve");
-
-  // The cut surface carries the flat positions.
-  vtkDataArray* coordinates = cut->GetPointData()->GetTCoords();
-  check.that(coordinates != nullptr, "the cut surface has texture coordinates");
-  for (vtkIdType p = 0; coordinates && p < flat->GetNumberOfPoints(); ++p)
-  {
-    check.equal(coordinates->GetComponent(p, 0), flat->GetPoint(p)[0], "u");
-    check.equal(coordinates->GetComponent(p, 1), flat->GetPoint(p)[1], "v");
-  }
   check.that(!flat->GetCellData()->HasArray("WarpingOrder"), "GLOBAL has no warping order");
   filter->SetSchemeToProgressive();
   filter->Update();

@@ -210,13 +210,6 @@ TEST(PdfPages, APieceThatFitsAPageIsNotSplit)
   }
 }
 
-TEST(PdfPages, SmallPiecesShareAPage)
-{
-  const PagePlan plan = planOf(
-    patternOf({ { 70.0, 60.0 }, { 70.0, 60.0 }, { 60.0, 50.0 }, { 60.0, 50.0 } }), PaperSize::A4);
-  EXPECT_EQ(plan.pages.size(), 1U);
-}
-
 TEST(PdfPages, TextsAreWholeOnAPageAndStayInTheirPiece)
 {
   // Larger than any page, with pages left out in its middle.
