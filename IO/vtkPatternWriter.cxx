@@ -298,12 +298,7 @@ void vtkPatternWriter::WriteData()
         { flattening::Remedy::NameAnotherFile } });
     return;
   }
-  struct Ending
-  {
-    Status status;
-  };
-  const Status status =
-    flattening::withinMemory([&] { return Ending{ this->WritePattern(format) }; }).status;
+  const Status status = flattening::withinMemory([&] { return this->WritePattern(format); });
   if (!status.ok())
   {
     this->Refuse(status.code == StatusCode::FileNotWritten ? vtkErrorCode::CannotOpenFileError

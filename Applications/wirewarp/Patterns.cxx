@@ -225,13 +225,9 @@ std::vector<std::string> addPatterns(const Options& options, Flattening& result,
     pattern::Pattern drawing;
     const std::string problem =
       files.add(std::filesystem::u8path(file.path), [&](const std::string& path) {
-        struct Ending
-        {
-          Status status;
-        };
         const Status status = read.ok() ? flattening::withinMemory([&] {
-          return Ending{ pattern::writePattern(path, source, drawn, drawing) };
-        }).status
+          return pattern::writePattern(path, source, drawn, drawing);
+        })
                                         : read;
         return status.ok() ? std::string() : refusalOf(status, path);
       });

@@ -8,6 +8,8 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 namespace flattening
 {
@@ -50,30 +52,40 @@ Status outOfMemory(std::size_t bytes);
 /// The same where no thread could be started. \param reason as the system has it
 Status outOfThreads(const std::string& reason);
 
-/// The result of body(), or one with the status OutOfMemory alone.
+/// The result of body(), or one with the status OutOfMemory alone; it may be a status itself.
 template <typename Body>
 auto withinMemory(const Body& body) -> decltype(body())
 {
   decltype(body()) failed;
+  const auto fail = [&failed](Status status) {
+    if constexpr (std::is_same_v<decltype(body()), Status>)
+    {
+      failed = std::move(status);
+    }
+    else
+    {
+      failed.status = std::move(status);
+    }
+  };
   try
   {
     return body();
   }
   catch (const OutOfMemory& error)
   {
-    failed.status = outOfMemory(error.bytes());
+    fail(outOfMemory(error.bytes()));
   }
   catch (const SystemLimit& error)
   {
-    failed.status = outOfThreads(error.what());
+    fail(outOfThreads(error.what()));
   }
   catch (const std::bad_alloc&)
   {
-    failed.status = outOfMemory(0);
+    fail(outOfMemory(0));
   }
   catch (const std::length_error&) // more than a std::vector can ever hold
   {
-    failed.status = outOfMemory(0);
+    fail(outOfMemory(0));
   }
   return failed;
 }

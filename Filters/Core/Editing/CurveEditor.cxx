@@ -208,15 +208,7 @@ inline Status refusal(const std::string& defect)
 template <typename Command>
 Status guarded(const Status& check, const Command& command)
 {
-  if (!check.ok())
-  {
-    return check;
-  }
-  struct Outcome
-  {
-    Status status;
-  };
-  return withinMemory([&command] { return Outcome{ command() }; }).status;
+  return check.ok() ? withinMemory([&command] { return Status(command()); }) : check;
 }
 
 Status checkTraits(const CurveTraits& traits)
