@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGarmentCodeReader.h"
 
-#include "Base/Memory.h"
 #include "Formats/GarmentCodeFile.h"
-#include "Formats/GarmentPieces.h"
 #include "Input/StatusWords.h"
-#include "Outlines/PatternSource.h"
 #include "PolyDataSets.h"
 
 #include "vtkErrorCode.h"
@@ -53,34 +50,20 @@ int vtkGarmentCodeReader::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   using namespace flattening;
-  struct Pieces
-  {
-    Status status;
-    pattern::PatternSource source;
-  };
-  const Pieces pieces = withinMemory([this] {
-    Pieces made;
-    pattern::Garment garment;
-    made.status = this->FileName && *this->FileName
-      ? pattern::readGarmentCode(this->FileName, garment)
-      : Status{ StatusCode::InvalidPattern, "there is no file name", {},
-          { { Remedy::Give, "FileName" } } };
-    if (made.status.ok())
-    {
-      made.status = pattern::makePieces(garment, made.source);
-    }
-    return made;
-  });
-  this->StatusName = statusName(pieces.status.code);
-  this->ErrorMessage = flattening::inWords(pieces.status);
-  if (!pieces.status.ok())
+  pattern::GarmentData data;
+  const Status status = this->FileName && *this->FileName
+    ? pattern::readGarmentCode(this->FileName, data)
+    : Status{ StatusCode::InvalidPattern, "there is no file name", {},
+        { { Remedy::Give, "FileName" } } };
+  this->StatusName = statusName(status.code);
+  this->ErrorMessage = flattening::inWords(status);
+  if (!status.ok())
   {
     vtkErrorMacro(<< this->ErrorMessage);
     this->SetErrorCode(vtkErrorCode::FileFormatError);
     return 0; // the pipeline empties the outputs
   }
   this->SetErrorCode(vtkErrorCode::NoError);
-  const pattern::GarmentData data = pattern::garmentData(pieces.source);
   const std::array<const DataSet*, 3> parts{ &data.flat, &data.wires, &data.cut };
   for (int port = 0; port < 3; ++port)
   {

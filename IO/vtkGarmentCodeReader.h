@@ -11,9 +11,8 @@
  *
  * Curved edges become chords within 0.02 mm. Edges under one label that are sewn together are one
  * seam, or a dart where both sides meet in a point; other edges with a label are accessory curves
- * of that name. The field data of output 1 (`PanelNames` and others, Documentation/outputs.md)
- * holds what else the file says: vtkPatternWriter writes it again, but for the parameters of the
- * design.
+ * of that name. The field data of output 1 holds panels and stitches as JSON in centimetres
+ * (`GarmentCode`): vtkPatternWriter writes them again, but for the parameters of the design.
  *
  * **Errors**: one vtkErrorMacro names panel, edge, and remedy; GetErrorMessage() and GetErrorCode()
  * repeat it, RequestData() returns 0 and the outputs are empty.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/GarmentCodeFile.h"
 
-#include "Formats/PanelArrays.h"
+#include "Base/Memory.h"
+#include "Formats/GarmentPieces.h"
 #include "Outlines/Outline.h"
 #include "Outlines/PlaneGeometry.h"
 
@@ -31,16 +32,15 @@ Status invalid(const std::string& message)
 }
 
 #ifndef FLATTENING_WITH_JSON
-Status readGarmentCode(const std::string& path, Garment& garment)
+Status parseGarmentCode(const std::string&, Garment& garment)
 {
   garment = Garment();
-  return invalid(path + " cannot be read: the library was built without nlohmann-json");
+  return invalid("it cannot be read: the library was built without nlohmann-json");
 }
 #else
 namespace
 {
 using Json = nlohmann::ordered_json;
-constexpr std::uintmax_t largestFile = 100'000'000;
 
 /// What is wrong with a document.
 struct GarmentDefect
@@ -282,21 +282,10 @@ private:
 };
 }
 
-Status readGarmentCode(const std::string& path, Garment& garment)
+Status parseGarmentCode(const std::string& text, Garment& garment)
 {
-  garment = Garment();
-  std::error_code failed;
-  if (!std::filesystem::is_regular_file(std::filesystem::u8path(path), failed))
-  {
-    return invalid("there is no file " + path);
-  }
-  if (std::filesystem::file_size(std::filesystem::u8path(path), failed) > largestFile || failed)
-  {
-    return invalid(path + " has more than 100 MB");
-  }
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
   Status status;
+  garment = Garment();
   try
   {
     const JsonFault fault =
@@ -307,17 +296,32 @@ Status readGarmentCode(const std::string& path, Garment& garment)
   {
     status = invalid(defect.text);
   }
-  if (!status.ok())
-  {
-    status.message = path + ": " + status.message;
-    garment = Garment();
-  }
+  garment = status.ok() ? garment : Garment();
   return status;
 }
 #endif
 
 namespace
 {
+Status readFile(const std::string& path, Garment& garment)
+{
+  constexpr std::uintmax_t largestFile = 100'000'000;
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(std::filesystem::u8path(path), failed))
+  {
+    return invalid("there is no file " + path);
+  }
+  if (std::filesystem::file_size(std::filesystem::u8path(path), failed) > largestFile || failed)
+  {
+    return invalid(path + " has more than 100 MB");
+  }
+  std::ifstream file(path, std::ios::binary);
+  Status status = parseGarmentCode(
+    { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() }, garment);
+  status.message = status.ok() ? "" : path + ": " + status.message;
+  return status;
+}
+
 /// The largest relative error of an edge's length.
 double lengthError(const PatternSource& source, const SourceWire& wire)
 {
@@ -377,7 +381,6 @@ Columns wireArrays(const PatternSource& source)
     [&source](const SourceWire& wire) { return polylineLength(positionsOf(source, wire.points)); });
   return cells;
 }
-}
 
 GarmentData garmentData(const PatternSource& source)
 {
@@ -408,7 +411,21 @@ GarmentData garmentData(const PatternSource& source)
     data.wires.lines.add(wire.points);
   }
   data.wires.cellArrays = wireArrays(source);
-  writePanels(source, data.wires.fieldArrays);
+  setColumn(data.wires.fieldArrays,
+    { "GarmentCode", std::vector<std::string>{ writeGarment(source.garment) } });
   return data;
+}
+}
+
+Status readGarmentCode(const std::string& path, GarmentData& data)
+{
+  return withinMemory([&] {
+    Garment garment;
+    PatternSource source;
+    Status status = readFile(path, garment);
+    status = status.ok() ? makePieces(garment, source) : status;
+    data = status.ok() ? garmentData(source) : GarmentData();
+    return status;
+  });
 }
 }

@@ -3,17 +3,9 @@
 
 #include "Formats/Garment.h"
 #include "Input/DataSet.h"
-#include "Outlines/PatternSource.h"
 
 namespace flattening::pattern
 {
-/// Reads a file of GarmentCode: numbers in the unit that it states, brought to centimetres; edges
-/// straight, quadratic, cubic or arcs of circles, also in the older form with one control point;
-/// control points in the frame of their chord, or in that of the panel where the file says so. What
-/// it does not know (parameters of a design) is passed over.
-/// \return InvalidPattern with what is wrong where; NothingToDraw without a panel
-Status readGarmentCode(const std::string& path, Garment& garment);
-
 /// Pieces as vtkGarmentCodeReader documents them, so that readPattern() reads them.
 struct GarmentData
 {
@@ -21,5 +13,13 @@ struct GarmentData
   DataSet wires; ///< over the points of `flat`
   DataSet cut;
 };
-GarmentData garmentData(const PatternSource& source);
+
+/// Reads a file of GarmentCode: numbers in the unit that it states, brought to centimetres; edges
+/// straight, quadratic, cubic or arcs of circles, also in the older form with one control point;
+/// control points in the frame of their chord, or in that of the panel where the file says so. What
+/// it does not know (parameters of a design) is passed over.
+/// \return InvalidPattern with what is wrong where; NothingToDraw without a panel; OutOfMemory
+Status readGarmentCode(const std::string& path, GarmentData& data);
+/// The panels of the text of such a file.
+Status parseGarmentCode(const std::string& text, Garment& garment);
 }

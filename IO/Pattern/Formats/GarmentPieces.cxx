@@ -177,7 +177,7 @@ private:
     {
       used.insert(edge.ends[0]);
     }
-    Indices& vertex = this->Source.panelPoints.emplace_back(panel.vertices.size(), none);
+    Indices vertex(panel.vertices.size(), none);
     for (const std::size_t v : used)
     {
       vertex[v] = this->addPoint(panel, panel.vertices[v]);

@@ -2,7 +2,7 @@
 #include "Formats/PatternData.h"
 
 #include "Formats/FileAside.h"
-#include "Formats/PanelArrays.h"
+#include "Formats/GarmentCodeFile.h"
 #include "Outlines/Outline.h"
 
 #include <Eigen/Geometry>
@@ -227,6 +227,25 @@ Status readSewnEdges(const DataSet& flat, PatternSource& source)
   return {};
 }
 
+/// The panels that the pieces were; none where their text is not there.
+Status readPanels(const DataSet& wires, PatternSource& source)
+{
+  const Column* const text = arrayIn(wires.fieldArrays, "GarmentCode", true);
+  if (!text || text->rows() == 0)
+  {
+    return {};
+  }
+  Status status = parseGarmentCode(text->text(0), source.garment);
+  const std::size_t panels = source.garment.panels.size();
+  if (status.ok() && panels != pieceCount(source))
+  {
+    status = invalidPieces("there are " + std::to_string(panels));
+  }
+  return status.ok()
+    ? status
+    : invalidPieces("the panels of the wires do not fit the pieces: " + status.message);
+}
+
 Status readCutSurface(const DataSet& cut, PatternSource& source)
 {
   if (cut.points->size() != source.positions.size())
@@ -275,7 +294,7 @@ Status readPattern(
   if (status.ok() && wires)
   {
     status = readWires(*wires, source);
-    status = status.ok() ? readPanels(wires->fieldArrays, source) : status;
+    status = status.ok() ? readPanels(*wires, source) : status;
   }
   if (status.ok())
   {

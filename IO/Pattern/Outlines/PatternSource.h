@@ -107,7 +107,6 @@ struct PatternSource
   std::vector<SewnEdges> sewn;
   Indices gradePoints; ///< with the rules 1, 2, ... of a grading, or none
   Garment garment;     ///< whose panels the pieces are; without panels where they are no such
-  std::vector<Indices> panelPoints; ///< the points at the vertices of its panels, or none
   /// By piece, of what was flattened; empty where there is none.
   std::vector<std::string> pieceNames;
   bool onCloth = false; ///< the pieces lie on their cloth, its warp along y

@@ -8,7 +8,6 @@
 #include "Base/Memory.h"
 #include "FaceSeams.h"
 #include "Formats/GarmentCodeFile.h"
-#include "Formats/GarmentPieces.h"
 #include "Formats/PatternData.h"
 #include "Formats/PatternOptionTable.h"
 #include "Grading/SizeGrading.h"
@@ -129,17 +128,6 @@ pattern::FileOptions fileOptionsOf(const py::dict& given)
   return file;
 }
 
-/// Runs a job that gives a status; memory that runs out is one.
-template <class Job>
-Status statusOf(const Job& job)
-{
-  struct Ending
-  {
-    Status status;
-  };
-  return withinMemory([&job] { return Ending{ job() }; }).status;
-}
-
 py::tuple writePattern(const py::dict& flat, const py::object& wires, const py::object& cut,
   const std::string& path, const py::dict& options, const pattern::Grading* sizes)
 {
@@ -155,7 +143,7 @@ py::tuple writePattern(const py::dict& flat, const py::object& wires, const py::
   pattern::Pattern drawing;
   {
     const py::gil_scoped_release free;
-    status = statusOf([&] {
+    status = withinMemory([&] {
       pattern::PatternSource source;
       Status read = pattern::readPattern(
         pieces, lines ? &*lines : nullptr, surface ? &*surface : nullptr, source);
@@ -190,7 +178,7 @@ py::tuple grade(const py::list& given, const std::string& base, int unit, const 
   auto grading = std::make_unique<pattern::Grading>();
   if (status.ok())
   {
-    status = statusOf([&] {
+    status = withinMemory([&] {
       return pattern::gradeSizes(sizes, { static_cast<Unit>(unit), base, at }, *grading);
     });
   }
@@ -222,14 +210,7 @@ py::tuple grade(const py::list& given, const std::string& base, int unit, const 
 py::tuple readGarment(const std::string& path)
 {
   pattern::GarmentData data;
-  const Status status = statusOf([&] {
-    pattern::Garment garment;
-    Status read = pattern::readGarmentCode(path, garment);
-    pattern::PatternSource source;
-    read = read.ok() ? pattern::makePieces(garment, source) : read;
-    data = read.ok() ? pattern::garmentData(source) : pattern::GarmentData();
-    return read;
-  });
+  const Status status = pattern::readGarmentCode(path, data);
   return py::make_tuple(tupleOf(status), dictOf(std::move(data.flat)),
     dictOf(std::move(data.wires)), dictOf(std::move(data.cut)));
 }

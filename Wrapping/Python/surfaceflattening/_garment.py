@@ -3,6 +3,7 @@
 
 from __future__ import annotations  # help() prints hints as they are written here
 
+import json
 import os
 from dataclasses import dataclass
 from typing import Any, List, Literal, Tuple, Union, get_args
@@ -15,14 +16,12 @@ from ._equality import ComparedByValue
 from ._errors import ArgumentTypeError
 from ._options import text_of, word_of
 from ._pattern import write_parts
-from ._pieces import Data, Pieces
-from ._report import raise_failure, values_in
+from ._pieces import Pieces
+from ._report import raise_failure
 from ._result import Wire, wires_of
 from ._types import Part
 
 EdgeShape = Literal["straight", "quadratic", "cubic", "circle"]
-_SHAPES: Tuple[EdgeShape, ...] = ("straight", "quadratic", "cubic", "circle")
-_PARAMETERS = (0, 2, 4, 3)
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,23 +130,11 @@ def _triple(values: Any) -> Tuple[float, float, float]:
     return (float(values[0]), float(values[1]), float(values[2]))
 
 
-def _panels(field: Data, positions: NDArray[np.float64]) -> Tuple[List[Panel], List[Tuple[int, int]]]:
-    labels, placements = values_in(field, "PanelLabels"), values_in(field, "PanelPlacements")
-    rows = values_in(field, "PanelEdges")
-    points = [sorted({end for piece, *ends, _ in rows if piece == panel for end in ends})
-              for panel in range(len(labels))]
-    panels = [
-        Panel(name, labels[panel], np.array(positions[points[panel]]), [], _triple(placements[panel][:3]),
-              _triple(placements[panel][3:]))
-        for panel, name in enumerate(values_in(field, "PanelNames"))]
-    numbers = []
-    for (piece, first, last, shape), parameters, label in zip(
-            rows, values_in(field, "PanelEdgeParameters"), values_in(field, "PanelEdgeLabels")):
-        ends = (points[piece].index(first), points[piece].index(last))
-        numbers.append((piece, len(panels[piece].edges)))
-        panels[piece].edges.append(
-            PanelEdge(ends, _SHAPES[shape], tuple(parameters[:_PARAMETERS[shape]]), label))
-    return panels, numbers
+def _edge(edge: Any) -> PanelEdge:
+    curvature = edge.get("curvature", {"type": "straight", "params": []})
+    start, end = edge["endpoints"]
+    return PanelEdge((start, end), curvature["type"],
+                     tuple(np.ravel(curvature["params"]).astype(float).tolist()), edge.get("label", ""))
 
 
 def read_garmentcode(path: Union[str, os.PathLike[str]]) -> GarmentPattern:
@@ -172,9 +159,15 @@ def read_garmentcode(path: Union[str, os.PathLike[str]]) -> GarmentPattern:
     for data in (flat, wires, cut):
         data["field_arrays"]["LengthUnit"] = ["cm"]
     positions = np.ascontiguousarray(flat["points"][:, :2])
-    panels, numbers = _panels(wires["field_arrays"], positions)
-    stitches = [Stitch(numbers[a], numbers[b], bool(right_to_wrong))
-                for a, b, right_to_wrong in values_in(wires["field_arrays"], "PanelStitches")]
+    pattern = json.loads(wires["field_arrays"]["GarmentCode"][0])["pattern"]
+    panels = [Panel(panel_name, panel.get("label", ""), np.array(panel["vertices"]),
+                    [_edge(edge) for edge in panel["edges"]], _triple(panel["translation"]), _triple(panel["rotation"]))
+              for panel_name, panel in pattern["panels"].items()]
+    numbers = {panel.name: number for number, panel in enumerate(panels)}
+    stitches = []
+    for stitch in pattern["stitches"]:
+        first, second = ((numbers[side["panel"]], side["edge"]) for side in stitch[:2])
+        stitches.append(Stitch(first, second, len(stitch) > 2))
     return GarmentPattern(
         panels, stitches, positions, flat["corners"].reshape(-1, 3), flat["cell_arrays"]["PieceId"], cut["points"],
         wires_of(wires["cell_arrays"], wires["lines"]), flat["field_arrays"].get("SeamPairs", np.empty((0, 5), np.int64)),
