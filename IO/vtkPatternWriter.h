@@ -101,7 +101,7 @@ public:
    * - **PDF**: 1:1 on pages of the chosen Paper with a margin of 10 mm, overlapping, with crosses
    *   to join them at, row and column on each page, a map, and a test rectangle of 100 mm x 50
    *   mm; as few pages as the two ways to hold the paper allow. Roles, texts, and what is of the
-   *   pages are layers, unless the library was made without qpdf.
+   *   pages are layers.
    * - **DXF**: R12 ASCII after ASTM D6673 / AAMA: one BLOCK and INSERT a piece, which bears its
    *   name; layers 1 boundary and system texts, 2 turn points, 3 curve points, 4 notches, 6 the
    *   fold of half pieces, 7 grainline, 8 internal lines, 11 cutouts, 13 drill holes, 14 sew

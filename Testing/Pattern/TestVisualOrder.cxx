@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/PdfWriter.h"
+#include "Formats/PatternWriters.h"
 
 #include <gtest/gtest.h>
 

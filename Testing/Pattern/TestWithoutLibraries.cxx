@@ -2,8 +2,7 @@
 // A build without cairo, FriBidi, qpdf and Clipper says so where they are asked for, and does the
 // rest.
 #include "Drawing/SeamAllowance.h"
-#include "Formats/PdfLayers.h"
-#include "Formats/PdfWriter.h"
+#include "Formats/PatternWriters.h"
 #include "Nesting/FabricLay.h"
 
 #include <gtest/gtest.h>
@@ -16,18 +15,9 @@ TEST(WithoutLibraries, PdfIsRefusedByName)
   std::string pdf;
   const Status status = makePdf({}, {}, pdf);
   EXPECT_FALSE(status.ok());
-  EXPECT_NE(status.message.find("cairo or FriBidi"), std::string::npos) << status.message;
+  EXPECT_NE(status.message.find("cairo, FriBidi or qpdf"), std::string::npos) << status.message;
   ASSERT_EQ(status.remedies.size(), 1u);
   EXPECT_EQ(status.remedies[0].remedy, Remedy::WriteOtherFormat);
-  EXPECT_TRUE(pdf.empty());
-}
-
-TEST(WithoutLibraries, NoLayersOfPdfArePromised)
-{
-  EXPECT_FALSE(hasPdfLayers());
-  std::string pdf;
-  const Status status = joinPdfLayers({ { "cut line", "%PDF-1.5" } }, 1, pdf);
-  EXPECT_NE(status.message.find("qpdf"), std::string::npos) << status.message;
   EXPECT_TRUE(pdf.empty());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/DxfWriter.h"
+#include "Formats/PatternWriters.h"
 
 #include "Formats/ArcPolyline.h"
 #include "Formats/SheetLayout.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/GarmentCode.h"
+#include "Formats/PatternWriters.h"
 
 #include "Fairing/FairBorders.h"
 #include "Formats/Garment.h"

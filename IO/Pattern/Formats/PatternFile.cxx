@@ -3,13 +3,9 @@
 
 #include "Drawing/PatternBuilder.h"
 #include "Drawing/SeamWalk.h"
-#include "Formats/DxfWriter.h"
-#include "Formats/GarmentCode.h"
-#include "Formats/HpglWriter.h"
 #include "Formats/PageDrawing.h"
 #include "Formats/PatternOptionTable.h"
-#include "Formats/PdfWriter.h"
-#include "Formats/SvgWriter.h"
+#include "Formats/PatternWriters.h"
 #include "Grading/GradeFiles.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/SvgWriter.h"
+#include "Formats/PatternWriters.h"
 
 #include "Drawing/PatternStrokes.h"
 #include "Formats/ArcPolyline.h"
