@@ -188,12 +188,8 @@ DataSet sideSeams(const DataSet& surface)
   for (const flattening::PlaneSection& section : flattening::planeSections(
          prepared.mesh, boxOf(listTriangles(surface)).center(), flattening::frontOf(prepared.mesh)))
   {
-    Points3 points;
-    for (const flattening::SurfacePoint& point : section.path.points)
-    {
-      points.push_back(point.position);
-    }
-    curves.add(points, places, { *curveKindOf("seam"), "side" });
+    curves.add(
+      flattening::positionsOf(section.path.points), places, { *curveKindOf("seam"), "side" });
   }
   if (places.empty())
   {

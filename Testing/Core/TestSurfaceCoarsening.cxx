@@ -128,7 +128,7 @@ TEST(SurfaceCoarsening, CutsThatRunAlongEachOtherPartTheSurfaceAsBefore)
   double length = 0.0;
   for (const SuggestedCurve& cut : cuts)
   {
-    length += lengthOf(cut.curve.points);
+    length += polylineLength(cut.curve.points);
   }
   EXPECT_NEAR(length, 3.0 + std::sqrt(2.0), 1e-9);
   const ImprintedSurface surface = imprintCurves(mesh, linesOf(cuts), {});

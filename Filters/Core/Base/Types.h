@@ -102,6 +102,18 @@ double fractionAlong(const Point& a, const Point& b, const Point& other)
   return square > 0.0 ? std::clamp(way.dot(other - a) / square, 0.0, 1.0) : 0.0;
 }
 
+/// The length of an open polyline.
+template <typename Point>
+double polylineLength(const std::vector<Point>& line)
+{
+  double length = 0.0;
+  for (std::size_t k = 1; k < line.size(); ++k)
+  {
+    length += (line[k] - line[k - 1]).norm();
+  }
+  return length;
+}
+
 /// How far a point of a polyline lies from the segment that joins its ends, at most.
 inline double farthestFromChord(const Points2& line)
 {

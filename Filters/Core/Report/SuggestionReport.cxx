@@ -18,7 +18,7 @@ std::vector<SuggestedCurve> suggestionRows(
   for (const Polyline& curve : curves)
   {
     rows.emplace_back().curve = curve;
-    rows.back().length = lengthOf(curve.points);
+    rows.back().length = polylineLength(curve.points);
   }
   rows.insert(rows.end(), suggestions.curves.begin(), suggestions.curves.end());
   return rows;

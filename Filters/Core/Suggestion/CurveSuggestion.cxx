@@ -660,7 +660,7 @@ private:
           for (std::size_t k = first; k < cuts.size(); ++k)
           {
             cuts[k].curve.points = drawing.moved(cuts[k].curve.points);
-            cuts[k].length = lengthOf(cuts[k].curve.points);
+            cuts[k].length = polylineLength(cuts[k].curve.points);
           }
         }
       }

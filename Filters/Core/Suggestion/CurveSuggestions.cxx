@@ -158,7 +158,7 @@ void pairTypes(std::vector<SuggestedCurve>& cuts)
 SuggestedCurve proposedCut(Points3 points, CurveType type, Index mirrorOf)
 {
   SuggestedCurve cut;
-  cut.length = lengthOf(points);
+  cut.length = polylineLength(points);
   cut.curve.type = type;
   cut.curve.points = std::move(points);
   cut.mirrorOf = mirrorOf;

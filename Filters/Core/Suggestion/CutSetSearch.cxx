@@ -61,8 +61,8 @@ std::vector<Polyline> settledCuts(const CutTrials& trials, const std::vector<Pol
   {
     // Where the mirror is not exact, sewing is easier by a dart that stops short than by a pair
     // that differs.
-    const double first = lengthOf(settled[0].points);
-    const double second = lengthOf(settled[1].points);
+    const double first = polylineLength(settled[0].points);
+    const double second = polylineLength(settled[1].points);
     Points3& longer = settled[first > second ? 0 : 1].points;
     longer = shortened(longer, std::min(first, second));
   }

@@ -182,16 +182,6 @@ std::vector<FlatCorners> cornersOf(const FlatteningResult& flat)
   return corners;
 }
 
-double lengthOf(const Points3& line)
-{
-  double length = 0.0;
-  for (std::size_t k = 1; k < line.size(); ++k)
-  {
-    length += (line[k] - line[k - 1]).norm();
-  }
-  return length;
-}
-
 std::vector<Polyline> withLines(std::vector<Polyline> lines, const std::vector<Polyline>& more)
 {
   lines.insert(lines.end(), more.begin(), more.end());
@@ -343,7 +333,7 @@ TrialOutcome CutTrials::measured(
   outcome.severity = severity(flat.status.code);
   for (const Points3& path : pathsOf(surface, this->Curves.size()))
   {
-    outcome.lengths.push_back(lengthOf(path));
+    outcome.lengths.push_back(polylineLength(path));
   }
   std::vector<double> counted; // by triangle, its area on the surface times its weight
   std::vector<double> areas(flat.pieces.size(), 0.0);

@@ -134,9 +134,6 @@ struct TrialOutcome
 /// By triangle.
 std::vector<FlatCorners> cornersOf(const FlatteningResult& flat);
 
-/// Of a line by its points.
-double lengthOf(const Points3& line);
-
 /// Lines and more of them.
 std::vector<Polyline> withLines(std::vector<Polyline> lines, const std::vector<Polyline>& more);
 

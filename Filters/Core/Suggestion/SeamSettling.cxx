@@ -234,8 +234,9 @@ private:
     const double most = std::max(this->Best.worst, relaxedShare * this->Bound);
     Indices order(seams.size());
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-      [&seams](Index a, Index b) { return lengthOf(seams[a].points) > lengthOf(seams[b].points); });
+    std::stable_sort(order.begin(), order.end(), [&seams](Index a, Index b) {
+      return polylineLength(seams[a].points) > polylineLength(seams[b].points);
+    });
     std::vector<int> next; // level to be tried, up to the seam's
     for (const ChartSeam& seam : seams)
     {

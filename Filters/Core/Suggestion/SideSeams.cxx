@@ -167,7 +167,7 @@ private:
       chain.front() = this->boundaryPoint(image.curve.points.front());
       chain.back() = this->boundaryPoint(image.curve.points.back());
       image.curve.points = this->Drawing.draw(chain, 0);
-      image.length = lengthOf(image.curve.points);
+      image.length = polylineLength(image.curve.points);
     }
     return true;
   }

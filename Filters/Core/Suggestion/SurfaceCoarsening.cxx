@@ -337,7 +337,7 @@ std::vector<SuggestedCurve> movedCuts(
       continue;
     }
     points = drawing.moved(given);
-    moved[k].length = lengthOf(points);
+    moved[k].length = polylineLength(points);
   }
   return laidTogether(mesh, std::move(moved));
 }

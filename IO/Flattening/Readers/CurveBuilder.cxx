@@ -105,16 +105,6 @@ void addStretches(const Points3& points, const SectionPlane& plane, std::vector<
   }
 }
 
-double lengthOf(const Points3& line)
-{
-  double length = 0.0;
-  for (std::size_t k = 0; k + 1 < line.size(); ++k)
-  {
-    length += (line[k + 1] - line[k]).norm();
-  }
-  return length;
-}
-
 /// "opening 2", "boundary left" and "boundary waist" are of one form.
 bool isBoundaryWord(std::string_view word)
 {
@@ -183,11 +173,7 @@ std::map<Index, SurfacePoint> endsOn(const flattening::TriangleMesh& mesh, const
 
 Points3 positionsOf(const flattening::SurfacePath& path, bool closed)
 {
-  Points3 places;
-  for (const SurfacePoint& point : path.points)
-  {
-    places.push_back(point.position);
-  }
+  Points3 places = flattening::positionsOf(path.points);
   places.back() = closed ? places.front() : places.back();
   return places;
 }
@@ -391,8 +377,9 @@ std::vector<CurveBuilder::Line> CurveBuilder::sections(std::string_view words) c
   {
     throw InputError("the plane does not meet the surface there; see its size with wirewarp check");
   }
-  std::stable_sort(found.begin(), found.end(),
-    [](const Points3& a, const Points3& b) { return lengthOf(a) > lengthOf(b); });
+  std::stable_sort(found.begin(), found.end(), [](const Points3& a, const Points3& b) {
+    return flattening::polylineLength(a) > flattening::polylineLength(b);
+  });
   std::vector<Line> lines;
   std::transform(found.begin(), found.end(), std::back_inserter(lines),
     [](Points3& points) { return Line{ std::move(points) }; });

@@ -25,16 +25,6 @@ Box boxOf(const Points2& points)
   return box;
 }
 
-double polylineLength(const Points2& line)
-{
-  double length = 0.0;
-  for (std::size_t k = 1; k < line.size(); ++k)
-  {
-    length += (line[k] - line[k - 1]).norm();
-  }
-  return length;
-}
-
 std::vector<double> crossings(const Point2& from, const Point2& direction, const Segments& segments)
 {
   std::vector<double> found;

@@ -15,9 +15,6 @@ using Segments = std::vector<Segment>;
 /// The sides of a polygon, or the segments of an open line.
 void addSegments(const Points2& points, bool closed, Segments& segments);
 
-/// The length of an open line.
-double polylineLength(const Points2& line);
-
 /// Parameters s, in ascending order, at which from + s * direction meets the segments.
 std::vector<double> crossings(
   const Point2& from, const Point2& direction, const Segments& segments);
