@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Check.h"
 
+#include "Base/CompressedRows.h"
 #include "BoundaryLoops.h"
 #include "FlagWords.h"
 #include "Flattening.h"
@@ -24,7 +25,6 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -47,20 +47,13 @@ struct Shape
   std::vector<Edge> crowded; ///< edges of more than two triangles
 };
 
-std::int64_t rootOf(std::vector<std::int64_t>& parents, std::int64_t point)
-{
-  while (parents[point] != point)
-  {
-    parents[point] = parents[parents[point]];
-    point = parents[point];
-  }
-  return point;
-}
-
 Shape shapeOf(const TriangleList& list, const std::vector<BoundaryLoop>& loops)
 {
-  std::vector<std::int64_t> parents(list.points->size());
-  std::iota(parents.begin(), parents.end(), std::int64_t{ 0 });
+  const std::size_t points = list.points->size();
+  flattening::JoinedSets joined(static_cast<flattening::Index>(points));
+  const auto partOf = [&joined](std::int64_t point) {
+    return joined.find(static_cast<flattening::Index>(point));
+  };
   std::map<Edge, int> edges;
   for (const ListedTriangle& triangle : list.triangles)
   {
@@ -69,16 +62,16 @@ Shape shapeOf(const TriangleList& list, const std::vector<BoundaryLoop>& loops)
       const std::int64_t a = triangle.corners[k];
       const std::int64_t b = triangle.corners[(k + 1) % 3];
       ++edges[std::minmax(a, b)];
-      parents[rootOf(parents, a)] = rootOf(parents, b);
+      joined.join(partOf(a), partOf(b));
     }
   }
   Shape shape;
   /// Per part points - edges + triangles, and its boundaries.
-  std::map<std::int64_t, std::pair<long long, long long>> parts;
-  std::vector<bool> counted(parents.size(), false);
+  std::map<flattening::Index, std::pair<long long, long long>> parts;
+  std::vector<bool> counted(points, false);
   for (const auto& [edge, triangles] : edges)
   {
-    auto& [euler, boundaries] = parts[rootOf(parents, edge.first)];
+    auto& [euler, boundaries] = parts[partOf(edge.first)];
     --euler;
     for (const std::int64_t point : { edge.first, edge.second })
     {
@@ -93,11 +86,11 @@ Shape shapeOf(const TriangleList& list, const std::vector<BoundaryLoop>& loops)
   }
   for (const ListedTriangle& triangle : list.triangles)
   {
-    ++parts[rootOf(parents, triangle.corners[0])].first;
+    ++parts[partOf(triangle.corners[0])].first;
   }
   for (const BoundaryLoop& loop : loops)
   {
-    ++parts[rootOf(parents, loop.points.front())].second;
+    ++parts[partOf(loop.points.front())].second;
   }
   shape.parts = parts.size();
   for (const auto& [root, counts] : parts)
