@@ -17,9 +17,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <variant>
-#include <vector>
 
 vtkStandardNewMacro(vtkSurfaceMeshReader);
 
@@ -28,27 +25,6 @@ namespace
 bool isKnown(const std::string& extension)
 {
   return extension == ".obj" || extension == ".ply" || extension == ".off";
-}
-
-/// Adds seams between faces to the lines of the file.
-void append(const flattening::DataSet& seams, flattening::DataSet& lines)
-{
-  using flattening::findColumn;
-  for (std::size_t k = 0; k < seams.lines.size(); ++k)
-  {
-    lines.lines.add(std::vector<std::int64_t>(seams.lines.begin(k), seams.lines.end(k)));
-  }
-  for (flattening::Column& column : lines.cellArrays)
-  {
-    const flattening::Column* const more = findColumn(seams.cellArrays, column.name);
-    std::visit(
-      [&](auto& values) {
-        using Values = std::decay_t<decltype(values)>;
-        const Values added = more ? std::get<Values>(more->values) : Values(seams.lines.size());
-        values.insert(values.end(), added.begin(), added.end());
-      },
-      column.values);
-  }
 }
 }
 
@@ -100,12 +76,7 @@ int vtkSurfaceMeshReader::RequestData(vtkInformation* vtkNotUsed(request),
     vtkPolyData* const surface = vtkPolyData::GetData(outputVector, 0);
     surface->ShallowCopy(read);
     vtkFlatteningAlgorithm::SetLengthUnitOf(surface, contents.unit);
-    if (this->SeamSource != SEAMS_NONE)
-    {
-      append(
-        seamsOf(contents.surface, contents.labels, static_cast<enum SeamSource>(this->SeamSource)),
-        contents.curves);
-    }
+    addSeams(static_cast<enum SeamSource>(this->SeamSource), contents);
     vtkPolyData* const curves = vtkPolyData::GetData(outputVector, 1);
     if (contents.curves.lines.size() > 0)
     {

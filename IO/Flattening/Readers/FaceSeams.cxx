@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <unordered_map>
+#include <variant>
 
 namespace wirewarp
 {
@@ -211,5 +212,29 @@ DataSet seamsOf(const DataSet& surface, const FaceLabels& labels, SeamSource sou
     curves.add(chain, { { seamType, 0 }, wordOf(source) + std::to_string(++number) });
   }
   return curves.over(surface.points);
+}
+
+void addSeams(SeamSource source, SurfaceContents& contents)
+{
+  if (source == SeamSource::None)
+  {
+    return;
+  }
+  const DataSet seams = seamsOf(contents.surface, contents.labels, source);
+  for (std::size_t k = 0; k < seams.lines.size(); ++k)
+  {
+    contents.curves.lines.add(std::vector<std::int64_t>(seams.lines.begin(k), seams.lines.end(k)));
+  }
+  for (flattening::Column& column : contents.curves.cellArrays)
+  {
+    const flattening::Column* const more = findColumn(seams.cellArrays, column.name);
+    std::visit(
+      [&](auto& values) {
+        using Values = std::decay_t<decltype(values)>;
+        const Values added = more ? std::get<Values>(more->values) : Values(seams.lines.size());
+        values.insert(values.end(), added.begin(), added.end());
+      },
+      column.values);
+  }
 }
 }

@@ -51,4 +51,7 @@ std::vector<std::string> pieceNames(const FaceLabels& labels);
 /// next, over its points. The work grows with the number of faces. Without lines where there is no
 /// such edge. Throws InputError where the file says nothing of the kind.
 DataSet seamsOf(const DataSet& surface, const FaceLabels& labels, SeamSource source);
+
+/// Adds them to the curves of a file. Throws InputError as seamsOf() does.
+void addSeams(SeamSource source, SurfaceContents& contents);
 }

@@ -236,19 +236,13 @@ void leaveToVtk(const std::string& path)
 py::tuple readSurfaceFile(const std::string& path, int seams)
 {
   wirewarp::SurfaceContents contents;
-  DataSet along;
   const std::string failure = wirewarp::failureOf(path, [&] {
     leaveToVtk(path);
     contents = wirewarp::readSurface(path);
-    if (seams > 0)
-    {
-      along = wirewarp::seamsOf(
-        contents.surface, contents.labels, static_cast<wirewarp::SeamSource>(seams));
-    }
+    wirewarp::addSeams(static_cast<wirewarp::SeamSource>(seams), contents);
   });
   return py::make_tuple(textOf(failure), dictOf(std::move(contents.surface)),
-    dictOf(std::move(contents.curves)), dictOf(std::move(along)), contents.unit,
-    textOf(contents.note));
+    dictOf(std::move(contents.curves)), contents.unit, textOf(contents.note));
 }
 
 /// What is wrong with a file, its curves, and what of it is not read.

@@ -16,7 +16,7 @@ from ._curves import Curve, curves_of, surface_data
 from ._errors import FlatteningWarning, MissingFileError
 from ._options import index_of, text_of
 from ._pieces import Data
-from ._report import error_of, values_in
+from ._report import error_of
 from ._types import SeamSource
 
 if TYPE_CHECKING:
@@ -62,12 +62,12 @@ def _warn_of(path: Path, note: str) -> None:
         warnings.warn(f"{os.fspath(path)}: {note}", FlatteningWarning, stacklevel=4)
 
 
-def _read(path: Path, seams: SeamSource) -> Tuple[Data, Data, Data, str]:
-    failure, surface, curves, along, unit, note = _core.read_surface(
+def _read(path: Path, seams: SeamSource) -> Tuple[Data, Data, str]:
+    failure, surface, curves, unit, note = _core.read_surface(
         text_of("path", os.fspath(path)), index_of(seams, get_args(SeamSource), "seams"))
     _raise_failure(path, failure)
     _warn_of(path, note)
-    return surface, curves, along, unit
+    return surface, curves, unit
 
 
 def load_surface(path: Path, seams: SeamSource = "none") -> LoadedSurface:
@@ -84,8 +84,8 @@ def load_surface(path: Path, seams: SeamSource = "none") -> LoadedSurface:
     Warns:
         FlatteningWarning: edges without a face, in an object of an .obj file that has faces, were left out.
     """
-    surface, curves, along, unit = _read(path, seams)
-    return LoadedSurface(surface["points"], _faces(surface), _curves(curves) + _curves(along), unit)
+    surface, curves, unit = _read(path, seams)
+    return LoadedSurface(surface["points"], _faces(surface), _curves(curves), unit)
 
 
 def load_curves(path: Path, points: ArrayLike = (), triangles: Optional[ArrayLike] = None) -> List[Curve]:
@@ -130,17 +130,12 @@ def read_surface(path: Path, seams: SeamSource = "none") -> Tuple[vtkPolyData, v
     """
     from ._vtk import mesh_of_data
 
-    surface, curves, along, unit = _read(path, seams)
-    lines = {"points": surface["points"], "lines": curves["lines"] + along["lines"], "cell_arrays": {
-        name: values_in(curves["cell_arrays"], name) + values_in(along["cell_arrays"], name) if name == "CurveName" else
-        np.concatenate([curves["cell_arrays"].get(name, np.zeros(len(curves["lines"]), np.int32)),
-                        along["cell_arrays"].get(name, np.zeros(len(along["lines"]), np.int32))])
-        for name in ("CurveType", "CurveName", *(("KeyShape",) if "KeyShape" in curves["cell_arrays"] else ()))}}
-    for data in (surface, lines):
+    surface, curves, unit = _read(path, seams)
+    for data in (surface, curves):
         data["field_arrays"] = {"LengthUnit": [unit]} if unit else {}
     mesh = mesh_of_data(surface)
-    return mesh, mesh_of_data(lines if lines["lines"] else {"points": np.empty((0, 3)), "field_arrays": lines["field_arrays"]},
-                              mesh if lines["lines"] else None)
+    return mesh, mesh_of_data(curves if curves["lines"] else {"points": np.empty((0, 3)), "field_arrays": curves["field_arrays"]},
+                              mesh if curves["lines"] else None)
 
 
 def read_curves(path: Path, surface: Optional[vtkPolyData] = None) -> vtkPolyData:
