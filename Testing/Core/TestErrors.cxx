@@ -152,7 +152,7 @@ TEST(Errors, OfOptions)
   {
     wrong.emplace_back().spacing = value;
     wrong.emplace_back().angles.closureTolerance = value;
-    wrong.emplace_back().isometric.angleWeight = value;
+    wrong.emplace_back().isometric.tolerance = value;
   }
   // Each curve of a grain needs a finite angle.
   for (const std::vector<double>& angles : { std::vector<double>{}, std::vector<double>{ 0.0, 0.0 },

@@ -100,18 +100,18 @@ TEST(OptionTable, SetsTheMembersOfTheStructures)
                      OptionOwner owner, const char* property, const OptionValue& value) {
     findOption(owner, property)->set(structures, value);
   };
-  set(OptionOwner::Warping, "AngleWeight", 7.0);
+  set(OptionOwner::Warping, "Spacing", 7.0);
   set(OptionOwner::Warping, "Scheme", global);
   set(OptionOwner::Warping, "Arrange", 0.0);
   set(OptionOwner::Suggestion, "MaximumCuts", 3.0);
   set(OptionOwner::Sewing, "Gravity", std::vector<double>{ 1.0, 2.0, 3.0 });
-  EXPECT_EQ(structures.flattening.isometric.angleWeight, 7.0);
+  EXPECT_EQ(structures.flattening.spacing, 7.0);
   EXPECT_EQ(structures.flattening.scheme, Scheme::Global);
   EXPECT_FALSE(structures.flattening.arrange);
   EXPECT_EQ(structures.search.maximumCuts, 3);
   EXPECT_EQ(structures.sewing.gravity, Point3(1.0, 2.0, 3.0));
-  EXPECT_EQ(std::get<double>(findOption(OptionOwner::Warping, "AngleWeight")->byDefault),
-    FlatteningOptions().isometric.angleWeight);
+  EXPECT_EQ(std::get<double>(findOption(OptionOwner::Warping, "Spacing")->byDefault),
+    FlatteningOptions().spacing);
 }
 
 TEST(OptionTable, RangesAndValuesAsText)
@@ -119,7 +119,7 @@ TEST(OptionTable, RangesAndValuesAsText)
   const auto range = [](const char* property) {
     return rangeOf(*findOption(OptionOwner::Warping, property));
   };
-  EXPECT_EQ(range("AngleWeight"), "[0, 100]");
+  EXPECT_EQ(range("AreaBias"), "[-0.99, 0.99]");
   EXPECT_EQ(range("RelaxationFactor"), "(0, 2)");
   EXPECT_EQ(range("ClosureTolerance"), "[0, inf)");
   EXPECT_EQ(range("RigidMaximumIterations"), "from 1");
@@ -133,9 +133,10 @@ TEST(OptionTable, RangesAndValuesAsText)
 TEST(OptionTable, AnOptionWithoutEffectIsNamedWithWhatItIsFor)
 {
   EXPECT_EQ(idle({}), "");
-  EXPECT_EQ(idle({ { "AngleWeight", 1.0 } }), "");
-  EXPECT_EQ(idle({ { "Scheme", global }, { "AngleWeight", 1.0 } }),
-    "--angle-weight is for --scheme isometric, not for --scheme global; leave one of them out");
+  EXPECT_EQ(idle({ { "IsometricTolerance", 1.0 } }), "");
+  EXPECT_EQ(idle({ { "Scheme", global }, { "IsometricTolerance", 1.0 } }),
+    "--isometric-tolerance is for --scheme isometric, not for --scheme global; leave one of them "
+    "out");
   EXPECT_EQ(idle({ { "AreaBias", 0.5 }, { "DistortionEnergy", 1.0 } }),
     "--area-bias is for --energy automatic or rigid, not for --energy dirichlet; leave one of them "
     "out");

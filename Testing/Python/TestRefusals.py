@@ -131,7 +131,7 @@ class Arguments(command.CommandTest):
         small, large = (sf.flatten(points, triangles, scheme=scheme, interior=interior)
                         for scheme, interior in (("global", "laplacian"), ("Global", "LAPLACIAN")))
         self.assertEqual(small.positions.tolist(), large.positions.tolist())
-        self.wrong(["angle_weight", "isometric", "global"], scheme="Global", angle_weight=1.0)
+        self.wrong(["isometric_tolerance", "isometric", "global"], scheme="Global", isometric_tolerance=1.0)
         large.write_pattern(self.path("a.pdf"), unit="CM", paper="a3")
         self.assertTrue(os.path.exists(self.path("a.pdf")))
 

@@ -47,7 +47,6 @@ REFUSED = (
     ({"paper_method": True, "interior": "arap"}, "--paper-method --interior arap"),
     ({"scheme": "lscm", "solver": "newton"}, "--scheme lscm --solver newton"),
     ({"scheme": "lscm", "tolerance": {"waist_dart": 0.1}}, "--scheme lscm --tolerance waist_dart=0.1"),
-    ({"scheme": "global", "angle_weight": 5.0}, "--scheme global --angle-weight 5"),
     ({"energy": "dirichlet", "area_bias": 0.0}, "--energy dirichlet --area-bias 0"),
     ({"boundary": "free", "area_bias": 0.5}, "--boundary free --area-bias 0.5"),
     ({"boundary": "free", "scheme": "global"}, "--boundary free --scheme global"),
