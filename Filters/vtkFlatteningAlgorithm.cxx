@@ -170,10 +170,7 @@ void vtkFlatteningAlgorithm::SetDefaultOptions()
 //------------------------------------------------------------------------------
 void vtkFlatteningAlgorithm::SetNumberOption(const char* property, double value)
 {
-  if (flattening::bridge::setNumber(*this->Options, property, value))
-  {
-    this->Modified();
-  }
+  flattening::bridge::setNumber(this, *this->Options, property, value);
 }
 
 //------------------------------------------------------------------------------
@@ -185,10 +182,7 @@ double vtkFlatteningAlgorithm::GetNumberOption(const char* property) const
 //------------------------------------------------------------------------------
 void vtkFlatteningAlgorithm::SetTextOption(const char* property, const char* text)
 {
-  if (flattening::bridge::setText(*this->Options, property, text ? text : ""))
-  {
-    this->Modified();
-  }
+  flattening::bridge::setText(this, *this->Options, property, text ? text : "");
 }
 
 //------------------------------------------------------------------------------

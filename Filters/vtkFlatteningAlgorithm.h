@@ -80,27 +80,12 @@ struct SurfaceOwners;
     return static_cast<type>(this->GetNumberOption(#name));                                        \
   }
 #define vtkFlatteningWordMacro(name)                                                               \
-  virtual void Set##name(int value)                                                                \
-  {                                                                                                \
-    this->SetNumberOption(#name, value);                                                           \
-  }                                                                                                \
-  virtual int Get##name() const                                                                    \
-  {                                                                                                \
-    return static_cast<int>(this->GetNumberOption(#name));                                         \
-  }                                                                                                \
   virtual const char* Get##name##AsString() const                                                  \
   {                                                                                                \
     return this->GetOptionWord(#name);                                                             \
-  }
+  }                                                                                                \
+  vtkFlatteningNumberMacro(name, int)
 #define vtkFlatteningFlagMacro(name)                                                               \
-  virtual void Set##name(bool value)                                                               \
-  {                                                                                                \
-    this->SetNumberOption(#name, value ? 1.0 : 0.0);                                               \
-  }                                                                                                \
-  virtual bool Get##name() const                                                                   \
-  {                                                                                                \
-    return this->GetNumberOption(#name) != 0.0;                                                    \
-  }                                                                                                \
   virtual void name##On()                                                                          \
   {                                                                                                \
     this->Set##name(true);                                                                         \
@@ -108,7 +93,8 @@ struct SurfaceOwners;
   virtual void name##Off()                                                                         \
   {                                                                                                \
     this->Set##name(false);                                                                        \
-  }
+  }                                                                                                \
+  vtkFlatteningNumberMacro(name, bool)
 #define vtkFlatteningTextMacro(name)                                                               \
   virtual void Set##name(const char* text)                                                         \
   {                                                                                                \

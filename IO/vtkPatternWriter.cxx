@@ -86,10 +86,7 @@ const char* vtkPatternWriter::GetFileFormatAsString() const
 //------------------------------------------------------------------------------
 void vtkPatternWriter::SetNumberOption(const char* property, double value)
 {
-  if (flattening::bridge::setNumber(*this->Options, property, value))
-  {
-    this->Modified();
-  }
+  flattening::bridge::setNumber(this, *this->Options, property, value);
 }
 
 //------------------------------------------------------------------------------
@@ -101,10 +98,7 @@ double vtkPatternWriter::GetNumberOption(const char* property) const
 //------------------------------------------------------------------------------
 void vtkPatternWriter::SetTextOption(const char* property, const char* text)
 {
-  if (flattening::bridge::setText(*this->Options, property, text ? text : ""))
-  {
-    this->Modified();
-  }
+  flattening::bridge::setText(this, *this->Options, property, text ? text : "");
 }
 
 //------------------------------------------------------------------------------

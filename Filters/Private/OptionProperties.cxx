@@ -7,7 +7,7 @@
 
 namespace flattening::bridge
 {
-bool setNumber(OptionValues& values, const char* property, double number)
+void setNumber(vtkObject* owner, OptionValues& values, const char* property, double number)
 {
   const Option& option = *values.find(property);
   double within = number;
@@ -23,22 +23,20 @@ bool setNumber(OptionValues& values, const char* property, double number)
     const double least = std::min(option.minimum, std::get<double>(option.byDefault));
     within = std::min(std::max(number, least), option.maximum);
   }
-  const bool isOther = within != values.number(property);
-  if (isOther)
+  if (within != values.number(property))
   {
     values.set(property, within);
+    owner->Modified();
   }
-  return isOther;
 }
 
-bool setText(OptionValues& values, const char* property, const std::string& text)
+void setText(vtkObject* owner, OptionValues& values, const char* property, const std::string& text)
 {
-  const bool isOther = text != std::get<std::string>(values[property]);
-  if (isOther)
+  if (text != std::get<std::string>(values[property]))
   {
     values.set(property, text);
+    owner->Modified();
   }
-  return isOther;
 }
 
 const char* nameOfWord(const OptionValues& values, const char* property)
