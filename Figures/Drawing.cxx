@@ -212,7 +212,11 @@ void Drawing::addCellMap(const PolyData& surface, const char* array, ColorRange 
 void Drawing::addMap(
   const PolyData& surface, const char* array, bool onPoints, vtkLookupTable* colors)
 {
-  vtkMapper* const mapper = this->addActor(surface, onPoints)->GetMapper();
+  colorBy(this->addActor(surface, onPoints)->GetMapper(), array, onPoints, colors);
+}
+
+void colorBy(vtkMapper* mapper, const char* array, bool onPoints, vtkLookupTable* colors)
+{
   mapper->ScalarVisibilityOn();
   mapper->SetScalarMode(
     onPoints ? VTK_SCALAR_MODE_USE_POINT_FIELD_DATA : VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);

@@ -128,6 +128,9 @@ vtkSmartPointer<vtkLookupTable> makeColors(ColorRange range);
 /// One color after the other for a count of numbers from 0 on, again from the first on.
 vtkSmartPointer<vtkLookupTable> makeCategories(const std::vector<Vector>& colors, int count);
 
+/// Shows an array of a surface, of its points or of its cells.
+void colorBy(vtkMapper* mapper, const char* array, bool onPoints, vtkLookupTable* colors);
+
 /// A horizontal bar of colors with numbers below it.
 /// @param labels how many numbers; textSize in pixels
 vtkSmartPointer<vtkScalarBarActor> makeScaleBar(vtkLookupTable* colors, int labels, int textSize);

@@ -110,12 +110,8 @@ void PlaneView::show(const figures::FlatPiece& piece, figures::Coloring coloring
   const figures::FlatPiece settled = this->Steady.settle(piece);
   const figures::ColorMap map = figures::makeColorMap(coloring, settled);
   this->Mapper->SetInputData(settled.flat);
-  this->Mapper->SetLookupTable(map.colors);
-  this->Mapper->UseLookupTableScalarRangeOn();
   this->Mapper->SetInterpolateScalarsBeforeMapping(map.onPoints ? 1 : 0);
-  map.onPoints ? this->Mapper->SetScalarModeToUsePointFieldData()
-               : this->Mapper->SetScalarModeToUseCellFieldData();
-  this->Mapper->SelectColorArray(map.array);
+  figures::colorBy(this->Mapper, map.array, map.onPoints, map.colors);
   this->WireMapper->SetInputData(colored(settled.wires));
   this->Actor->VisibilityOn();
   this->Wires->VisibilityOn();

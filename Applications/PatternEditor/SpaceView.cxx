@@ -70,12 +70,7 @@ void SpaceView::color(const figures::FlatPiece& piece, figures::Coloring colorin
 {
   const figures::ColorMap map = figures::makeColorMap(coloring, piece);
   this->Mapper->SetInputData(piece.cut);
-  this->Mapper->SetLookupTable(map.colors);
-  this->Mapper->UseLookupTableScalarRangeOn();
-  map.onPoints ? this->Mapper->SetScalarModeToUsePointFieldData()
-               : this->Mapper->SetScalarModeToUseCellFieldData();
-  this->Mapper->SelectColorArray(map.array);
-  this->Mapper->ScalarVisibilityOn();
+  figures::colorBy(this->Mapper, map.array, map.onPoints, map.colors);
 }
 
 void SpaceView::setEdges(bool shown)

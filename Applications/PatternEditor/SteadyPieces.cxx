@@ -159,12 +159,9 @@ figures::FlatPiece SteadyPieces::settle(const figures::FlatPiece& piece)
   {
     this->Shown.col(static_cast<Eigen::Index>(original->GetComponent(k, 0))) = layout.col(k);
   }
-  figures::FlatPiece settled{ figures::PolyData::New(), figures::PolyData::New(), piece.cut,
-    piece.pieces, piece.curves };
-  settled.flat->ShallowCopy(piece.flat);
-  settled.wires->ShallowCopy(piece.wires);
-  settled.flat->SetPoints(points);
-  settled.wires->SetPoints(points); // its ids are those of the flat piece
-  return settled;
+  const figures::PolyData flat = figures::PolyData::New();
+  flat->ShallowCopy(piece.flat);
+  flat->SetPoints(points);
+  return { flat, piece.wiresOn(flat), piece.cut, piece.pieces, piece.curves };
 }
 }
