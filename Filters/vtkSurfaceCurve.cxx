@@ -5,6 +5,7 @@
 #include "CurveEditorData.h"
 #include "CurvedPolyData.h"
 #include "Editing/ControlledCurve.h"
+#include "ListChanges.h"
 #include "SurfaceInput.h"
 
 #include "vtkCellData.h"
@@ -131,11 +132,7 @@ const char* vtkSurfaceCurve::GetKeyShapeAsString() const
 //------------------------------------------------------------------------------
 void vtkSurfaceCurve::SetCurveName(const std::string& name)
 {
-  if (name != this->CurveName)
-  {
-    this->CurveName = name;
-    this->Modified();
-  }
+  bridge::change(this, this->CurveName, name);
 }
 
 //------------------------------------------------------------------------------

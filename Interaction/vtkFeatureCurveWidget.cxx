@@ -610,15 +610,9 @@ void vtkFeatureCurveWidget::OnRelease()
 {
   const bool here = this->PressedHere;
   this->PressedHere = false;
-  if (this->State == Mode::Dragging)
+  if (this->State == Mode::Dragging || this->State == Mode::Stroking)
   {
-    this->EndDrag();
-    this->EventCallbackCommand->SetAbortFlag(1);
-    this->RenderIfEnabled();
-  }
-  else if (this->State == Mode::Stroking)
-  {
-    this->FinishStroke();
+    this->State == Mode::Dragging ? this->EndDrag() : this->FinishStroke();
     this->EventCallbackCommand->SetAbortFlag(1);
     this->RenderIfEnabled();
   }
