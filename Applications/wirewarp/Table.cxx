@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <iomanip>
+#include <numeric>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -75,6 +76,16 @@ std::string layOut(const std::vector<Row>& rows, std::size_t left)
 }
 
 /// Pieces are counted from 1 wherever somebody reads of them, as on the pattern.
+/// Of more pieces or cuts not all have a line.
+constexpr std::size_t mostListed = 20;
+
+std::string moreThanListed(std::size_t count, const std::string& what)
+{
+  return count <= mostListed
+    ? ""
+    : "and " + std::to_string(count - mostListed) + " more " + what + "; --table lists all\n";
+}
+
 std::string nameOf(std::size_t piece)
 {
   return std::to_string(piece + 1);
@@ -209,15 +220,29 @@ std::string fitVerdict(const Table& pieces, std::size_t piece, double bound)
 std::string verdicts(const Flattening& result)
 {
   const Table& table = result.tables.pieces;
+  std::vector<std::size_t> pieces(rowsOf(table));
+  std::iota(pieces.begin(), pieces.end(), std::size_t{ 0 });
+  if (pieces.size() > mostListed)
+  {
+    // Those that fit worst; the strain of what has none is not a number.
+    const auto fits = [&table](std::size_t piece) {
+      const double strain = numberIn(table, piece, "StrainP95");
+      return coversItself(table, piece) || std::isnan(strain) ? -1.0 : 1.0 / (1.0 + strain);
+    };
+    std::stable_sort(pieces.begin(), pieces.end(),
+      [&fits](std::size_t a, std::size_t b) { return fits(a) < fits(b); });
+    pieces.resize(mostListed);
+    std::sort(pieces.begin(), pieces.end());
+  }
   std::string text;
-  for (std::size_t piece = 0; piece < rowsOf(table); ++piece)
+  for (const std::size_t piece : pieces)
   {
     const std::string name = plainText(textIn(table, piece, "Name"));
     text += "piece " + nameOf(piece) + (name.empty() ? "" : " " + name) + ": " +
       textIn(table, piece, "SizeInWords") + "; " + plainText(textIn(table, piece, "EaseInWords")) +
       "; " + fitVerdict(table, piece, 0.0) + '\n';
   }
-  return text;
+  return text + moreThanListed(rowsOf(table), "pieces, which fit better");
 }
 
 std::string curveTable(const Flattening& result)
@@ -434,7 +459,7 @@ std::string tableOf(const char* head, const Table& lines)
 std::string shortList(const Table& cuts, const Table& leftOut, const std::string& unit)
 {
   std::string text;
-  for (std::size_t row = 0; row < rowsOf(cuts); ++row)
+  for (std::size_t row = 0; row < std::min(rowsOf(cuts), mostListed); ++row)
   {
     const double before = numberIn(cuts, row, "StrainBefore");
     const double after = numberIn(cuts, row, "StrainAfter");
@@ -446,6 +471,7 @@ std::string shortList(const Table& cuts, const Table& leftOut, const std::string
     }
     text += '\n';
   }
+  text += moreThanListed(rowsOf(cuts), "cuts");
   for (const bool sound : { true, false })
   {
     std::string names;

@@ -89,6 +89,16 @@ class Results(command.CommandTest):
         curve = next(line for line in lines if line.startswith("s "))
         self.assertEqual(curve.split()[1:3], ["1", "1"])
 
+    def test_of_many_pieces_those_that_fit_worst_have_a_line(self):
+        heights = [0.02 * (1 + (7 * k) % 24) for k in range(24)]
+        parts = [command.dome(4, 4, height) for height in heights]
+        self.write("domes.obj", command.obj(*command.together(*(
+            ([(x + 3 * k, y, z) for x, y, z in points], triangles) for k, (points, triangles) in enumerate(parts)))))
+        lines = self.run_command("domes.obj", "--unit", "cm").stdout.splitlines()
+        worst = sorted(range(1, 25), key=lambda piece: -heights[piece - 1])[:20]
+        self.assertEqual([int(line.split()[1][:-1]) for line in lines if line.startswith("piece ")], sorted(worst))
+        self.assertIn("and 4 more pieces, which fit better; --table lists all", lines)
+
     def test_quiet_says_nothing(self):
         run = self.run_command("lune.obj", "--quiet", "--unit", "inch")
         self.assertEqual((run.returncode, run.stdout, run.stderr), (0, "", ""))

@@ -165,6 +165,7 @@ Garment inCentimetres(Garment garment, double scale)
 {
   for (GarmentPanel& panel : garment.panels)
   {
+    panel.translation *= scale;
     for (Point2& vertex : panel.vertices)
     {
       vertex *= scale;
