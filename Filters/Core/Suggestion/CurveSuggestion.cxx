@@ -158,7 +158,8 @@ public:
     this->Result.strainAfter = after.valueOrNaN(after.strainP95);
     this->Result.rigidEnergyBefore = before.valueOrNaN(before.energy / this->Area);
     this->Result.rigidEnergyAfter = after.valueOrNaN(after.energy / this->Area);
-    this->Result.boundMet = this->isFlat(best) && !this->tooWide();
+    const double widest = this->Options.search.maximumWidth;
+    this->Result.boundMet = this->isFlat(best) && (widest == 0.0 || this->Result.width <= widest);
     this->Result.worstPlace = best.outcome.worstPlace;
     this->Result.trials = this->Budget.trials();
     this->Result.work = 1e-6 * this->Budget.work();
@@ -193,12 +194,6 @@ private:
   {
     return { this->Mesh, this->Curves, this->Options.imprint, this->Options.flattening, search,
       this->Result.mirror, this->Weights, goal };
-  }
-
-  bool tooWide() const
-  {
-    const double most = this->Options.search.maximumWidth;
-    return most > 0.0 && this->Result.width > most;
   }
 
   bool hasKeys() const
@@ -356,16 +351,15 @@ private:
   CutSet searchedSet(const CutSet& uncut, bool strained, bool creased)
   {
     const SearchOptions& wanted = this->Options.search;
-    const Index pieces = wanted.pieces;
     const bool charts = !this->hasKeys() &&
-      (pieces > 0 || !uncut.outcome.valid ||
+      (wanted.pieces > 0 || !uncut.outcome.valid ||
         (wanted.bound > 0.0 && wanted.cuts != SuggestedCuts::Darts));
     // Single cuts lower strains, and do not part what lies over itself.
     const bool parting = uncut.outcome.valid && uncut.outcome.strainP95 <= wanted.bound;
     const bool chartsFirst = strained || creased || parting;
     std::vector<CutSet> found;
     const bool tailored =
-      charts && strained && pieces == 0 && wanted.bound > 0.0 && this->Curves.empty();
+      charts && strained && wanted.pieces == 0 && wanted.bound > 0.0 && this->Curves.empty();
     CutSet sides = tailored ? this->sideSet() : CutSet();
     if (this->isFlat(sides))
     {
@@ -380,7 +374,7 @@ private:
     }
     const bool few = uncut.outcome.valid && !parting && !found.empty() &&
       static_cast<Index>(found.front().cuts.size()) <= maxAdded;
-    if (found.empty() || (pieces == 0 && (few || !this->isFlat(found.front()))))
+    if (found.empty() || (wanted.pieces == 0 && (few || !this->isFlat(found.front()))))
     {
       this->addSets(found, this->neededCuts());
     }
@@ -464,13 +458,13 @@ private:
   {
     const SearchOptions& wanted = this->Options.search;
     CutSet set;
-    double needed = 0.0;
     bool spent = false;
     double bound = wanted.bound > 0.0 ? wanted.bound : SearchOptions().bound;
     const double most = wanted.maximumCuts > 0
       ? farTooManyCuts * static_cast<double>(wanted.maximumCuts)
       : maxChartCuts * this->Cut.pieceCount;
     const double noise = uncut.outcome.valid ? noiseShare * uncut.outcome.strainP95 : 1.0;
+    CutSet many; // those found at first, where they are more than that
     bool tooMany = false;
     for (int k = 0; k < maxLooser; ++k)
     {
@@ -478,14 +472,14 @@ private:
       set = {};
       set.cuts = this->chartsOf(uncut, bound, most, budget);
       set.cutsNeeded = static_cast<double>(set.cuts.size());
-      needed = k == 0 ? set.cutsNeeded : needed;
+      many.cutsNeeded = k == 0 ? set.cutsNeeded : many.cutsNeeded;
       spent = budget.spent();
       // The number of cuts falls with the root of the bound, as the width of strips grows.
       const double excess = set.cutsNeeded / most;
       const double looser = bound * std::max(looserBound, excess * excess);
       if (excess > 1.0 && (looser > noise || k + 1 == maxLooser))
       {
-        return rejected(SearchEnd::GivenUp, needed); // it is no nearer to flat with as many cuts
+        return rejected(SearchEnd::GivenUp, many.cutsNeeded); // as far from flat as without
       }
       if (excess <= 1.0)
       {
@@ -496,14 +490,21 @@ private:
           break;
         }
       }
+      else if (k == 0 && wanted.maximumCuts == 0)
+      {
+        many = withFolds( // better than what lies over itself
+          std::move(set), this->Whole, this->Curves.size(), bound, this->Budget, this->Run);
+      }
       tooMany = tooMany || excess > 1.0;
       bound = looser;
     }
+    const bool sound = set.outcome.valid && set.outcome.faults() == 0;
+    set = !sound && this->better(many, set) ? std::move(many) : std::move(set);
     if (uncut.outcome.valid && wanted.bound > 0.0 &&
       set.outcome.strainP95 >
         std::max(chartStrain * wanted.bound, noiseShare * uncut.outcome.strainP95))
     {
-      return rejected(SearchEnd::GivenUp, needed); // noise is hardly nearer to flat with few cuts
+      return rejected(SearchEnd::GivenUp, many.cutsNeeded); // noise is hardly nearer to flat
     }
     if (!set.outcome.valid || !keepsLimits(set, this->Options.search))
     {
@@ -512,7 +513,7 @@ private:
     set.end = this->isFlat(set) ? SearchEnd::BoundMet
       : tooMany                 ? SearchEnd::CutsUsedUp
                                 : SearchEnd::NothingHelps;
-    set.cutsNeeded = tooMany ? needed : set.cutsNeeded;
+    set.cutsNeeded = tooMany ? many.cutsNeeded : set.cutsNeeded;
     if (set.end == SearchEnd::NothingHelps && wanted.bound > 0.0 && wanted.pieces == 0)
     {
       if (set.outcome.faults() > 0)
