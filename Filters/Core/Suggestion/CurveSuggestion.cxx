@@ -52,13 +52,11 @@ constexpr double shareOpened = 0.9;
 /// Largest share of all work kept for measuring what each cut gains, by this many steps each.
 constexpr double shareOfMeasuring = 0.3;
 constexpr double stepsOfMeasuring = 40.0;
-/// Of cuts that are added one after the other where the number is not limited. Where charts take no
-/// more, darts may cost less.
+/// Of cuts that are added one by one. Where charts take no more, darts may cost less.
 constexpr Index maxAdded = 8;
 /// A surface with more strain than this many times the bound takes charts rather than single cuts.
 constexpr double chartStrain = 4.0;
-/// Charts that leave more of the strain than this, and more than the above times the bound, are
-/// given up: that is noise.
+/// Noise is where charts leave more of the strain than this, and than the above times the bound.
 constexpr double noiseShare = 0.5;
 /// Where charts would take more cuts than may be, they are tried again with the bound times this,
 /// so often.
@@ -498,8 +496,10 @@ private:
       tooMany = tooMany || excess > 1.0;
       bound = looser;
     }
-    const bool sound = set.outcome.valid && set.outcome.faults() == 0;
-    set = !sound && this->better(many, set) ? std::move(many) : std::move(set);
+    if ((!set.outcome.valid || set.outcome.faults() > 0) && this->better(many, set))
+    {
+      set = std::move(many);
+    }
     if (uncut.outcome.valid && wanted.bound > 0.0 &&
       set.outcome.strainP95 >
         std::max(chartStrain * wanted.bound, noiseShare * uncut.outcome.strainP95))
