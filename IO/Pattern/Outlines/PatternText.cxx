@@ -8,6 +8,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <optional>
+#ifndef __cpp_lib_to_chars
+#include <iomanip>
+#include <locale>
+#include <sstream>
+#endif
 #include <string_view>
 
 namespace flattening::pattern
@@ -88,10 +93,17 @@ std::string dxfSymbol(const std::string& text, std::size_t most)
 
 std::string formatNumber(double value, int digits)
 {
+#ifdef __cpp_lib_to_chars
   std::array<char, 400> buffer{};
   const auto result = std::to_chars(
     buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, digits);
   std::string text(buffer.data(), result.ptr);
+#else // older libraries of clang have to_chars() of whole numbers alone
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << std::fixed << std::setprecision(digits) << value;
+  std::string text = out.str();
+#endif
   if (text.find('.') != std::string::npos)
   {
     text.erase(text.find_last_not_of('0') + 1);
@@ -105,9 +117,28 @@ std::string formatNumber(double value, int digits)
 
 std::string exactNumber(double value)
 {
+#ifdef __cpp_lib_to_chars
   std::array<char, 32> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
   return std::string(buffer.data(), end);
+#else
+  std::string text;
+  for (int digits = 15; digits <= 17; ++digits)
+  {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out << std::setprecision(digits) << value;
+    text = out.str();
+    double read = 0.0;
+    std::istringstream in(text);
+    in.imbue(std::locale::classic());
+    if (in >> read && read == value)
+    {
+      break;
+    }
+  }
+  return text;
+#endif
 }
 
 std::string csvField(const std::string& text)
