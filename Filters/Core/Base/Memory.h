@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <utility>
 
 namespace flattening
 {
@@ -57,14 +56,14 @@ template <typename Body>
 auto withinMemory(const Body& body) -> decltype(body())
 {
   decltype(body()) failed;
-  const auto fail = [&failed](Status status) {
+  const auto fail = [&failed](const Status& status) {
     if constexpr (std::is_same_v<decltype(body()), Status>)
     {
-      failed = std::move(status);
+      failed = status;
     }
     else
     {
-      failed.status = std::move(status);
+      failed.status = status;
     }
   };
   try
