@@ -491,14 +491,14 @@ private:
       else if (k == 0 && wanted.maximumCuts == 0)
       {
         many = withFolds( // better than what lies over itself
-          std::move(set), this->Whole, this->Curves.size(), bound, this->Budget, this->Run);
+          set, this->Whole, this->Curves.size(), bound, this->Budget, this->Run);
       }
       tooMany = tooMany || excess > 1.0;
       bound = looser;
     }
     if ((!set.outcome.valid || set.outcome.faults() > 0) && this->better(many, set))
     {
-      set = std::move(many);
+      set = many;
     }
     if (uncut.outcome.valid && wanted.bound > 0.0 &&
       set.outcome.strainP95 >
