@@ -100,8 +100,7 @@ void addMending(CLI::App& app, Options& options)
   app
     .add_flag("--outer-side,!--no-outer-side", options.outerSide,
       "Of closed sheets with thickness take the outer side alone: the larger one within its rim; "
-      "of "
-      "two-sided faces one. cut and make do so where a part is clearly such a sheet")
+      "of two-sided faces one. cut and make do so where a part is clearly such a sheet")
     ->group(group);
 }
 

@@ -75,7 +75,6 @@ std::string layOut(const std::vector<Row>& rows, std::size_t left)
   return text;
 }
 
-/// Pieces are counted from 1 wherever somebody reads of them, as on the pattern.
 /// Of more pieces or cuts not all have a line.
 constexpr std::size_t mostListed = 20;
 
@@ -86,6 +85,7 @@ std::string moreThanListed(std::size_t count, const std::string& what)
     : "and " + std::to_string(count - mostListed) + " more " + what + "; --table lists all\n";
 }
 
+/// Pieces are counted from 1 wherever somebody reads of them, as on the pattern.
 std::string nameOf(std::size_t piece)
 {
   return std::to_string(piece + 1);

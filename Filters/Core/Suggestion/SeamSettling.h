@@ -104,7 +104,7 @@ std::vector<SuggestedCurve> laidTogether(
 
 /// Draws seams on a surface as straight as charts that keep the bound and cuts that do not meet
 /// allow: straight at first, nearer to their chains where something is wrong, and straight again
-/// one by one where they may. What cannot be drawn in any way is left out.
+/// one by one where they may. Those that cannot be drawn apart are laid together.
 /// \param drawn the surface with the section of the mirror plane, if there is one
 /// \param most steps after which a flattening is given up
 SettledSeams settleSeams(const TriangleMesh& surface, const TriangleMesh& drawn,

@@ -27,8 +27,8 @@ TriangleMesh fewTriangles(const TriangleMesh& mesh, Index most);
 /// enough itself, or hardly any vertex may go, as in a ribbon, whose are all on the boundary.
 std::optional<TriangleMesh> coarseVersion(const TriangleMesh& mesh);
 
-/// The cuts of a version with fewer triangles on the surface itself, without those that cannot be
-/// laid into it. \param mirror of that version, then of the surface
+/// The cuts of a version with fewer triangles on the surface itself, as laidTogether() leaves them.
+/// \param mirror of that version, then of the surface
 std::vector<SuggestedCurve> movedCuts(
   const TriangleMesh& mesh, std::optional<SurfaceMirror>& mirror, std::vector<SuggestedCurve> cuts);
 }
