@@ -38,13 +38,6 @@ inline FlatteningResult flattened(const TriangleMesh& mesh, const std::vector<Po
   return flattened(mesh, curves, suggestions.curves, options);
 }
 
-/// Whether some cut is the mirror image of another.
-inline bool hasPairs(const CurveSuggestions& suggestions)
-{
-  return std::any_of(suggestions.curves.begin(), suggestions.curves.end(),
-    [](const SuggestedCurve& cut) { return cut.mirrorOf != none; });
-}
-
 /// To the last bit.
 inline void expectSameCurves(const CurveSuggestions& one, const CurveSuggestions& other)
 {

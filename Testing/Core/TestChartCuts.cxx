@@ -305,7 +305,40 @@ TEST(ChartCuts, AreMappedToTheOtherSideWhereAMirrorIsForced)
   ASSERT_TRUE(forced.mirror.has_value());
   const FlatteningResult flat = flattened(bean(), {}, forced);
   EXPECT_TRUE(flat.status.ok());
-  EXPECT_TRUE(hasPairs(forced));
+  EXPECT_TRUE(arePaired(forced.curves));
+}
+
+TEST(ChartCuts, OfPartsThatAreNearlyImagesComeInPairsAndThoseOfAMiddlePartToo)
+{
+  const auto placed = [](double side, double size) {
+    TriangleMesh mesh = moved(bean(), [side, size](const Point3& p) -> Point3 {
+      return { p.x(), side * (3.0 + size * p.y()), p.z() };
+    });
+    Triangles triangles = mesh.triangles();
+    for (Triangle& t : triangles)
+    {
+      std::swap(t[1], side < 0.0 ? t[2] : t[1]);
+    }
+    return Surface{ TriangleMesh(mesh.points(), std::move(triangles)), {}, {} };
+  };
+  for (double size : { 1.0, 1.01 }) // exact images, and others
+  {
+    const TriangleMesh mesh =
+      together({ placed(1.0, 1.0), Surface{ ball(1.0), {}, {} }, placed(-1.0, size) }).mesh;
+    const CurveSuggestions suggestions = suggestCurves(mesh, {}, optionsOf(0.05, 0));
+    ASSERT_TRUE(suggestions.mirror && suggestions.mirror->plane()) << size;
+    EXPECT_TRUE(suggestions.boundMet) << size;
+    std::map<int, double> lengths; // on either side, and in the middle part
+    std::size_t middlePairs = 0;
+    for (const SuggestedCurve& cut : suggestions.curves)
+    {
+      const double side = cut.curve.points.front().y();
+      lengths[side > 1.5 ? 1 : side < -1.5 ? -1 : 0] += cut.length;
+      middlePairs += std::abs(side) < 1.5 && cut.mirrorOf != none ? 1 : 0;
+    }
+    EXPECT_NEAR(lengths[1], lengths[-1], 0.02 * lengths[1]) << size;
+    EXPECT_GT(middlePairs, 0u) << size;
+  }
 }
 
 TEST(ChartCuts, ReachTheirBoundWithLegsOfDartsThatFold)

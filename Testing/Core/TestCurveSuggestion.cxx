@@ -335,7 +335,7 @@ TEST(CurveSuggestion, IsMirroredOnlyWhereCutsAreImagesOfEachOther)
     {
       const CurveSuggestions suggestions =
         suggestCurves(mesh, {}, optionsOf(0.0, most, SuggestedCuts::All, 1.0));
-      EXPECT_EQ(suggestions.mirror.has_value(), hasPairs(suggestions)) << most;
+      EXPECT_EQ(suggestions.mirror.has_value(), arePaired(suggestions.curves)) << most;
     }
   }
 }

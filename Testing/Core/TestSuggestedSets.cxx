@@ -163,7 +163,7 @@ TEST(SuggestedSets, HalvesAreImagesWhereCoordinatesHaveSixDigits)
       const CurveSuggestions suggestions =
         suggestCurves(body, {}, optionsOf(0.15, 9, SuggestedCuts::All, 3.0));
       EXPECT_TRUE(suggestions.mirror.has_value()) << turn << ' ' << scale;
-      EXPECT_TRUE(hasPairs(suggestions));
+      EXPECT_TRUE(arePaired(suggestions.curves));
     }
   }
 }

@@ -301,7 +301,14 @@ public:
       parted = straighten(parted.mesh, merged);
     }
     parted = withoutBridges(std::move(parted), this->Mirror);
-    const CutMesh whole = bothSides(parted, this->Mirror);
+    if (this->Mirror)
+    {
+      // A number of pieces is easier to reach where both sides are taken to be alike.
+      this->Images = this->Options.pieces > 0
+        ? this->Mirror->plane.mirrored(parted.mesh.points())
+        : imagesOfHalf(parted.mesh, this->Surface, *this->Mirror);
+    }
+    const CutMesh whole = bothSides(parted, this->Mirror, this->Images);
     this->preview(whole);
     Charts charts(whole.mesh, whole.cut, whole.images, this->Options, this->Size, this->Trials);
     charts.divide(budget, this->Run);
@@ -471,6 +478,10 @@ private:
           if (v < half)
           {
             seam.chain.push_back(mesh.point(v));
+            if (this->Mirror)
+            {
+              seam.imageChain.push_back(this->Images[v]);
+            }
             inside = inside || !(this->Mirror && this->Mirror->has(mesh.point(v)));
           }
         }
@@ -482,6 +493,7 @@ private:
         if (seam.crosses && arc.vertices.front() >= half)
         {
           std::reverse(seam.chain.begin(), seam.chain.end());
+          std::reverse(seam.imageChain.begin(), seam.imageChain.end());
         }
         seam.paired = this->Mirror && !seam.crosses && inside;
         const bool closed = arc.vertices.front() == arc.vertices.back();
@@ -501,9 +513,22 @@ private:
   TrialBudget& Budget;
   const Execution& Run;
   double Size;        ///< sqrt(area / pi)
+  Points3 Images;     ///< of the half of few triangles, with a mirror
   ChartTrials Trials; ///< on few triangles
   SettledSeams Settled;
 };
+
+/// See ChartSearch::worst(); infinity where the cuts cannot be laid into the surface.
+double worstOf(const TriangleMesh& mesh, const std::vector<SuggestedCurve>& cuts,
+  ChartTrials& trials, TrialBudget& budget, const Execution& execution)
+{
+  if (CutTrials(mesh, {}, {}, {}).paths(linesOf(cuts)).empty())
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const ImprintedSurface surface = imprintCurves(mesh, linesOf(cuts), {});
+  return DrawnPieces(cutSurface(surface.mesh, surface.curves), trials, budget, execution).worst();
+}
 
 /// Adds cuts in the pieces that do not keep a bound yet. False where there are none.
 bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirror, bool straight,
@@ -519,7 +544,7 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
   const DrawnPieces drawn(cutSurface(surface.mesh, surface.curves), trials, budget, execution);
   const std::vector<Piece>& pieces = drawn.pieces;
   const Indices images =
-    pieceImages(pieceSurfaces(surface, drawn.cut), mirror, std::sqrt(mesh.area() / pi));
+    pieceImages(pieceSurfaces(surface, drawn.cut), mirror, std::sqrt(mesh.area() / pi), true);
   Execution unseen = execution;
   unseen.preview = nullptr; // of single pieces
   bool added = false;
@@ -535,6 +560,22 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
     here.holes = straight; // the next time
     std::vector<SuggestedCurve> found;
     double worst = drawn.fault(p);
+    const auto tryCharts = [&](const std::optional<SymmetryPlane>& plane) {
+      ChartSearch search(pieces[p].mesh, plane, straight, here, budget, unseen);
+      std::vector<SuggestedCurve> next = search.run();
+      const bool any = !next.empty();
+      if (search.worst() < worst)
+      {
+        worst = search.worst();
+        found = std::move(next);
+      }
+      return any;
+    };
+    const bool alike = images[p] == static_cast<Index>(p);
+    if (alike)
+    {
+      tryCharts(measuredPlane(pieces[p].mesh, *mirror->plane()));
+    }
     // What is flat on few triangles, and not on many, is parted into at least this number of
     // charts.
     for (Index least : { 0, 2, 3, 4, 6 })
@@ -544,24 +585,25 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
         break;
       }
       here.pieces = least;
-      ChartSearch search(pieces[p].mesh, std::nullopt, straight, here, budget, unseen);
-      std::vector<SuggestedCurve> next = search.run();
-      if (search.worst() < worst)
+      if (!tryCharts(std::nullopt) && least > 0)
       {
-        worst = search.worst();
-        found = std::move(next);
+        break; // nor do more charts
       }
     }
     std::vector<SuggestedCurve> more = cuts;
-    more.insert(more.end(), found.begin(), found.end());
+    for (SuggestedCurve& cut : found)
+    {
+      cut.mirrorOf += cut.mirrorOf == none ? 0 : static_cast<Index>(cuts.size());
+      more.push_back(std::move(cut));
+    }
     if (more.size() == cuts.size())
     {
       continue;
     }
-    if (images[p] != none)
+    if (images[p] > static_cast<Index>(p))
     {
-      done[images[p]] = 1;
-      addImages(more, static_cast<Index>(cuts.size()), *mirror);
+      done[images[p]] = addImages(more, static_cast<Index>(cuts.size()), *mirror, pieces[p].mesh,
+        pieces[images[p]].mesh, options, budget, execution);
     }
     openDividingDarts(mesh, {}, {}, more);
     more = laidTogether(mesh, std::move(more)); // they may come too near
@@ -573,6 +615,36 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
   }
   return added;
 }
+}
+
+bool addImages(std::vector<SuggestedCurve>& cuts, Index first, const SurfaceMirror& mirror,
+  const TriangleMesh& piece, const TriangleMesh& image, const ChartOptions& options,
+  TrialBudget& budget, const Execution& execution)
+{
+  const std::size_t count = cuts.size();
+  addImages(cuts, first, mirror);
+  if (mirror.error <= SurfaceMirror::exact)
+  {
+    return true;
+  }
+  const SeamDrawing drawing(piece);
+  const SeamDrawing other(image);
+  for (std::size_t k = count; k < cuts.size(); ++k)
+  {
+    const Points3& points = cuts[cuts[k].mirrorOf].curve.points;
+    cuts[k].curve.points = other.draw(
+      drawing.imageOn(other, drawing.place(points), *mirror.plane()), SeamDrawing::levels - 1);
+    cuts[k].length = polylineLength(cuts[k].curve.points);
+  }
+  const std::vector<SuggestedCurve> added(
+    cuts.begin() + static_cast<std::ptrdiff_t>(count), cuts.end());
+  ChartTrials trials(options.flattening, maxDrawnSteps);
+  if (worstOf(image, added, trials, budget, execution) <= missedBy * options.bound)
+  {
+    return true;
+  }
+  cuts.resize(count);
+  return false;
 }
 
 std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
@@ -614,14 +686,20 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   }
   const bool opens = growsTree(options) && !options.mirrorKept;
   const bool missed = opens ? best->misses(options.bound) : best->fails(best->bound());
-  const bool failed = plane && (cuts.empty() || ((near || options.pieces == 1) && missed));
-  if (failed && opens && !cuts.empty())
+  bool failed = plane && (cuts.empty() || ((near || options.pieces == 1) && missed));
+  if (failed && near && !cuts.empty() && options.pieces == 0)
+  {
+    cuts = partedCharts(mesh, mirror, options, bound, std::move(cuts), trying, execution);
+    ChartTrials trials(options.flattening, maxDrawnSteps);
+    failed = worstOf(mesh, cuts, trials, trying, execution) > bound;
+  }
+  if (failed && (opens || options.pieces > 0) && !cuts.empty())
   {
     ChartSearch tree(mesh, std::nullopt, true, options, budget, execution);
     std::vector<SuggestedCurve> others = tree.run();
     return !others.empty() && tree.betterThan(*best, options.bound) ? others : cuts;
   }
-  if (failed || (near && second))
+  if (failed || (near && (second || missed)))
   {
     std::vector<SuggestedCurve> others = chartCuts(mesh, std::nullopt, options, budget, execution);
     const auto price = [&](const std::vector<SuggestedCurve>& set) {

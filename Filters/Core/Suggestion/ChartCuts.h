@@ -28,6 +28,12 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   const std::optional<SymmetryPlane>& plane, const ChartOptions& options, TrialBudget& budget,
   const Execution& execution);
 
+/// Adds the images of the cuts from the first on, which are in a piece, to the piece that is its
+/// image. False where they miss the bound there, and are not added.
+bool addImages(std::vector<SuggestedCurve>& cuts, Index first, const SurfaceMirror& mirror,
+  const TriangleMesh& piece, const TriangleMesh& image, const ChartOptions& options,
+  TrialBudget& budget, const Execution& execution);
+
 /// Cuts with more of such in the pieces that do not keep a bound, which may be another than that of
 /// the options.
 std::vector<SuggestedCurve> partedCharts(const TriangleMesh& mesh,

@@ -142,8 +142,7 @@ public:
         "another kind of cuts");
     }
     this->Result.curves = best.cuts;
-    if (std::all_of(best.cuts.begin(), best.cuts.end(),
-          [](const SuggestedCurve& cut) { return cut.mirrorOf == none; }))
+    if (!arePaired(best.cuts))
     {
       this->Result.mirror.reset();
     }
@@ -372,7 +371,10 @@ private:
     }
     const bool few = uncut.outcome.valid && !parting && !found.empty() &&
       static_cast<Index>(found.front().cuts.size()) <= maxAdded;
-    if (found.empty() || (wanted.pieces == 0 && (few || !this->isFlat(found.front()))))
+    // Other cuts do not come in pairs, unless the mirror is exact.
+    const bool paired = wanted.symmetric != "on" && !found.empty() &&
+      found.front().outcome.faults() == 0 && arePaired(found.front().cuts);
+    if (found.empty() || (wanted.pieces == 0 && !paired && (few || !this->isFlat(found.front()))))
     {
       this->addSets(found, this->neededCuts());
     }
@@ -596,9 +598,8 @@ private:
     const std::vector<Piece>& pieces = this->Pieces;
     const bool known = uncut.outcome.pieceStrains.size() == pieces.size();
     const std::optional<SurfaceMirror>& mirror = this->Result.mirror;
-    const bool plane = mirror && mirror->plane() && pieces.size() == 1;
-    const Indices images =
-      pieceImages(pieceSurfaces(this->Surface, this->Cut), mirror, std::sqrt(this->Area / pi));
+    const Indices images = pieceImages(
+      pieceSurfaces(this->Surface, this->Cut), mirror, std::sqrt(this->Area / pi), true);
     std::vector<char> done(pieces.size(), 0);
     double area = 0.0;
     for (std::size_t p = 0; p < pieces.size(); ++p)
@@ -639,8 +640,12 @@ private:
           this->Run.preview(lines);
         };
       }
-      std::vector<SuggestedCurve> here =
-        chartCuts(pieces[p].mesh, plane ? mirror->plane() : std::nullopt, options, share, run);
+      std::optional<SymmetryPlane> plane;
+      if (mirror && mirror->plane() && (images[p] == static_cast<Index>(p) || pieces.size() == 1))
+      {
+        plane = measuredPlane(pieces[p].mesh, *mirror->plane());
+      }
+      std::vector<SuggestedCurve> here = chartCuts(pieces[p].mesh, plane, options, share, run);
       if (findDefect(pieces[p]) && !laysOpen(pieces[p].mesh, linesOf(here)))
       {
         here = this->opened(pieces[p]); // seams were left out that cannot be drawn apart
@@ -650,20 +655,10 @@ private:
         one.mirrorOf += one.mirrorOf == none ? 0 : before;
         cuts.push_back(std::move(one));
       }
-      if (images[p] != none)
+      if (images[p] > static_cast<Index>(p))
       {
-        done[images[p]] = 1;
-        const std::size_t first = cuts.size();
-        addImages(cuts, before, *mirror);
-        if (mirror->error > SurfaceMirror::exact)
-        {
-          const SeamDrawing drawing(pieces[images[p]].mesh); // another piece may be nearer
-          for (std::size_t k = first; k < cuts.size(); ++k)
-          {
-            cuts[k].curve.points = drawing.moved(cuts[k].curve.points);
-            cuts[k].length = polylineLength(cuts[k].curve.points);
-          }
-        }
+        done[images[p]] = addImages(
+          cuts, before, *mirror, pieces[p].mesh, pieces[images[p]].mesh, options, share, this->Run);
       }
     }
     return cuts;

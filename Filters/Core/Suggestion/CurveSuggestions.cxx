@@ -144,6 +144,12 @@ void addImages(std::vector<SuggestedCurve>& cuts, Index first, const SurfaceMirr
   }
 }
 
+bool arePaired(const std::vector<SuggestedCurve>& cuts)
+{
+  return std::any_of(
+    cuts.begin(), cuts.end(), [](const SuggestedCurve& cut) { return cut.mirrorOf != none; });
+}
+
 void pairTypes(std::vector<SuggestedCurve>& cuts)
 {
   for (SuggestedCurve& cut : cuts)

@@ -105,6 +105,9 @@ struct SuggestedCurve
   Index mirrorOf = none; ///< the proposal that it is the mirror image of
 };
 
+/// Whether any is the mirror image of another.
+bool arePaired(const std::vector<SuggestedCurve>& cuts);
+
 /// A cut along points.
 SuggestedCurve proposedCut(Points3 points, CurveType type = CurveType::Seam, Index mirrorOf = none);
 

@@ -4,10 +4,16 @@
 #include "Cut/SurfaceCut.h"
 #include "Imprint/CurveImprint.h"
 #include "Paths/PlaneSection.h"
+#include "Sparse/LinearSolver.h"
 #include "Suggestion/ChartClusters.h"
+#include "Suggestion/SurfaceMirror.h"
+#include "Surface/SurfaceLocator.h"
+#include "Surface/SurfacePoint.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -20,6 +26,109 @@ namespace
 constexpr double inPlaneShare = 2.0;
 /// By what that is more than where the farthest one is.
 constexpr double atLeast = 1.0 + 1e-6;
+/// How much neighbors keep images from moving apart, one after the other, against a pull of 1 to
+/// the surface: as a whole first, then each to where it is alone.
+constexpr std::array<double, 8> stiffnesses{ 30.0, 30.0, 10.0, 10.0, 3.0, 3.0, 1.0, 0.5 };
+/// The pull of vertices that stay.
+constexpr double fixedWeight = 1e6;
+/// The least cosine between normals of what faces alike.
+constexpr double facing = 0.3;
+
+/// Moves the mirror image of half a surface onto the other half.
+class ImageFitting
+{
+public:
+  ImageFitting(const TriangleMesh& half, const TriangleMesh& other, const MirrorSection& mirror)
+    : Half(half)
+    , Other(other)
+    , Mirrored(mirror.plane.mirrored(half.points()))
+    , Locator(other)
+  {
+    for (Index v = 0; v < half.vertexCount(); ++v)
+    {
+      this->Fixed.push_back(half.onBoundary(v) && mirror.has(half.point(v)) ? 1 : 0);
+    }
+  }
+
+  Points3 run() const
+  {
+    Points3 images = this->Mirrored;
+    for (double stiffness : stiffnesses)
+    {
+      this->pull(images, stiffness);
+    }
+    for (const auto& [v, place] : this->places(images))
+    {
+      images[v] = place;
+    }
+    return images;
+  }
+
+private:
+  /// Of vertices with one the place of the other side that is next to the image and faces alike; on
+  /// the boundary of those there.
+  std::map<Index, Point3> places(const Points3& images) const
+  {
+    const Points3 normals = vertexNormals(TriangleMesh(images, this->Half.triangles()));
+    std::map<Index, Point3> places;
+    for (Index v = 0; v < this->Half.vertexCount(); ++v)
+    {
+      if (this->Fixed[v] || this->Half.onBoundary(v))
+      {
+        places[v] =
+          this->Fixed[v] ? this->Half.point(v) : nearestOnBoundary(this->Other, images[v]);
+        continue;
+      }
+      const ClosestPoint closest = this->Locator.closest(images[v]);
+      // Mirrored triangles are turned over.
+      if (-normals[v].dot(triangleNormal(this->Other, closest.triangle)) > facing)
+      {
+        places[v] = closest.position;
+      }
+    }
+    return places;
+  }
+
+  /// Moves images smoothly towards their places.
+  void pull(Points3& images, double stiffness) const
+  {
+    const Index count = this->Half.vertexCount();
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count, 3);
+    for (const auto& [v, place] : this->places(images))
+    {
+      const double weight = this->Fixed[v] ? fixedWeight : 1.0;
+      entries.emplace_back(v, v, weight);
+      right.row(v) = weight * (place - this->Mirrored[v]).transpose();
+    }
+    for (Index h = 0; h < this->Half.halfedgeCount(); ++h)
+    {
+      const Index a = this->Half.from(h);
+      const Index b = this->Half.to(h);
+      if (this->Half.twin(h) == none || a < b) // each edge once
+      {
+        entries.emplace_back(a, a, stiffness);
+        entries.emplace_back(b, b, stiffness);
+        entries.emplace_back(std::max(a, b), std::min(a, b), -stiffness);
+      }
+    }
+    SparseMatrix matrix(count, count);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    LinearSolver solver;
+    solver.factorize(matrix);
+    const Eigen::MatrixXd moves = solver.solve(right);
+    for (Index v = 0; v < count && moves.rows() == count; ++v)
+    {
+      images[v] = this->Mirrored[v] + Point3(moves.row(v));
+    }
+  }
+
+  const TriangleMesh& Half;
+  const TriangleMesh& Other;
+  Points3 Mirrored;
+  SurfaceLocator Locator;  ///< of the other half
+  std::vector<char> Fixed; ///< in the plane
+};
 }
 
 CutMesh cutAlong(const ImprintedSurface& imprinted)
@@ -145,7 +254,28 @@ CutMesh withoutBridges(CutMesh half, const std::optional<MirrorSection>& mirror)
   return half;
 }
 
-CutMesh bothSides(const CutMesh& half, const std::optional<MirrorSection>& mirror)
+Points3 imagesOfHalf(
+  const TriangleMesh& half, const TriangleMesh& surface, const MirrorSection& mirror)
+{
+  Indices otherSide;
+  for (Index t = 0; t < surface.triangleCount(); ++t)
+  {
+    if (mirror.plane.side(surface.centroid(t)) < 0.0)
+    {
+      otherSide.push_back(t);
+    }
+  }
+  if (mirror.plane.error <= SurfaceMirror::exact || otherSide.empty())
+  {
+    return mirror.plane.mirrored(half.points());
+  }
+  const TriangleMesh other =
+    openedPart(surface, otherSide, std::vector<char>(surface.halfedgeCount(), 0)).mesh;
+  return ImageFitting(half, other, mirror).run();
+}
+
+CutMesh bothSides(
+  const CutMesh& half, const std::optional<MirrorSection>& mirror, const Points3& images)
 {
   CutMesh whole = half;
   const Index count = half.mesh.halfedgeCount();
@@ -163,7 +293,7 @@ CutMesh bothSides(const CutMesh& half, const std::optional<MirrorSection>& mirro
     image.push_back(shared ? v : static_cast<Index>(points.size()));
     if (!shared)
     {
-      points.push_back(mirror->plane.mirrored(points[v]));
+      points.push_back(images.empty() ? mirror->plane.mirrored(points[v]) : images[v]);
     }
   }
   Triangles cells = half.mesh.triangles();

@@ -32,6 +32,14 @@ TriangleMesh halfOf(TriangleMesh& surface, MirrorSection& mirror);
 /// sides would meet. \param half of the surface on one side of the plane
 CutMesh withoutBridges(CutMesh half, const std::optional<MirrorSection>& mirror);
 
+/// By vertex of a half, its place on the other side of the surface: its mirror image where that is
+/// exact; otherwise smoothly moved from there onto that side, next to points that face alike, and
+/// from the boundary to the boundary. Vertices in the plane stay.
+Points3 imagesOfHalf(
+  const TriangleMesh& half, const TriangleMesh& surface, const MirrorSection& mirror);
+
 /// Both sides of the plane together, cut along it as well. \pre withoutBridges()
-CutMesh bothSides(const CutMesh& half, const std::optional<MirrorSection>& mirror);
+/// \param images of the half's vertices; where there are none, mirrored ones
+CutMesh bothSides(
+  const CutMesh& half, const std::optional<MirrorSection>& mirror, const Points3& images = {});
 }

@@ -266,7 +266,7 @@ private:
     const Indices images = pieceImages(pieces, this->Subject.mirror, this->Size);
     std::vector<char> done(pieces.size(), 0);
     return std::any_of(order.begin(), order.end(), [&](std::size_t p) {
-      const bool twice = images[p] != none;
+      const bool twice = images[p] != none && images[p] != static_cast<Index>(p);
       if (twice && (done[images[p]] || this->cutsLeft() < 2))
       {
         return false;

@@ -10,6 +10,9 @@ namespace
 /// How near the middle of a piece's area is to that of its image, in sqrt(area / pi) of the
 /// surface, and how much areas may differ.
 constexpr double sameMiddle = 1e-5;
+/// The same of what is nearly its image, and how far 95 % of its points may be from that, in
+/// sqrt(area / pi) of the piece.
+constexpr double nearImage = 0.1;
 
 /// The stretches of curves with a piece on their left, or of those with none on their left on their
 /// right.
@@ -151,11 +154,12 @@ PieceSurface coarsened(const PieceSurface& piece, Index triangles)
   return result;
 }
 
-Indices pieceImages(
-  const std::vector<PieceSurface>& pieces, const std::optional<SurfaceMirror>& mirror, double size)
+Indices pieceImages(const std::vector<PieceSurface>& pieces,
+  const std::optional<SurfaceMirror>& mirror, double size, bool nearly)
 {
   Indices images(pieces.size(), none);
-  if (!mirror || !mirror->plane() || mirror->error > SurfaceMirror::exact)
+  const bool exact = mirror && mirror->error <= SurfaceMirror::exact;
+  if (!mirror || !mirror->plane() || (!exact && !nearly))
   {
     return images;
   }
@@ -164,17 +168,28 @@ Indices pieceImages(
   {
     moments.push_back(momentsOf(piece.mesh));
   }
+  const auto distance = [&](std::size_t p, std::size_t q) {
+    return (mirror->mirrored(moments[p].center) - moments[q].center).norm();
+  };
+  const auto near = [&](std::size_t p, std::size_t q) {
+    return measuredPlane(pieces[p].mesh, pieces[q].mesh, *mirror->plane()).spread < nearImage;
+  };
   const auto alike = [&](std::size_t p, std::size_t q) {
+    if (!exact)
+    {
+      return pieces[p].curves.size() == pieces[q].curves.size() &&
+        distance(p, q) < nearImage * std::sqrt(moments[p].area) && near(p, q) && near(q, p);
+    }
     return pieces[p].mesh.triangleCount() == pieces[q].mesh.triangleCount() &&
-      pieces[p].curves.size() == pieces[q].curves.size() &&
-      (mirror->mirrored(moments[p].center) - moments[q].center).norm() < sameMiddle * size &&
+      pieces[p].curves.size() == pieces[q].curves.size() && distance(p, q) < sameMiddle * size &&
       std::abs(moments[p].area - moments[q].area) < sameMiddle * size * size;
   };
   for (std::size_t p = 0; p < pieces.size(); ++p)
   {
-    for (std::size_t q = 0; q < pieces.size() && !alike(p, p); ++q)
+    images[p] = alike(p, p) ? static_cast<Index>(p) : images[p];
+    for (std::size_t q = 0; q < pieces.size() && images[p] == none; ++q)
     {
-      images[p] = q != p && alike(p, q) ? static_cast<Index>(q) : images[p];
+      images[p] = q != p && alike(p, q) ? static_cast<Index>(q) : none;
     }
   }
   return images;

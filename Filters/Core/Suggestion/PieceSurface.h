@@ -31,11 +31,12 @@ std::vector<PieceSurface> pieceSurfaces(
 /// The same with about this number of triangles, where it has more; boundary and curves stay.
 PieceSurface coarsened(const PieceSurface& piece, Index triangles);
 
-/// By piece the other one that is its exact image in a plane, as the halves of what is cut along
-/// it, with as many curves; none where there is none, and where a piece is its own image.
+/// By piece the one that is its image in a plane, with as many curves: itself, or another, as of
+/// the halves of what is cut along it; none where there is none.
 /// \param size of the surface, sqrt(area / pi)
-Indices pieceImages(
-  const std::vector<PieceSurface>& pieces, const std::optional<SurfaceMirror>& mirror, double size);
+/// \param nearly whether images that are not exact are such, too
+Indices pieceImages(const std::vector<PieceSurface>& pieces,
+  const std::optional<SurfaceMirror>& mirror, double size, bool nearly = false);
 
 /// The lines and their images.
 std::vector<Polyline> withImages(std::vector<Polyline> lines, const SurfaceMirror& mirror);

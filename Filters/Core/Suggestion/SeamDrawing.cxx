@@ -108,6 +108,23 @@ std::vector<SurfacePoint> SeamDrawing::place(const Points3& line) const
   return places;
 }
 
+std::vector<SurfacePoint> SeamDrawing::imageOn(const SeamDrawing& other,
+  const std::vector<SurfacePoint>& chain, const SymmetryPlane& plane) const
+{
+  const auto onBoundary = [this](const SurfacePoint& place) {
+    return place.type == SurfacePointType::Vertex
+      ? this->Mesh.onBoundary(place.id)
+      : place.type == SurfacePointType::Edge && this->Mesh.twin(place.id) == none;
+  };
+  Points3 images;
+  for (const SurfacePoint& place : chain)
+  {
+    const Point3 image = plane.mirrored(place.position);
+    images.push_back(onBoundary(place) ? nearestOnBoundary(other.Mesh, image) : image);
+  }
+  return other.place(images);
+}
+
 bool SeamDrawing::exact(const SurfacePoint& from, const SurfacePoint& to) const
 {
   if (from.type != SurfacePointType::Vertex || to.type != SurfacePointType::Vertex)

@@ -3,6 +3,7 @@
 
 #include "Imprint/ImprintedSurface.h"
 #include "Paths/PathGraph.h"
+#include "Suggestion/SymmetryPlane.h"
 #include "Surface/SurfaceLocator.h"
 #include "Surface/SurfacePoint.h"
 
@@ -34,6 +35,10 @@ public:
 
   /// The places of the surface next to the points of a line; vertices where some are near.
   std::vector<SurfacePoint> place(const Points3& line) const;
+  /// The places on another surface next to the images of a chain on this one: on the boundary where
+  /// those of the chain are.
+  std::vector<SurfacePoint> imageOn(const SeamDrawing& other,
+    const std::vector<SurfacePoint>& chain, const SymmetryPlane& plane) const;
   /// From place to place: along creases and boundaries as they are, elsewhere smooth. No points
   /// where there is no way to a place.
   Points3 draw(const std::vector<SurfacePoint>& chain, int level) const;

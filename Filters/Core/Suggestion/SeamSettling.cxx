@@ -22,6 +22,8 @@ constexpr int maxDrawings = 24;
 constexpr double relaxingShare = 0.5;
 /// Cuts that cannot be laid into a surface are changed this often at most.
 constexpr int maxLayings = 50;
+/// In distances of two places, the longest way between them on one layer of a surface.
+constexpr double longestWay = 2.0;
 
 /// By cut the pieces at its sides. \param first curve of the cuts
 std::vector<std::set<Index>> piecesBeside(const CutSurface& cut, std::size_t cuts, Index first)
@@ -61,20 +63,9 @@ std::vector<SuggestedCurve> without(const std::vector<SuggestedCurve>& cuts, Ind
 
 /// Each cut in the parts that are left of it where it runs along one before it, which has that
 /// stretch, or along the boundary. Those in parts have no images.
-/// \param atMeetings whether it is parted where others meet it, too
 std::vector<SuggestedCurve> unshared(
-  const ImprintedSurface& surface, const std::vector<SuggestedCurve>& cuts, bool atMeetings = false)
+  const ImprintedSurface& surface, const std::vector<SuggestedCurve>& cuts)
 {
-  std::vector<std::set<Index>> around(surface.mesh.vertexCount());
-  std::vector<char> node(surface.mesh.vertexCount(), 0);
-  for (const FeatureCurve& curve : surface.curves)
-  {
-    node[curve.vertices.front()] = node[curve.vertices.back()] = 1;
-    forEachEdge(curve.vertices, [&](Index a, Index b) {
-      around[a].insert(b);
-      around[b].insert(a);
-    });
-  }
   std::vector<char> used(surface.mesh.halfedgeCount(), 0);
   std::vector<std::vector<Points3>> parts(cuts.size());
   for (std::size_t c = 0; c < cuts.size(); ++c)
@@ -84,7 +75,7 @@ std::vector<SuggestedCurve> unshared(
       const Index h = surface.mesh.find(a, b);
       const Index twin = h == none ? none : surface.mesh.twin(h);
       const bool own = twin != none && !used[h];
-      if (own && (!going || (atMeetings && (node[a] || around[a].size() > 2))))
+      if (own && !going)
       {
         parts[c].push_back({ surface.mesh.point(a) });
       }
@@ -161,7 +152,7 @@ public:
       changed = raiseLevels(now.bad, now.seamOf, levels);
       if (!changed && !now.laid)
       {
-        changed = this->joinMeeting(now, seams, levels);
+        this->layTogether(now.cuts);
       }
       changed = changed || (this->Run.cancelled() && !cancelled);
       if (now.bad.empty() && now.worst <= this->Best.worst)
@@ -297,24 +288,24 @@ private:
     }
   }
 
-  /// Seams that cannot be drawn apart become seams from each place where they meet to the next, one
-  /// where two run along each other. They have no images.
-  bool joinMeeting(const Drawn& now, std::vector<ChartSeam>& seams, std::vector<int>& levels) const
+  /// Seams that cannot be drawn apart are kept as they can be laid together.
+  void layTogether(std::vector<SuggestedCurve> cuts)
   {
-    std::vector<SuggestedCurve> cuts = laidTogether(this->Surface, now.cuts);
-    cuts = unshared(imprintCurves(this->Surface, linesOf(cuts), {}), cuts, true);
-    openDividingDarts(this->Surface, {}, {}, cuts);
-    seams.clear();
-    for (SuggestedCurve& cut : cuts)
+    Drawn laid;
+    laid.cuts = laidTogether(this->Surface, std::move(cuts));
+    if (laid.cuts.empty())
     {
-      ChartSeam seam;
-      seam.chain = std::move(cut.curve.points);
-      seam.dart = cut.curve.type == CurveType::Dart;
-      seam.least = seam.level = SeamDrawing::levels - 1;
-      seams.push_back(std::move(seam));
+      return;
     }
-    levels.assign(seams.size(), SeamDrawing::levels - 1);
-    return !seams.empty();
+    const ImprintedSurface imprinted = imprintCurves(this->Surface, linesOf(laid.cuts), {});
+    const DrawnPieces pieces(cutSurface(imprinted.mesh, imprinted.curves), this->Trials,
+      this->Budget, this->Run.uninterrupted());
+    laid.pieces = pieces.cut.pieceCount;
+    laid.worst = pieces.worst();
+    if (laid.worst < this->Best.worst)
+    {
+      this->keep(laid);
+    }
   }
 
   void draw(const std::vector<int>& levels, std::vector<ChartSeam>& seams) const
@@ -336,13 +327,12 @@ private:
       }
       if (this->Mirror->plane.error > SurfaceMirror::exact)
       {
-        std::vector<SurfacePoint> image =
-          this->Drawing.place(this->Mirror->plane.mirrored(seam.chain));
+        std::vector<SurfacePoint> image = this->Drawing.place(seam.imageChain);
         for (std::size_t k = 0; k < image.size(); ++k)
         {
           image[k] = this->Mirror->has(seam.chain[k]) ? chain[k] : image[k];
         }
-        seam.image = this->Drawing.draw(image, seam.level);
+        seam.image = this->Drawing.draw(this->withoutDetours(image), seam.level);
         continue;
       }
       for (const Point3& point : seam.points)
@@ -351,6 +341,22 @@ private:
           this->Mirror->has(point) ? point : this->Mirror->plane.mirrored(point));
       }
     }
+  }
+
+  /// Without places to which the way is far longer than the distance: images on another layer.
+  std::vector<SurfacePoint> withoutDetours(const std::vector<SurfacePoint>& chain) const
+  {
+    std::vector<SurfacePoint> kept{ chain.front() };
+    for (std::size_t k = 1; k < chain.size(); ++k)
+    {
+      const double distance = (chain[k].position - kept.back().position).norm();
+      const Points3 way = this->Drawing.draw({ kept.back(), chain[k] }, SeamDrawing::levels - 1);
+      if (k + 1 == chain.size() || (!way.empty() && polylineLength(way) <= longestWay * distance))
+      {
+        kept.push_back(chain[k]);
+      }
+    }
+    return kept;
   }
 
   /// The seams and their images.

@@ -35,6 +35,7 @@ struct MirrorSection
 struct ChartSeam
 {
   Points3 chain;
+  Points3 imageChain; ///< on the other side of the plane
   bool dart = false;
   bool crosses = false; ///< the mirror plane, in which the chain ends
   bool paired = false;

@@ -92,7 +92,7 @@ void addStripSeams(const CutTrials::Trial& flat, double maximumWidth,
         cuts.push_back(proposedCut(std::move(seam)));
       }
     }
-    if (images[p] != none)
+    if (images[p] != none && images[p] != static_cast<Index>(p))
     {
       done[images[p]] = 1;
       addImages(cuts, before, *mirror);

@@ -94,8 +94,14 @@ class Fitting
 {
 public:
   explicit Fitting(const TriangleMesh& mesh)
+    : Fitting(mesh, mesh)
+  {
+  }
+  /// \param other surface that the images are near to
+  Fitting(const TriangleMesh& mesh, const TriangleMesh& other)
     : Mesh(mesh)
-    , Locator(mesh)
+    , Other(other)
+    , Locator(other)
     , Shape(momentsOf(mesh))
     , Size(std::sqrt(this->Shape.area / pi))
   {
@@ -194,7 +200,7 @@ private:
     {
       const Point3& p = this->Mesh.point(this->Samples[k]);
       const Point3 image = plane.mirrored(p);
-      const Point3 across = triangleNormal(this->Mesh, closest[k].triangle);
+      const Point3 across = triangleNormal(this->Other, closest[k].triangle);
       const double side = plane.side(p);
       const Eigen::Vector3d slope(
         across.dot(-2.0 * (first.dot(p - this->Shape.center) * plane.normal + side * first)),
@@ -215,6 +221,7 @@ private:
   }
 
   const TriangleMesh& Mesh;
+  const TriangleMesh& Other;
   SurfaceLocator Locator;
   SurfaceMoments Shape;
   double Size;
@@ -259,7 +266,13 @@ std::optional<SymmetryPlane> findSymmetryPlane(const TriangleMesh& mesh, double 
 
 SymmetryPlane measuredPlane(const TriangleMesh& mesh, const SymmetryPlane& plane)
 {
-  return Fitting(mesh).measured(plane);
+  return measuredPlane(mesh, mesh, plane);
+}
+
+SymmetryPlane measuredPlane(
+  const TriangleMesh& mesh, const TriangleMesh& other, const SymmetryPlane& plane)
+{
+  return Fitting(mesh, other).measured(plane);
 }
 
 Point3 frontOf(const TriangleMesh& mesh)

@@ -90,6 +90,8 @@ struct SymmetryChoice
 Status readSymmetry(const std::string& text, const TriangleMesh& mesh,
   const std::vector<Polyline>& curves, SymmetryChoice& choice);
 
-/// The plane with its error.
+/// The plane with its error, where images may be of another surface.
 SymmetryPlane measuredPlane(const TriangleMesh& mesh, const SymmetryPlane& plane);
+SymmetryPlane measuredPlane(
+  const TriangleMesh& mesh, const TriangleMesh& other, const SymmetryPlane& plane);
 }

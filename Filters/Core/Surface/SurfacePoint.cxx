@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flattening
 {
@@ -135,6 +136,27 @@ SurfacePoint snapToMesh(
   const Index end = atFrom ? mesh.from(point.id) : mesh.to(point.id);
   const double toEnd = length * (atFrom ? point.weights[1] : point.weights[0]);
   return toEnd <= snap.ofVertex(end) ? vertexPoint(mesh, end) : point;
+}
+
+Point3 nearestOnBoundary(const TriangleMesh& mesh, const Point3& point)
+{
+  Point3 best = point;
+  double least = std::numeric_limits<double>::infinity();
+  for (Index h = 0; h < mesh.halfedgeCount(); ++h)
+  {
+    if (mesh.twin(h) == none)
+    {
+      const Point3& from = mesh.point(mesh.from(h));
+      const Point3& to = mesh.point(mesh.to(h));
+      const Point3 here = from + fractionAlong(from, to, point) * (to - from);
+      if ((point - here).norm() < least)
+      {
+        least = (point - here).norm();
+        best = here;
+      }
+    }
+  }
+  return best;
 }
 
 Points3 positionsOf(const std::vector<SurfacePoint>& points)

@@ -63,6 +63,9 @@ SurfacePoint crossingPoint(const TriangleMesh& mesh, Index halfedge, double frac
 SurfacePoint snapToMesh(
   const TriangleMesh& mesh, const SnapDistance& snap, const ClosestPoint& closest);
 
+/// The point of the boundary that is nearest to one; that one where there is no boundary.
+Point3 nearestOnBoundary(const TriangleMesh& mesh, const Point3& point);
+
 Points3 positionsOf(const std::vector<SurfacePoint>& points);
 
 /// Whether two points have the same type, id and weights.
