@@ -93,6 +93,9 @@ std::string describe(const Mending& mending)
     case SurfaceDefect::Fins:
       text = counted("triangle") + " standing on an edge of others" + was + " taken out";
       break;
+    case SurfaceDefect::OneSidedEdges:
+      text = "the surface is one-sided, as a Moebius band, and was opened at " + counted("edge");
+      break;
     case SurfaceDefect::CrowdedEdges:
       text = "the surface was separated at " + counted("edge") + " of more than two triangles";
       break;

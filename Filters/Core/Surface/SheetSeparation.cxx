@@ -39,7 +39,8 @@ std::pair<Index, Index> endsOf(const Triangles& triangles, Index h)
   return std::minmax({ t[h % 3], t[(h + 1) % 3] });
 }
 
-void partOneSided(const Triangles& triangles, const std::vector<Indices>& crowded, Indices& partner)
+Indices partOneSided(
+  const Triangles& triangles, const std::vector<Indices>& crowded, Indices& partner)
 {
   const Index count = static_cast<Index>(triangles.size());
   JoinedSets sides(2 * count); // of each triangle, and behind them of each turned over
@@ -54,39 +55,55 @@ void partOneSided(const Triangles& triangles, const std::vector<Indices>& crowde
     }
     return !opposed;
   };
-  std::vector<char> isCrowded(partner.size(), 0);
+  enum Order : char
+  {
+    Alike, // as they are: these never contradict each other
+    Turned,
+    Crowded
+  };
+  std::vector<Order> orders;
+  for (std::size_t h = 0; h < partner.size(); ++h)
+  {
+    const bool turned = partner[h] != none && start(static_cast<Index>(h)) == start(partner[h]);
+    orders.push_back(turned ? Turned : Alike);
+  }
   for (const Indices& edge : crowded)
   {
     for (const Index h : edge)
     {
-      isCrowded[h] = 1;
+      orders[h] = Crowded;
     }
   }
-  for (const char now : { 0, 1 })
+  Indices parted;
+  for (const Order now : { Alike, Turned, Crowded })
   {
     for (std::size_t k = 0; k < partner.size(); ++k)
     {
       const Index h = static_cast<Index>(k);
       const Index g = partner[k];
-      if (isCrowded[k] == now && g > h && !join(h, g) && now)
+      if (orders[k] == now && g > h && !join(h, g))
       {
         partner[h] = partner[g] = none;
+        parted.insert(parted.end(), now == Turned ? 1 : 0, h);
       }
     }
   }
+  return parted;
 }
 
-Indices partAtEnds(const Triangles& triangles, std::size_t points, Indices& partner)
+Indices partAtEnds(const Triangles& triangles, std::size_t points, bool pairs, Indices& partner)
 {
   Indices opened;
-  const std::vector<Indices> crowded = crowdedEdges(sortedSides(triangles, points));
+  std::vector<Indices> edges = crowdedEdges(sortedSides(triangles, points), pairs ? 2 : 3);
+  eraseIf(edges,
+    [&partner](const Indices& edge) { return edge.size() == 2 && partner[edge.front()] != none; });
   const auto start = [&triangles](Index h) { return triangles[h / 3][h % 3]; };
   const auto next = [](Index h) { return TriangleMesh::next(h); };
   for (std::size_t before = 1; before > 0;)
   {
     before = 0;
     JoinedSets fans = fansOf(triangles, partner);
-    for (const Indices& edge : crowded)
+    for (const Indices& edge : edges)
     {
       const Index low = endsOf(triangles, edge.front()).first;
       std::map<std::pair<Index, Index>, Index> first; // by the fans at both ends

@@ -15,13 +15,15 @@ namespace flattening
 /// The points of an edge, the lower one first.
 std::pair<Index, Index> endsOf(const Triangles& triangles, Index h);
 
-/// Parts partners at crowded edges that cannot be oriented alike.
-void partOneSided(
+/// Parts partners that cannot be oriented alike: at crowded edges first, then at others where one
+/// of them is turned over. \return the half-edges parted at others, one of each edge
+Indices partOneSided(
   const Triangles& triangles, const std::vector<Indices>& crowded, Indices& partner);
 
 /// Triangles that are not partners at an edge, but have both its ends in common, are parted at one
-/// more edge. \return the ends of these edges
-Indices partAtEnds(const Triangles& triangles, std::size_t points, Indices& partner);
+/// more edge. \param pairs whether there are such at edges of two triangles. \return the ends of
+/// the edges
+Indices partAtEnds(const Triangles& triangles, std::size_t points, bool pairs, Indices& partner);
 
 /// Gives each fan of triangles at a point a point of its own; that of the most triangles keeps the
 /// old one. \return the points that had several

@@ -450,10 +450,14 @@ Status separateParts(Draft& draft, Defects defects, HealedSurface& result)
         return crowdedEdge(low, high, around);
       }
     }
-    if (defects == Defects::Separate)
-    {
-      partOneSided(draft.triangles, crowded, partner);
-    }
+  }
+  const Indices oneSided =
+    defects == Defects::Separate ? partOneSided(draft.triangles, crowded, partner) : Indices{};
+  Indices band;
+  for (const Index h : oneSided)
+  {
+    const auto [low, high] = endsOf(draft.triangles, h);
+    band.insert(band.end(), { low, high });
   }
   const Parts parts(draft, partner);
   std::vector<char> cameOff(parts.area.size(), 0);
@@ -520,16 +524,22 @@ Status separateParts(Draft& draft, Defects defects, HealedSurface& result)
     partner = std::move(ofKept);
     takeOut(draft, [&placeOf](Index t) { return placeOf[t] == none; });
   }
-  const Indices opened = partAtEnds(draft.triangles, draft.points.size(), partner);
+  const Indices opened =
+    partAtEnds(draft.triangles, draft.points.size(), !oneSided.empty(), partner);
   separated.insert(separated.end(), opened.begin(), opened.end());
   Indices pinched = splitFans(draft.triangles, draft.points, draft.source, partner);
   Indices onEdges = separated;
+  onEdges.insert(onEdges.end(), band.begin(), band.end());
   std::sort(onEdges.begin(), onEdges.end());
   eraseIf(pinched, [&](Index p) { return std::binary_search(onEdges.begin(), onEdges.end(), p); });
   report(result, SurfaceDefect::Fins, ElementKind::Cells, fins);
   if (!separated.empty())
   {
     result.mendings.push_back({ SurfaceDefect::CrowdedEdges, { ElementKind::Edges, separated } });
+  }
+  if (!band.empty())
+  {
+    result.mendings.push_back({ SurfaceDefect::OneSidedEdges, { ElementKind::Edges, band } });
   }
   report(result, SurfaceDefect::PinchedPoints, ElementKind::Points, pinched);
   report(result, SurfaceDefect::Specks, ElementKind::Cells, specks);
@@ -602,7 +612,8 @@ HealedSurface heal(
   const bool hasSpecks = ok && defects != Defects::HealParts && hasSpeck(sound.mesh);
   const bool mendable = hasSpecks || (ok && hasNeedle(sound.mesh)) ||
     code == StatusCode::DegenerateTriangle || code == StatusCode::NonManifoldEdge ||
-    code == StatusCode::NonManifoldVertex;
+    code == StatusCode::NonManifoldVertex ||
+    (code == StatusCode::NotOrientable && defects == Defects::Separate);
   if (!mendable)
   {
     report(sound, SurfaceDefect::ReversedTriangles, ElementKind::Cells, sound.reversedTriangles);

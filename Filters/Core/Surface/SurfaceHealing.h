@@ -16,6 +16,7 @@ enum class SurfaceDefect
   FlatTriangles,     ///< without area: taken out, what lies behind them is divided
   DoubledTriangles,  ///< with the same corners as another, in either orientation
   Fins,              ///< small parts that stand on an edge of two others
+  OneSidedEdges,     ///< at which a surface that cannot be oriented was opened
   CrowdedEdges,      ///< of more than two triangles, between large parts: separated there, and
                      ///< at an edge beside it where the triangles have both ends in common
   PinchedPoints,     ///< in which parts of the surface touch: doubled
@@ -28,7 +29,8 @@ enum class Defects
 {
   Heal,      ///< where it is clear how, see healSurface()
   HealParts, ///< the same, but for specks: of a surface that has been cut, they may be pieces
-  Separate,  ///< as Heal; an edge of more than two triangles comes apart where no rule decides
+  Separate,  ///< as Heal; an edge of more than two triangles comes apart where no rule decides, and
+             ///< a one-sided surface where triangles are turned over
   Refuse,    ///< but for triangles that are turned over
 };
 

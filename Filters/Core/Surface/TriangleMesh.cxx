@@ -247,7 +247,7 @@ Indices pairSides(const std::vector<HalfedgeKey>& sides)
   return partner;
 }
 
-std::vector<Indices> crowdedEdges(const std::vector<HalfedgeKey>& sides)
+std::vector<Indices> crowdedEdges(const std::vector<HalfedgeKey>& sides, std::size_t least)
 {
   std::vector<Indices> crowded;
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end)
@@ -256,7 +256,7 @@ std::vector<Indices> crowdedEdges(const std::vector<HalfedgeKey>& sides)
     {
       ++end;
     }
-    if (end - i > 2)
+    if (end - i >= least)
     {
       crowded.emplace_back();
       for (std::size_t k = i; k < end; ++k)

@@ -126,8 +126,9 @@ std::vector<HalfedgeKey> sortedSides(const Triangles& triangles, std::size_t ver
 /// Per half-edge the other one of its edge; none where it is alone. \param sides as sorted.
 Indices pairSides(const std::vector<HalfedgeKey>& sides);
 
-/// The half-edges of each edge of more than two triangles. \param sides as sorted.
-std::vector<Indices> crowdedEdges(const std::vector<HalfedgeKey>& sides);
+/// The half-edges of each edge of more than two triangles, or of at least a number. \param sides as
+/// sorted.
+std::vector<Indices> crowdedEdges(const std::vector<HalfedgeKey>& sides, std::size_t least = 3);
 
 /// As pairSides() in less time where the surface is in order: at most two triangles at an edge,
 /// which run along it in opposite directions and have different third corners. Empty where it is
