@@ -34,6 +34,8 @@ constexpr double freeRise = 1e-2;
 /// Where a number of charts is wanted: by what the bound is multiplied, and up to where.
 constexpr double raisedBound = 1.3;
 constexpr double greatestBound = 1.0;
+/// To list and order a removal, in steps of a flattening; measured on 29,000 triangles.
+constexpr double listingSteps = 1.0;
 /// A seam along a sharp edge costs as much as one of this share of its length: it is seen anyway.
 constexpr double creaseShare = 0.5;
 /// Of a seam, what is sewn at once.
@@ -130,13 +132,18 @@ void Charts::merge(bool sharing, TrialBudget& budget, const Execution& execution
       }
       // Large charts rarely fit beside others, and take long to try.
       const auto mean = static_cast<std::size_t>(this->Mesh.triangleCount()) / this->All.size();
+      Indices owner(sharing ? this->Mesh.triangleCount() : 0, none);
       for (std::size_t c = 0; sharing && c < this->All.size(); ++c)
       {
         if (this->All[c].triangles.size() > mean)
         {
           continue;
         }
-        Removal removal = this->sharedOut(static_cast<Index>(c));
+        Removal removal = this->sharedOut(static_cast<Index>(c), owner);
+        for (Index t : this->All[c].triangles)
+        {
+          owner[t] = owner[this->imageOf(t)] = none;
+        }
         if (removal.saved > 0.0)
         {
           removals.push_back(std::move(removal));
@@ -168,11 +175,11 @@ void Charts::shorten(TrialBudget& budget, const Execution& execution)
         const bool two = this->ChartOf[first / 3] != this->ChartOf[this->Mesh.twin(first) / 3];
         for (bool front : { true, false })
         {
-          const Index end = front ? arc.vertices.front() : arc.vertices.back();
           for (double share : sewnShares)
           {
-            Indices part =
-              two || this->degree(end) == 1 ? this->partOf(arc, front, share) : Indices{};
+            Indices part = two || (front ? arc.frontFree : arc.backFree)
+              ? this->partOf(arc, front, share)
+              : Indices{};
             if (!part.empty() && !this->ownImage(arc))
             {
               removals.push_back(this->removalOf(std::move(part), 0.0));
@@ -185,7 +192,8 @@ void Charts::shorten(TrialBudget& budget, const Execution& execution)
 }
 
 /// From an edge on to the next node, or round to its start.
-Charts::Arc Charts::follow(Index first, std::vector<char>& used) const
+Charts::Arc Charts::follow(
+  Index first, const std::vector<char>& nodes, std::vector<char>& used) const
 {
   Arc arc;
   arc.vertices.push_back(this->Mesh.from(first));
@@ -196,7 +204,7 @@ Charts::Arc Charts::follow(Index first, std::vector<char>& used) const
     const Index end = this->Mesh.to(h);
     arc.vertices.push_back(end);
     h = none;
-    for (Index next : this->isNode(end) ? Indices{} : this->cutEdges(end))
+    for (Index next : nodes[end] ? Indices{} : this->cutEdges(end))
     {
       h = used[next] ? h : next;
     }
@@ -208,15 +216,31 @@ std::vector<Charts::Arc> Charts::arcs(bool opened) const
 {
   std::vector<Arc> all;
   std::vector<char> used(this->Mesh.halfedgeCount(), 0);
+  Indices meeting(this->Mesh.vertexCount(), 0); // how many cut edges meet
+  std::map<Index, Index> atHole;
+  for (Index h = 0; h < this->Mesh.halfedgeCount(); ++h)
+  {
+    meeting[this->Mesh.from(h)] += this->Cut[h] ? 1 : 0;
+    atHole[this->HoleOf[this->Mesh.from(h)]] += this->Cut[h] ? 1 : 0;
+  }
+  std::vector<char> nodes;
+  std::vector<char> ends; // where a single one does
+  for (Index v = 0; v < this->Mesh.vertexCount(); ++v)
+  {
+    const bool inside = !this->Mesh.onBoundary(v);
+    const bool hole = !inside && this->HoleOf[v] != none;
+    nodes.push_back(!inside || meeting[v] != 2 ? 1 : 0);
+    ends.push_back((inside && meeting[v] == 1) || (hole && atHole[this->HoleOf[v]] == 1) ? 1 : 0);
+  }
   for (bool closed : { false, true })
   {
     for (Index v = 0; v < this->Mesh.vertexCount(); ++v)
     {
-      for (Index h : closed || this->isNode(v) ? this->cutEdges(v) : Indices{})
+      for (Index h : meeting[v] > 0 && (closed || nodes[v]) ? this->cutEdges(v) : Indices{})
       {
         if (!used[h])
         {
-          all.push_back(this->follow(h, used));
+          all.push_back(this->follow(h, nodes, used));
         }
       }
     }
@@ -234,16 +258,16 @@ std::vector<Charts::Arc> Charts::arcs(bool opened) const
         Indices(arc.vertices.begin() + half, arc.vertices.end()) });
       continue;
     }
-    if (!closed && this->degree(arc.vertices.front()) == 1 &&
-      this->degree(arc.vertices.back()) != 1)
+    if (!closed && ends[arc.vertices.front()] && !ends[arc.vertices.back()])
     {
       std::reverse(arc.vertices.begin(), arc.vertices.end());
       std::reverse(arc.edges.begin(), arc.edges.end());
       std::transform(arc.edges.begin(), arc.edges.end(), arc.edges.begin(),
         [this](Index h) { return this->Mesh.twin(h); });
     }
-    arc.dart = !closed && !this->Mesh.onBoundary(arc.vertices.back()) &&
-      this->degree(arc.vertices.back()) == 1;
+    arc.dart = !closed && !this->Mesh.onBoundary(arc.vertices.back()) && ends[arc.vertices.back()];
+    arc.frontFree = ends[arc.vertices.front()];
+    arc.backFree = ends[arc.vertices.back()];
     arcs.push_back(std::move(arc));
   }
   return arcs;
@@ -297,6 +321,7 @@ void Charts::eliminate(
   {
     std::vector<Removal> removals;
     list(this->arcs(), removals);
+    budget.pay(listingSteps * static_cast<double>(removals.size()));
     if (static_cast<Index>(this->All.size()) <= this->Fewest)
     {
       eraseIf(removals, [](const Removal& one) { return one.charts.size() > one.left; });
@@ -597,8 +622,8 @@ Charts::Removal Charts::removalOf(Indices edges, double fixedPrice) const
 }
 
 /// The charts beside a chart that get its triangles, each the nearest.
-/// \param owner per triangle, where it is in the chart, who gets it
-Indices Charts::receivers(Index chart, std::vector<Index>& owner) const
+/// \param owner per triangle, where it is in the chart or in its image, who gets it; none before
+Indices Charts::receivers(Index chart, Indices& owner) const
 {
   const Index image = this->chartImage(chart);
   using Step = std::tuple<double, Index, Index>;
@@ -655,8 +680,8 @@ Indices Charts::receivers(Index chart, std::vector<Index>& owner) const
   return all;
 }
 
-/// A chart, and its image, whose triangles go to those beside it.
-Charts::Removal Charts::sharedOut(Index chart) const
+/// A chart, and its image, whose triangles go to those beside it. \param owner see receivers()
+Charts::Removal Charts::sharedOut(Index chart, Indices& owner) const
 {
   Removal removal;
   const Index image = this->chartImage(chart);
@@ -664,7 +689,6 @@ Charts::Removal Charts::sharedOut(Index chart) const
   {
     return removal;
   }
-  std::vector<Index> owner(this->Mesh.triangleCount(), none);
   removal.charts = this->receivers(chart, owner);
   if (removal.charts.size() < 2)
   {
@@ -736,30 +760,6 @@ Indices Charts::cutEdges(Index v) const
     }
   }
   return edges;
-}
-
-/// How many cut edges meet at a vertex, or at the hole that it is on; many at another boundary.
-std::size_t Charts::degree(Index v) const
-{
-  if (!this->Mesh.onBoundary(v))
-  {
-    return this->cutEdges(v).size();
-  }
-  if (this->HoleOf[v] == none)
-  {
-    return this->Mesh.vertexCount();
-  }
-  std::size_t count = 0;
-  for (Index w = 0; w < this->Mesh.vertexCount(); ++w)
-  {
-    count += this->HoleOf[w] == this->HoleOf[v] ? this->cutEdges(w).size() : 0;
-  }
-  return count;
-}
-
-bool Charts::isNode(Index v) const
-{
-  return this->Mesh.onBoundary(v) || this->cutEdges(v).size() != 2;
 }
 
 /// Whether an arc runs across the mirror plane.

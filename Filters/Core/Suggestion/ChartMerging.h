@@ -37,6 +37,9 @@ public:
     Indices edges; ///< half-edges one after the other
     Indices vertices;
     bool dart = false; ///< the last vertex is a tip
+    /// Whether no other meets it at its end, or at the hole there. Not told of opened arcs.
+    bool frontFree = false;
+    bool backFree = false;
   };
 
   /// All must outlive it. \param cut per half-edge \param images per half-edge that of the mirror
@@ -107,8 +110,8 @@ private:
   double forecastCost(const Removal& removal) const;
   bool isDisk(const OpenedPart& part) const;
   Removal removalOf(Indices edges, double fixedPrice) const;
-  Removal sharedOut(Index chart) const;
-  Indices receivers(Index chart, std::vector<Index>& owner) const;
+  Removal sharedOut(Index chart, Indices& owner) const;
+  Indices receivers(Index chart, Indices& owner) const;
   Index imageOf(Index triangle) const { return this->Images[3 * triangle] / 3; }
   Index chartImage(Index chart) const
   {
@@ -116,12 +119,10 @@ private:
   }
   Indices keyOf(const Removal& removal) const;
   Indices cutEdges(Index v) const;
-  std::size_t degree(Index v) const;
-  bool isNode(Index v) const;
   bool ownImage(const Arc& arc) const;
   double priceOf(const Indices& edges) const;
   Indices partOf(const Arc& arc, bool front, double share) const;
-  Arc follow(Index first, std::vector<char>& used) const;
+  Arc follow(Index first, const std::vector<char>& nodes, std::vector<char>& used) const;
 
   const TriangleMesh& Mesh;
   std::vector<char> Cut;
