@@ -186,10 +186,14 @@ Indices pieceImages(const std::vector<PieceSurface>& pieces,
   };
   for (std::size_t p = 0; p < pieces.size(); ++p)
   {
-    images[p] = alike(p, p) ? static_cast<Index>(p) : images[p];
-    for (std::size_t q = 0; q < pieces.size() && images[p] == none; ++q)
+    // Of several in one place each has its own.
+    for (std::size_t q = p; q < pieces.size() && images[p] == none; ++q)
     {
-      images[p] = q != p && alike(p, q) ? static_cast<Index>(q) : none;
+      if (images[q] == none && alike(p, q))
+      {
+        images[p] = static_cast<Index>(q);
+        images[q] = static_cast<Index>(p);
+      }
     }
   }
   return images;
