@@ -695,9 +695,9 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
   }
   if (failed && (opens || options.pieces > 0) && !cuts.empty())
   {
-    ChartSearch tree(mesh, std::nullopt, true, options, budget, execution);
-    std::vector<SuggestedCurve> others = tree.run();
-    return !others.empty() && tree.betterThan(*best, options.bound) ? others : cuts;
+    ChartSearch whole(mesh, std::nullopt, true, options, budget, execution);
+    std::vector<SuggestedCurve> others = whole.run();
+    return !others.empty() && whole.betterThan(*best, options.bound) ? others : cuts;
   }
   if (failed || (near && (second || missed)))
   {
