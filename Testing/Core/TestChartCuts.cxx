@@ -330,14 +330,17 @@ TEST(ChartCuts, OfPartsThatAreNearlyImagesComeInPairsAndThoseOfAMiddlePartToo)
     EXPECT_TRUE(suggestions.boundMet) << size;
     std::map<int, double> lengths; // on either side, and in the middle part
     std::size_t middlePairs = 0;
+    std::size_t pairs = 0;
     for (const SuggestedCurve& cut : suggestions.curves)
     {
       const double side = cut.curve.points.front().y();
       lengths[side > 1.5 ? 1 : side < -1.5 ? -1 : 0] += cut.length;
       middlePairs += std::abs(side) < 1.5 && cut.mirrorOf != none ? 1 : 0;
+      pairs += cut.mirrorOf != none ? 1 : 0;
     }
     EXPECT_NEAR(lengths[1], lengths[-1], 0.02 * lengths[1]) << size;
     EXPECT_GT(middlePairs, 0u) << size;
+    EXPECT_GT(pairs, middlePairs) << size;
   }
 }
 

@@ -710,7 +710,10 @@ std::vector<SuggestedCurve> chartCuts(const TriangleMesh& mesh,
       return others;
     }
   }
-  return partedCharts(mesh, mirror, options, bound, std::move(cuts), budget, execution);
+  // What missed the bound and does not fail any more has been parted.
+  return near && missed && !failed && options.pieces == 0
+    ? cuts
+    : partedCharts(mesh, mirror, options, bound, std::move(cuts), budget, execution);
 }
 
 std::vector<SuggestedCurve> partedCharts(const TriangleMesh& mesh,

@@ -15,8 +15,8 @@ namespace flattening
 /// The points of an edge, the lower one first.
 std::pair<Index, Index> endsOf(const Triangles& triangles, Index h);
 
-/// Parts partners that cannot be oriented alike: at crowded edges first, then at others where one
-/// of them is turned over. \return the half-edges parted at others, one of each edge
+/// Parts partners that cannot be oriented alike, at crowded edges and at others where one of them
+/// is turned over. \return the half-edges parted at others, one of each edge
 Indices partOneSided(
   const Triangles& triangles, const std::vector<Indices>& crowded, Indices& partner);
 

@@ -16,9 +16,9 @@ enum class SurfaceDefect
   FlatTriangles,     ///< without area: taken out, what lies behind them is divided
   DoubledTriangles,  ///< with the same corners as another, in either orientation
   Fins,              ///< small parts that stand on an edge of two others
-  OneSidedEdges,     ///< at which a surface that cannot be oriented was opened
   CrowdedEdges,      ///< of more than two triangles, between large parts: separated there, and
                      ///< at an edge beside it where the triangles have both ends in common
+  OneSidedEdges,     ///< at which a surface that cannot be oriented was opened
   PinchedPoints,     ///< in which parts of the surface touch: doubled
   ReversedTriangles, ///< oriented against the majority of their part
   Specks,            ///< parts below a thousandth of the area of the largest: left out
@@ -38,7 +38,7 @@ enum class Defects
 struct Mending
 {
   SurfaceDefect defect = SurfaceDefect::CollapsedPoints;
-  /// Of the input, ascending: points (collapsed, pinched), pairs of points (crowded edges) or
+  /// Of the input, ascending: points (collapsed, pinched), pairs of points (edges) or
   /// triangles.
   ElementIds ids;
   Index parts = 0; ///< specks: how many parts the triangles form
