@@ -382,6 +382,26 @@ TEST(ChartCuts, KeepToTheirSideOfASlit)
   EXPECT_LE(worstStrain(flat), 0.05);
 }
 
+TEST(ChartCuts, OfSmallPartsAreLaidIntoTheWholeSurface)
+{
+  // A bent cord hangs from a balloon whose edges are far longer than the cord is thick.
+  const Points3 bends{ { 0.0, 0.0, -1.3 }, { 0.2, 0.1, -1.8 }, { -0.2, 0.0, -2.0 },
+    { 0.1, 0.2, -2.6 } };
+  for (Index sides : { 5, 6 })
+  {
+    const TriangleMesh cord = betweenPoles(sides, 16, [&bends](double turn, double down) {
+      const double s = 3.0 * down / pi;
+      const auto k = std::min<std::size_t>(2, static_cast<std::size_t>(s));
+      const Point3 at = bends[k] + (s - static_cast<double>(k)) * (bends[k + 1] - bends[k]);
+      const double radius = 0.005 * (1.0 + 2.0 * std::sin(5.0 * down));
+      return Point3(at + radius * Point3(std::cos(turn), -std::sin(turn), 0.2));
+    });
+    const TriangleMesh mesh =
+      together({ Surface{ ball(1.0, 10), {}, {} }, Surface{ cord, {}, {} } }).mesh;
+    EXPECT_TRUE(suggestCurves(mesh, {}, optionsOf(0.05, 0)).boundMet) << sides;
+  }
+}
+
 TEST(ChartCuts, LeaveWhatLiesFlatAsItIs)
 {
   EXPECT_TRUE(chartsOf(unitSquares(8, 8).mesh, 0.05).empty());

@@ -257,6 +257,16 @@ TEST(SuggestedSets, SharpEdgesOfABoxBecomeItsNet)
       expectExact(box({ 2.0, 3.0, 1.2 }, divisions, scale), SuggestedCuts::All, 7);
     }
   }
+  // Edges of the ends are far shorter than the mean.
+  for (const Point3& rod :
+    { Point3(300.0, 2.0, 2.0), Point3(2.0, 300.0, 2.0), Point3(2.0, 2.0, 300.0) })
+  {
+    for (Index divisions : { 1, 2 })
+    {
+      expectExact(box(rod, divisions, 1.0), SuggestedCuts::All, 8);
+      expectExact(box(rod, divisions, 1.0), SuggestedCuts::Seams, 8);
+    }
+  }
   expectExact(box({ 2.0, 3.0, 1.2 }, 2, 1.0), SuggestedCuts::Darts, 7);
   expectExact(box({ 2.0, 3.0, 1.2 }, 2, 1.0), SuggestedCuts::Seams, 7);
 }

@@ -194,19 +194,20 @@ Points3 SeamDrawing::draw(const std::vector<SurfacePoint>& chain, int level) con
       add(segment);
     }
   }
-  // What is shorter than the snap distance of an imprint may turn back on itself there.
+  // What is shorter than the snap distance of an imprint may turn back on itself there, but for
+  // what leads from vertex to vertex.
   const double least = minStep * this->Snap.greatest() / placeSnap;
+  const auto isVertex = [](const SurfacePoint& p) { return p.type == SurfacePointType::Vertex; };
   std::vector<SurfacePoint> thinned{ points.front() };
   for (std::size_t k = 1; k < points.size(); ++k)
   {
-    const bool last = k + 1 == points.size();
-    const SurfacePoint& before = thinned.back();
-    const double step = (points[k].position - before.position).norm();
-    if (last && step <= least && thinned.size() > 1)
+    const bool kept = k + 1 == points.size() || isVertex(points[k]);
+    const double step = (points[k].position - thinned.back().position).norm();
+    if (kept && step <= least && thinned.size() > 1 && !isVertex(thinned.back()))
     {
       thinned.pop_back();
     }
-    if (last || step > least || commonTriangle(this->Mesh, before, points[k + 1]) == none)
+    if (kept || step > least || commonTriangle(this->Mesh, thinned.back(), points[k + 1]) == none)
     {
       thinned.push_back(points[k]);
     }
