@@ -14,7 +14,9 @@
 #include "Suggestion/SurfaceMirror.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -180,22 +182,28 @@ CutMesh straightened(const TriangleMesh& mesh, const std::vector<Charts::Arc>& a
 /// Two seams, no others of which meet where they do, are one.
 std::vector<SuggestedCurve> joined(std::vector<SuggestedCurve> cuts)
 {
-  const auto alone = [&](std::size_t k) {
-    return cuts[k].mirrorOf == none &&
-      std::none_of(cuts.begin(), cuts.end(),
-        [&](const SuggestedCurve& cut) { return cut.mirrorOf == static_cast<Index>(k); });
+  const auto placeOf = [](const Point3& p) { return std::array{ p.x(), p.y(), p.z() }; };
+  std::map<std::array<double, 3>, int> ends; // at each place
+  for (const SuggestedCurve& cut : cuts)
+  {
+    ++ends[placeOf(cut.curve.points.front())];
+    ++ends[placeOf(cut.curve.points.back())];
+  }
+  std::vector<char> paired;
+  const auto pair = [&] {
+    paired.assign(cuts.size(), 0);
+    for (std::size_t k = 0; k < cuts.size(); ++k)
+    {
+      if (cuts[k].mirrorOf != none)
+      {
+        paired[k] = paired[cuts[k].mirrorOf] = 1;
+      }
+    }
   };
   const auto together = [&](std::size_t a, std::size_t b) {
-    return cuts[b].mirrorOf == static_cast<Index>(a) || (alone(a) && alone(b));
+    return cuts[b].mirrorOf == static_cast<Index>(a) || (!paired[a] && !paired[b]);
   };
-  const auto meeting = [&](const Point3& point) {
-    std::ptrdiff_t ends = 0;
-    for (const SuggestedCurve& cut : cuts)
-    {
-      ends += (cut.curve.points.front() == point) + (cut.curve.points.back() == point);
-    }
-    return ends;
-  };
+  pair();
   for (std::size_t a = 0; a < cuts.size(); ++a)
   {
     for (std::size_t b = a + 1; b < cuts.size(); ++b)
@@ -205,28 +213,40 @@ std::vector<SuggestedCurve> joined(std::vector<SuggestedCurve> cuts)
       {
         continue;
       }
-      Points3 first = cuts[a].curve.points;
-      Points3 second = cuts[b].curve.points;
+      Points3& first = cuts[a].curve.points;
+      Points3& second = cuts[b].curve.points;
+      bool firstTurned = false;
+      bool secondTurned = false;
       const auto meet = [&] {
-        return first.back() == second.front() && meeting(first.back()) == 2;
+        const Point3& end = firstTurned ? first.front() : first.back();
+        const Point3& start = secondTurned ? second.back() : second.front();
+        return end == start && ends[placeOf(end)] == 2;
       };
-      for (int way = 0; way < 4 && !meet(); ++way)
+      for (int way = 0; way < 3 && !meet(); ++way)
       {
-        Points3& turned = way % 2 == 0 ? first : second;
-        std::reverse(turned.begin(), turned.end());
+        (way == 1 ? secondTurned : firstTurned) ^= true;
       }
       if (!meet())
       {
         continue;
       }
+      if (firstTurned)
+      {
+        std::reverse(first.begin(), first.end());
+      }
+      if (secondTurned)
+      {
+        std::reverse(second.begin(), second.end());
+      }
+      ends.erase(placeOf(first.back()));
       first.insert(first.end(), second.begin() + 1, second.end());
-      cuts[a].curve.points = std::move(first);
       cuts[a].length += cuts[b].length;
       cuts.erase(cuts.begin() + static_cast<std::ptrdiff_t>(b));
       for (SuggestedCurve& cut : cuts)
       {
         cut.mirrorOf -= cut.mirrorOf > static_cast<Index>(b) ? 1 : 0;
       }
+      pair();
       --a; // it may be joined to others
       break;
     }
@@ -547,12 +567,12 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
     pieceImages(pieceSurfaces(surface, drawn.cut), mirror, std::sqrt(mesh.area() / pi), true);
   Execution unseen = execution;
   unseen.preview = nullptr; // of single pieces
-  bool added = false;
+  std::vector<SuggestedCurve> more = cuts;
   std::vector<char> done(pieces.size(), 0);
   for (std::size_t p = 0; p < pieces.size() && !budget.spent(); ++p)
   {
-    if (done[p] || drawn.results[p].keeps(bound) ||
-      static_cast<double>(cuts.size()) > options.maxCuts)
+    const auto first = static_cast<Index>(more.size());
+    if (done[p] || drawn.results[p].keeps(bound) || static_cast<double>(first) > options.maxCuts)
     {
       continue;
     }
@@ -590,30 +610,29 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
         break; // nor do more charts
       }
     }
-    std::vector<SuggestedCurve> more = cuts;
     for (SuggestedCurve& cut : found)
     {
-      cut.mirrorOf += cut.mirrorOf == none ? 0 : static_cast<Index>(cuts.size());
+      cut.mirrorOf += cut.mirrorOf == none ? 0 : first;
       more.push_back(std::move(cut));
     }
-    if (more.size() == cuts.size())
+    if (!found.empty() && images[p] > static_cast<Index>(p))
     {
-      continue;
-    }
-    if (images[p] > static_cast<Index>(p))
-    {
-      done[images[p]] = addImages(more, static_cast<Index>(cuts.size()), *mirror, pieces[p].mesh,
-        pieces[images[p]].mesh, options, budget, execution);
-    }
-    openDividingDarts(mesh, {}, {}, more);
-    more = laidTogether(mesh, std::move(more)); // they may come too near
-    if (!more.empty())
-    {
-      cuts = std::move(more);
-      added = true;
+      done[images[p]] = addImages(
+        more, first, *mirror, pieces[p].mesh, pieces[images[p]].mesh, options, budget, execution);
     }
   }
-  return added;
+  if (more.size() == cuts.size())
+  {
+    return false;
+  }
+  openDividingDarts(mesh, {}, {}, more);
+  more = laidTogether(mesh, std::move(more)); // they may come too near
+  if (more.empty())
+  {
+    return false;
+  }
+  cuts = std::move(more);
+  return true;
 }
 }
 

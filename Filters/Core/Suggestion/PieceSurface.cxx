@@ -3,6 +3,8 @@
 
 #include "Suggestion/SurfaceCoarsening.h"
 
+#include <array>
+
 namespace flattening
 {
 namespace
@@ -14,21 +16,55 @@ constexpr double sameMiddle = 1e-5;
 /// sqrt(area / pi) of the piece.
 constexpr double nearImage = 0.1;
 
-/// The stretches of curves with a piece on their left, or of those with none on their left on their
-/// right.
-std::vector<FeatureCurve> stretchesOn(const ImprintedSurface& surface, const Piece& piece)
+/// Where the curves of a surface run.
+struct CurvesOnPieces
 {
-  Indices local(surface.mesh.triangleCount(), none);
-  for (std::size_t t = 0; t < piece.triangles.size(); ++t)
+  CurvesOnPieces(const ImprintedSurface& surface, const std::vector<Piece>& all)
+    : pieces(surface.mesh.triangleCount(), none)
+    , local(surface.mesh.triangleCount(), none)
+    , curves(all.size())
   {
-    local[piece.triangles[t]] = static_cast<Index>(t);
+    for (std::size_t p = 0; p < all.size(); ++p)
+    {
+      for (std::size_t t = 0; t < all[p].triangles.size(); ++t)
+      {
+        this->pieces[all[p].triangles[t]] = static_cast<Index>(p);
+        this->local[all[p].triangles[t]] = static_cast<Index>(t);
+      }
+    }
+    for (Index c = 0; c < static_cast<Index>(surface.curves.size()); ++c)
+    {
+      for (std::vector<Indices>& side : this->halfedges)
+      {
+        side.emplace_back();
+      }
+      forEachEdge(surface.curves[c].vertices, [&](Index a, Index b) {
+        this->halfedges[0][c].push_back(surface.mesh.find(a, b));
+        this->halfedges[1][c].push_back(surface.mesh.find(b, a));
+        for (const std::vector<Indices>& side : this->halfedges)
+        {
+          const Index h = side[c].back();
+          Indices* const there = h == none ? nullptr : &this->curves[this->pieces[h / 3]];
+          if (there && (there->empty() || there->back() != c))
+          {
+            there->push_back(c);
+          }
+        }
+      });
+    }
   }
-  // None where there is no such edge, or the triangle is another piece's.
-  const auto halfedge = [&](Index from, Index to) {
-    const Index h = surface.mesh.find(from, to);
-    const Index t = h == none ? none : local[h / 3];
-    return t == none ? none : 3 * t + h % 3;
-  };
+
+  Indices pieces;                                ///< by triangle
+  Indices local;                                 ///< by triangle, its id in its piece
+  std::array<std::vector<Indices>, 2> halfedges; ///< along and against each curve; or none
+  std::vector<Indices> curves;                   ///< by piece, ascending
+};
+
+/// The stretches of curves with piece p on their left, or of those with none on their left on their
+/// right.
+std::vector<FeatureCurve> stretchesOn(
+  const ImprintedSurface& surface, const CurvesOnPieces& on, const Piece& piece, Index p)
+{
   std::vector<FeatureCurve> found;
   const auto add = [&found](const FeatureCurve& curve, std::size_t k, Index vertex) {
     found.back().vertices.push_back(vertex);
@@ -37,12 +73,14 @@ std::vector<FeatureCurve> stretchesOn(const ImprintedSurface& surface, const Pie
       found.back().planarShape.push_back(curve.planarShape[k]);
     }
   };
-  const auto follow = [&](const FeatureCurve& curve, bool forward) {
+  const auto follow = [&](Index c, bool forward) {
+    const FeatureCurve& curve = surface.curves[c];
     Index last = none;
     for (std::size_t k = 1; k < curve.vertices.size(); ++k)
     {
-      const Index h = forward ? halfedge(curve.vertices[k - 1], curve.vertices[k])
-                              : halfedge(curve.vertices[k], curve.vertices[k - 1]);
+      const Index here = on.halfedges[forward ? 0 : 1][c][k - 1];
+      const Index h =
+        here == none || on.pieces[here / 3] != p ? none : 3 * on.local[here / 3] + here % 3;
       const bool bounds = h != none && piece.mesh.twin(h) == none;
       if (h == none || (!forward && !bounds) || (curve.opens() && bounds && curve.tolerance == 0.0))
       {
@@ -61,10 +99,10 @@ std::vector<FeatureCurve> stretchesOn(const ImprintedSurface& surface, const Pie
       last = to;
     }
   };
-  for (const FeatureCurve& curve : surface.curves)
+  for (const Index c : on.curves[p])
   {
-    follow(curve, true);
-    follow(curve, false);
+    follow(c, true);
+    follow(c, false);
   }
   return found;
 }
@@ -101,10 +139,12 @@ std::vector<PieceSurface> pieceSurfaces(
   }
   const CutSurface opened = openCuts(surface.mesh, std::move(between));
   std::vector<PieceSurface> result;
-  for (Piece& piece : extractPieces(opened))
+  std::vector<Piece> pieces = extractPieces(opened);
+  const CurvesOnPieces on(surface, pieces);
+  for (Piece& piece : pieces)
   {
     PieceSurface one;
-    one.curves = stretchesOn(surface, piece);
+    one.curves = stretchesOn(surface, on, piece, static_cast<Index>(result.size()));
     for (Index v : piece.vertices)
     {
       one.vertices.push_back(opened.originalVertex[v]);
