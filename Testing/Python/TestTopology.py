@@ -267,6 +267,21 @@ class WhatCannotLieFlat(command.WordsTest):
             self.assertEqual([(piece["cell"], piece["triangles"], piece["reason"]) for piece in result.report["left_out"]], [
                 (0, 4, "ClosedSurface"), (4 + SHIRT, 2 * RING_SIZE**2 - 1, "Handle"),
                 (4 + 2 * SHIRT + 2 * RING_SIZE**2 - 1, 4, "ClosedSurface")])
+            points, triangles, _ = parts("button", "shirt", "holed", "shirt", "button")
+            ids = result.point_arrays["vtkOriginalPointIds"]
+            np.testing.assert_array_equal(result.points, points[ids])
+            np.testing.assert_array_equal(np.sort(ids[result.triangles]),
+                                          np.sort(triangles[result.cell_arrays["vtkOriginalCellIds"]]))
+
+    def test_where_something_is_skipped_cells_of_the_input_are_named_that_overlap(self):
+        stairs = command.grid(40, 1, lambda i, j: (
+            (0.6 + 0.4 * j) * np.cos(0.065 * np.pi * i), (0.6 + 0.4 * j) * np.sin(0.065 * np.pi * i), 0.02 * i + 5))
+        for scheme in ("isometric", "lscm"):
+            with quiet():
+                report = sf.flatten(*map(np.array, command.together(command.TETRAHEDRON, stairs, command.TETRAHEDRON)),
+                                    scheme=scheme, skip_closed=True).report
+            self.assertEqual((report["status"], len(report["left_out"])), ("Overlap", 2))
+            self.assertTrue(report["ids"] and set(report["ids"]) <= set(range(4, 84)), report["ids"])
 
     def test_curves_count_as_far_as_they_run_on_what_is_kept(self):
         # A seam around two by two quads of a ring divides it into a disc and a part with a handle.
