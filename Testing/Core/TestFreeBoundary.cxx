@@ -159,8 +159,7 @@ TEST(FreeBoundary, HasTheLeastEnergyThatAnotherMinimizerFinds)
 {
   for (const bool curves : { false, true })
   {
-    FlatteningOptions options = freeBoundary();
-    options.isometric.angleWeight = curves ? 0.0 : options.isometric.angleWeight;
+    const FlatteningOptions options = curves ? withBending(0.0, freeBoundary()) : freeBoundary();
     for (const Surface& surface : formulas(curves))
     {
       const FlatteningResult result = flattenOk(surface, options);

@@ -319,11 +319,9 @@ std::vector<std::function<Point3(double, double)>> panels()
     } };
 }
 
-QualitySummary qualityOf(const Surface& surface, double angleWeight = hingeWeight)
+QualitySummary qualityOf(const Surface& surface, double weight = hingeWeight)
 {
-  FlatteningOptions options;
-  options.isometric.angleWeight = angleWeight;
-  const FlatteningResult result = flattenOk(surface, options);
+  const FlatteningResult result = flattenOk(surface, withBending(weight));
   EXPECT_TRUE(result.pieces[0].quality.flipped.empty());
   return result.pieces[0].quality;
 }
@@ -384,6 +382,16 @@ TEST(WireStiffness, AMeshOfFourTimesTheTrianglesGivesTheSameShape)
     EXPECT_NEAR(coarse.areaError, fine.areaError, 0.04 * fine.areaError);
     EXPECT_NEAR(coarse.rigidEnergy, fine.rigidEnergy, 0.015 * fine.rigidEnergy);
   }
+}
+
+TEST(WireStiffness, TheMoreItWeighsTheLessWiresBend)
+{
+  const Surface surface =
+    withCurves(cushion(8, 10, 0.3), { rowCurve(8, 4), columnCurve(8, 10, 3) });
+  const auto bent = [&](double weight) {
+    return flattenOk(surface, withBending(weight)).pieces[0].angleEnergy / weight;
+  };
+  EXPECT_LT(bent(10.0), bent(1.0));
 }
 
 TEST(WireStiffness, WithoutCurvesItCostsAFewPercentOfEnergyAtMost)
