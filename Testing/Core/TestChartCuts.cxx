@@ -54,50 +54,33 @@ std::vector<SuggestedCurve> chartsOf(const TriangleMesh& mesh, double bound,
 
 TEST(ChartCuts, PartClosedBodiesIntoDisksWithinTheBound)
 {
-  for (double bound : { 0.05, 0.1 })
+  for (const TriangleMesh& mesh : { ball(1.0), bean(), pear(), torus(16, 3.0) })
   {
-    for (const TriangleMesh& mesh : { ball(1.0), bean(), torus(16, 3.0) })
+    double before = std::numeric_limits<double>::infinity();
+    for (double bound : { 0.05, 0.1 })
     {
       const std::vector<SuggestedCurve> cuts = chartsOf(mesh, bound);
       ASSERT_FALSE(cuts.empty());
+      EXPECT_LT(totalLength(cuts), before); // a looser bound takes less seam
+      before = totalLength(cuts);
       const FlatteningResult flat = flattened(mesh, {}, cuts);
       ASSERT_TRUE(flat.status.ok()) << flat.status.message;
       EXPECT_TRUE(flat.leftOut.empty());
       EXPECT_LE(worstStrain(flat), bound);
       EXPECT_EQ(eulerCharacteristic(flat.cut->mesh), flat.cut->pieceCount);
+      std::vector<Points2> pieces(flat.pieces.size());
+      for (Index h = 0; h < flat.cut->mesh.halfedgeCount(); ++h)
+      {
+        pieces[flat.cut->pieceOfTriangle[h / 3]].push_back(flat.positions[flat.cut->mesh.from(h)]);
+      }
+      double cloth = 0.0;
+      for (const Points2& piece : pieces)
+      {
+        cloth += hullArea(piece);
+      }
+      // Pieces hardly wind: the convex hulls of those that do take 1.8 to 2.6 times their area.
+      EXPECT_LE(cloth, 1.7 * mesh.area());
     }
-  }
-}
-
-TEST(ChartCuts, TakeLessSeamForALooserBound)
-{
-  double before = std::numeric_limits<double>::infinity();
-  for (double bound : { 0.025, 0.05, 0.1, 0.2 })
-  {
-    const double length = totalLength(chartsOf(bean(), bound));
-    EXPECT_LT(length, before) << bound;
-    before = length;
-  }
-}
-
-TEST(ChartCuts, MakePiecesThatHardlyWind)
-{
-  // The convex hulls of pieces that wind take 1.8 to 2.6 times their area.
-  for (const TriangleMesh& mesh : { ball(1.0), bean(), pear(), torus(16, 3.0) })
-  {
-    const FlatteningResult flat = flattened(mesh, {}, chartsOf(mesh, 0.1));
-    ASSERT_TRUE(flat.status.ok()) << flat.status.message;
-    std::vector<Points2> pieces(flat.pieces.size());
-    for (Index h = 0; h < flat.cut->mesh.halfedgeCount(); ++h)
-    {
-      pieces[flat.cut->pieceOfTriangle[h / 3]].push_back(flat.positions[flat.cut->mesh.from(h)]);
-    }
-    double cloth = 0.0;
-    for (const Points2& piece : pieces)
-    {
-      cloth += hullArea(piece);
-    }
-    EXPECT_LE(cloth, 1.7 * mesh.area());
   }
 }
 
@@ -150,7 +133,7 @@ TEST(ChartCuts, MakeAsManyPiecesAsAreWanted)
   {
     const TriangleMesh mesh = symmetric ? ball(1.0) : bean();
     double before = std::numeric_limits<double>::infinity();
-    for (Index wanted : { 3, 6, 12 })
+    for (Index wanted : { 3, 12 })
     {
       SuggestionOptions options = optionsOf(0.05, 0);
       options.search.pieces = wanted;
@@ -223,30 +206,27 @@ TEST(ChartCuts, LieFlatWhereTheSearchIsInterrupted)
 
 TEST(ChartCuts, AreHandedOnWhileTheSearchGoesOn)
 {
-  for (const TriangleMesh& body : { bean(), limbedBall(3, 0.8) })
-  {
-    double done = 0.0;
-    double first = 1.0;
-    std::vector<CurveSuggestions> previews;
-    Execution execution;
-    execution.progress = [&](double fraction, const char*) { done = fraction; };
-    execution.preview = [&](const std::vector<Points3>& lines) {
-      first = std::min(first, done);
-      CurveSuggestions found;
-      for (const Points3& line : lines)
-      {
-        found.curves.push_back(proposedCut(line));
-      }
-      previews.push_back(std::move(found));
-    };
-    ASSERT_TRUE(suggestCurves(body, {}, {}, execution).status.ok());
-    ASSERT_GE(previews.size(), 3u);
-    EXPECT_LT(first, 0.05);
-    for (const CurveSuggestions& preview : previews)
+  double done = 0.0;
+  double first = 1.0;
+  std::vector<CurveSuggestions> previews;
+  Execution execution;
+  execution.progress = [&](double fraction, const char*) { done = fraction; };
+  execution.preview = [&](const std::vector<Points3>& lines) {
+    first = std::min(first, done);
+    CurveSuggestions found;
+    for (const Points3& line : lines)
     {
-      const FlatteningResult flat = flattened(body, {}, preview);
-      EXPECT_FALSE(flat.status.refused()) << flat.status.message;
+      found.curves.push_back(proposedCut(line));
     }
+    previews.push_back(std::move(found));
+  };
+  ASSERT_TRUE(suggestCurves(bean(), {}, {}, execution).status.ok());
+  ASSERT_GE(previews.size(), 3u);
+  EXPECT_LT(first, 0.05);
+  for (const CurveSuggestions& preview : previews)
+  {
+    const FlatteningResult flat = flattened(bean(), {}, preview);
+    EXPECT_FALSE(flat.status.refused()) << flat.status.message;
   }
 }
 
@@ -298,8 +278,6 @@ TEST(ChartCuts, KeepToTheMirrorThatIsStated)
 TEST(ChartCuts, AreMappedToTheOtherSideWhereAMirrorIsForced)
 {
   SuggestionOptions options = optionsOf(0.1, 0);
-  options.search.symmetric = "off";
-  EXPECT_FALSE(suggestCurves(bean(), {}, options).mirror.has_value());
   options.search.symmetric = "force";
   const CurveSuggestions forced = suggestCurves(bean(), {}, options);
   ASSERT_TRUE(forced.mirror.has_value());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Design/LineSuggestion.h"
 #include "Suggestion/CutThinning.h"
-#include "Suggestion/CutTrials.h"
 #include "SuggestionTesting.h"
 
 using namespace flattening;
@@ -178,26 +177,6 @@ TEST(CurveSuggestion, IsLooserWhereTheBoundTakesMoreSeamsThanCanBeSewn)
   EXPECT_LT(suggestions.strainAfter, 0.04); // 0.46 without cuts
 }
 
-TEST(CurveSuggestion, NeverHasMoreCutsOfAnyKindThanTheMaximum)
-{
-  const TriangleMesh tube =
-    revolved(24, 8, 3.0, [](double share) { return 1.0 + 0.4 * std::cos(3.0 * share); });
-  for (const TriangleMesh& mesh : { dome(0.8), twoBumps(), tube, sphere(2), cube() })
-  {
-    for (const SuggestedCuts kind :
-      { SuggestedCuts::Darts, SuggestedCuts::Seams, SuggestedCuts::All })
-    {
-      for (Index most : { 1, 3 })
-      {
-        const CurveSuggestions suggestions =
-          suggestCurves(mesh, {}, optionsOf(0.03, most, kind, 0.25));
-        EXPECT_LE(static_cast<Index>(suggestions.curves.size()), most)
-          << mesh.triangles().size() << " triangles, kind " << static_cast<int>(kind);
-      }
-    }
-  }
-}
-
 TEST(CurveSuggestion, CutsLargeSurfacesWithTheWorkOfSmallOnes)
 {
   const TriangleMesh mesh = heightField(160, [](double x, double y) {
@@ -267,43 +246,6 @@ TEST(CurveSuggestion, TakesNoMoreCutsThanAllowedToOpenASurface)
     EXPECT_EQ(suggestions.status.code, most == 1 ? StatusCode::InvalidOption : StatusCode::Ok);
     EXPECT_EQ(
       suggestions.status.message.find("to open the surface takes") == std::string::npos, most > 1);
-  }
-  for (Index most : { 2, 4 }) // where many more would be wanted
-  {
-    const CurveSuggestions suggestions = suggestCurves(torus(16, 3.0), {}, optionsOf(0.002, most));
-    EXPECT_LE(static_cast<Index>(suggestions.curves.size()), most);
-    EXPECT_FALSE(suggestions.boundMet);
-  }
-}
-
-TEST(CurveSuggestion, DartsThatMeetAtTheirTipsAreNoTrial)
-{
-  // From opposite edges, from neighbouring ones, and one that ends on the other's leg.
-  for (double scale : { 0.01, 1.0, 1000.0 })
-  {
-    const TriangleMesh mesh = patch(16, 16, [scale](double i, double j) {
-      return Point3(scale * i, scale * j, scale * 0.02 * (i * (16.0 - i) + j * (16.0 - j)));
-    }).mesh;
-    const auto dart = [&](Index column, Index row, Index right, Index up, Index count) {
-      Polyline line;
-      line.type = CurveType::Dart;
-      for (Index k = 0; k <= count; ++k)
-      {
-        line.points.push_back(mesh.point((row + k * up) * 17 + column + k * right));
-      }
-      return line;
-    };
-    const CutTrials trials(mesh, {}, {}, {});
-    TrialBudget budget(1e9);
-    const Polyline below = dart(8, 0, 0, 1, 8);
-    EXPECT_TRUE(trials.run({ below, dart(8, 16, 0, -1, 7) }, budget, {}).valid);
-    for (const Polyline& other :
-      { dart(8, 16, 0, -1, 8), dart(0, 8, 1, 0, 8), dart(16, 4, -1, 0, 8) })
-    {
-      EXPECT_TRUE(trials.run({ other }, budget, {}).valid);
-      EXPECT_FALSE(trials.run({ below, other }, budget, {}).valid);
-      EXPECT_FALSE(trials.run({ other, below }, budget, {}).valid);
-    }
   }
 }
 
@@ -377,51 +319,6 @@ TEST(CurveSuggestion, PairsCutsOfASymmetricShapeWhoseTrianglesAreNotMirrored)
         }
       }
     }
-  }
-}
-
-TEST(CurveSuggestion, EndsWhenItIsCancelledWithTheBestSoFar)
-{
-  Execution execution;
-  execution.cancel = [] { return true; };
-  EXPECT_EQ(
-    suggestCurves(dome(0.4), {}, optionsOf(0.0, 4), execution).status.code, StatusCode::Cancelled);
-  const SuggestionOptions options = optionsOf(0.005, 6, SuggestedCuts::All, 3.0);
-  int all = 0;
-  execution.cancel = [&all] { return ++all < 0; };
-  suggestCurves(dome(0.7), {}, options, execution);
-  std::size_t most = 0;
-  for (double share : { 0.01, 0.5, 0.9 })
-  {
-    const auto asked = static_cast<int>(share * all);
-    int left = asked;
-    execution.cancel = [&left] { return --left < 0; };
-    const CurveSuggestions suggestions = suggestCurves(dome(0.7), {}, options, execution);
-    ASSERT_TRUE(suggestions.status.ok()) << asked;
-    EXPECT_EQ(suggestions.end, SearchEnd::Interrupted);
-    EXPECT_GE(suggestions.curves.size(), most);
-    EXPECT_LE(suggestions.strainAfter, suggestions.strainBefore);
-    most = suggestions.curves.size();
-    EXPECT_TRUE(flattened(dome(0.7), {}, suggestions).status.ok());
-  }
-  EXPECT_GT(most, 0U);
-}
-
-TEST(CurveSuggestion, RefusesWhatIsNoOption)
-{
-  std::vector<SuggestionOptions> wrong{ optionsOf(-0.1, 4), optionsOf(std::nan(""), 4) };
-  wrong.emplace_back(optionsOf(0.02, 4)).search.maximumWork = -1.0;
-  for (const SuggestionOptions& options : wrong)
-  {
-    EXPECT_EQ(suggestCurves(dome(0.2), {}, options).status.code, StatusCode::InvalidOption);
-  }
-  Polyline curve;
-  curve.points = { dome(0.2).point(0), dome(0.2).point(1) };
-  for (double tolerance : { -0.1, 1.0, std::nan("") })
-  {
-    curve.tolerance = tolerance;
-    const Status status = suggestCurves(dome(0.2), { curve }, optionsOf(0.02, 4)).status;
-    EXPECT_NE(status.message.find("tolerance"), std::string::npos) << tolerance;
   }
 }
 
@@ -586,23 +483,4 @@ TEST(CurveSuggestion, DoesTheSameWhereAllWeightsAreEqual)
   const CurveSuggestions with = suggestCurves(mesh, {}, options);
   ASSERT_FALSE(with.curves.empty());
   expectSameCurves(without, with);
-}
-
-TEST(CurveSuggestion, RefusesWhatAreNoWeights)
-{
-  const TriangleMesh mesh = twoBumps();
-  SuggestionOptions options = optionsOf(0.02, 4);
-  options.weights.assign(mesh.triangleCount() - 1, 1.0);
-  EXPECT_EQ(suggestCurves(mesh, {}, options).status.code, StatusCode::InvalidOption);
-  options.weights.assign(mesh.triangleCount(), 0.0);
-  EXPECT_EQ(suggestCurves(mesh, {}, options).status.code, StatusCode::InvalidOption);
-  for (double wrong : { -1.0, std::nan(""), std::numeric_limits<double>::infinity() })
-  {
-    options.weights.assign(mesh.triangleCount(), 1.0);
-    options.weights[7] = wrong;
-    const Status status = suggestCurves(mesh, {}, options).status;
-    EXPECT_EQ(status.code, StatusCode::InvalidOption);
-    EXPECT_EQ(status.ids.kind, ElementKind::Cells);
-    EXPECT_EQ(status.ids.values, std::vector<std::int64_t>{ 7 });
-  }
 }

@@ -340,32 +340,6 @@ TEST(CurveSuggestion, PartsWhatLiesOverItselfWithoutStrain)
   }
 }
 
-TEST(CutSets, OneSmallPieceThatOverlapsFailsLessThanOneThatIsCrushed)
-{
-  const auto setOf = [](std::vector<double> strains, std::vector<double> areas, bool lastFault) {
-    CutSet set;
-    set.outcome.valid = true;
-    set.outcome.strainP95 = *std::max_element(strains.begin(), strains.end());
-    set.outcome.pieceFaults.assign(strains.size(), 0);
-    set.outcome.pieceFaults.back() = lastFault ? 1 : 0;
-    set.outcome.pieceStrains = std::move(strains);
-    set.outcome.pieceAreas = std::move(areas);
-    return set;
-  };
-  const std::vector<CutSet> sets{ setOf({ 0.07 }, { 1.0 }, false),
-    setOf({ 0.04, 0.05 }, { 0.95, 0.05 }, true), setOf({ 0.04, 0.2 }, { 0.6, 0.4 }, false),
-    setOf({ 0.04, 0.05 }, { 0.6, 0.4 }, true), setOf({ 0.5 }, { 1.0 }, false),
-    setOf({ 1.5 }, { 1.0 }, false), setOf({ 1.5 }, { 1.0 }, true), CutSet() };
-  for (std::size_t a = 0; a < sets.size(); ++a)
-  {
-    for (std::size_t b = a + 1; b < sets.size(); ++b)
-    {
-      const std::vector<CutSet> both{ sets[b], sets[a] };
-      EXPECT_EQ(&leastFailing(both, optionsOf(0.05, 0).search, 1.0), &both[1]) << a << ' ' << b;
-    }
-  }
-}
-
 TEST(CutSets, SliversBetweenSeamsAreJoinedWithALargerNeighbor)
 {
   // Across a flat sheet, and the same in two halves that mirror each other.

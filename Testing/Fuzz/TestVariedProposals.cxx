@@ -24,23 +24,28 @@ void propose(unsigned first, unsigned count)
     const PreparedSurface surface =
       prepareSurface(specimen.points, specimen.triangles, CoincidentPoints::Keep);
     ASSERT_TRUE(surface.status.ok()) << surface.status.message;
-    SuggestionOptions options;
-    options.search.bound = 0.05;
-    options.search.maximumCuts = 4;
-    options.search.maximumWork = 0.5;
-    const CurveSuggestions suggestions = suggestCurves(surface.mesh, {}, options);
-    if (suggestions.status.refused())
+    for (const auto& [kind, most] : { std::pair(SuggestedCuts::Darts, 1),
+           std::pair(SuggestedCuts::Seams, 2), std::pair(SuggestedCuts::All, 4) })
     {
-      EXPECT_TRUE(suggestions.curves.empty());
-      EXPECT_FALSE(suggestions.status.message.empty());
-      continue;
+      SuggestionOptions options;
+      options.search.bound = 0.05;
+      options.search.cuts = kind;
+      options.search.maximumCuts = most;
+      options.search.maximumWork = 0.5;
+      const CurveSuggestions suggestions = suggestCurves(surface.mesh, {}, options);
+      if (suggestions.status.refused())
+      {
+        EXPECT_TRUE(suggestions.curves.empty());
+        EXPECT_FALSE(suggestions.status.message.empty());
+        continue;
+      }
+      EXPECT_LE(static_cast<int>(suggestions.curves.size()), most);
+      for (const SuggestedCurve& cut : suggestions.curves)
+      {
+        EXPECT_TRUE(std::isfinite(cut.length) && cut.length > 0.0);
+      }
+      proposed += kind == SuggestedCuts::All && !suggestions.curves.empty() ? 1 : 0;
     }
-    EXPECT_LE(suggestions.curves.size(), 4U);
-    for (const SuggestedCurve& cut : suggestions.curves)
-    {
-      EXPECT_TRUE(std::isfinite(cut.length) && cut.length > 0.0);
-    }
-    proposed += suggestions.curves.empty() ? 0 : 1;
   }
   EXPECT_GT(proposed, count / 4);
 }
