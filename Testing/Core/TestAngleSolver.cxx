@@ -4,9 +4,7 @@
 #include "Angles/DirectionsForm.h"
 #include "Angles/KeyRelease.h"
 #include "Angles/ReleaseAdvice.h"
-#include "Angles/WireLayout.h"
 #include "Flattened.h"
-#include "Flattening/PieceWires.h"
 #include "ModelDerivatives.h"
 #include "Reference/ProgressiveWarping.h"
 #include "Reference/SequentialAngleSolver.h"
@@ -143,25 +141,6 @@ TEST(AngleSolver, AWideBandFindsTheLengthWhoseSensitivityIsItsCost)
   EXPECT_NEAR(slope, 0.0, 1e-9);
 }
 
-TEST(AngleSolver, SaysWhenItRanOutOfIterations)
-{
-  const WiredSurface wired(quarterSphere());
-  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
-  {
-    for (const int most : { 0, 2 })
-    {
-      AngleSolverOptions options;
-      options.method = method;
-      options.maximumIterations = most;
-      const AngleSolution solution = solveAngles(wired.problem(), options, {});
-      EXPECT_STREQ(statusName(solution.status.code), "NotConverged");
-      EXPECT_FALSE(solution.status.refused());
-      EXPECT_EQ(solution.iterations, most);
-      EXPECT_EQ(solution.theta.size(), 24U);
-    }
-  }
-}
-
 namespace
 {
 Eigen::VectorXd randomVector(Eigen::Index size, double scale)
@@ -261,55 +240,9 @@ TEST(DirectionsForm, TheKktMatrixHoldsTheDerivativesOfObjectiveClosureAndLagrang
 
 namespace
 {
-double worstLength(const WireNetwork& network, const Points2& positions)
+ProgressiveSolution warp(const WiredSurface& wired)
 {
-  double worst = 0.0;
-  for (const WireEdge& edge : network.edges)
-  {
-    const double placed = (positions[edge.to] - positions[edge.from]).norm();
-    worst = std::max(worst, std::abs(placed - edge.length) / edge.length);
-  }
-  return worst;
-}
-
-Surface wiredCushion()
-{
-  return withCurves(cushion(8, 6, 0.3),
-    { rowCurve(8, 2), rowCurve(8, 4), columnCurve(8, 6, 3), accessory("dangling", { 6, 15 }) });
-}
-}
-
-TEST(WireLayout, AnglesWithNoiseStillGiveExactLengths)
-{
-  const WiredSurface wired(wiredCushion());
-  AngleSolution solution = wired.solve();
-  const Points2 exact = layOutWires(wired.network, solution.theta, solution.length);
-  std::mt19937 random(3);
-  for (double& theta : solution.theta)
-  {
-    theta += 1e-9 * (random() / 2147483648.0 - 1.0);
-  }
-  const Points2 noisy = layOutWires(wired.network, solution.theta, solution.length);
-  EXPECT_LT(worstLength(wired.network, noisy), 1e-13);
-  EXPECT_LT(rigidDistance(noisy, exact), 1e-7);
-}
-
-namespace
-{
-ProgressiveSolution warp(const WiredSurface& wired, AngleMethod method = AngleMethod::Newton)
-{
-  AngleSolverOptions options;
-  options.method = method;
-  return warpProgressively(wired.problem(), options, {});
-}
-
-/// With the repair of what does not close.
-PieceSolution warpAndRepair(const WiredSurface& wired)
-{
-  const Execution execution;
-  return solveWires({ wired.piece, wired.network, wired.cut, wired.curves,
-                      withScheme(Scheme::Progressive), execution },
-    {});
+  return warpProgressively(wired.problem(), {}, {});
 }
 
 /// Four wire-patches in a row from y = 0 up.
@@ -362,19 +295,6 @@ TEST(ProgressiveWarping, TheFirstPatchIsFlattenedAsIfItWereAlone)
   }
 }
 
-TEST(ProgressiveWarping, AnglesAroundInnerVerticesSumToAWholeTurn)
-{
-  const WiredSurface wired(quarterSphere());
-  const AngleProblem problem = wired.problem();
-  for (const AngleMethod method : { AngleMethod::Newton, AngleMethod::Sequential })
-  {
-    const ProgressiveSolution solution = warp(wired, method);
-    ASSERT_TRUE(solution.angles.status.ok());
-    EXPECT_LT(worstConstraint(problem, solution.angles.theta), 1e-11);
-    EXPECT_GT(solution.angles.objective, 0.197157) << "the global optimum is below";
-  }
-}
-
 TEST(ProgressiveWarping, OfASinglePatchIsTheGlobalOptimum)
 {
   Surface plain = cushion(8, 6, 0.4);
@@ -390,60 +310,30 @@ TEST(ProgressiveWarping, OfASinglePatchIsTheGlobalOptimum)
   }
 }
 
-TEST(ProgressiveWarping, WiresMeetAlsoWhereTheLastPatchesHaveNoFreeAngle)
-{
-  // A grid of wires on a strongly curved surface: patches in the middle inherit all their angles.
-  Surface surface = cushion(6, 6, 0.4);
-  for (Index k = 1; k < 6; ++k)
-  {
-    surface.curves.push_back(rowCurve(6, k));
-    surface.curves.push_back(columnCurve(6, 6, k));
-  }
-  const WiredSurface wired(surface);
-  const AngleProblem problem = wired.problem();
-  const ProgressiveSolution progressive = warp(wired);
-  EXPECT_FALSE(progressive.closes());
-  EXPECT_STREQ(statusName(progressive.angles.status.code), "NotConverged");
-  EXPECT_EQ(progressive.warpingOrder.size(), 36U);
-  const PieceSolution solution = warpAndRepair(wired);
-  EXPECT_TRUE(solution.report.repaired);
-  ASSERT_TRUE(solution.angles.status.ok()) << solution.angles.status.message;
-  EXPECT_EQ(solution.report.warpingOrder.size(), 36U);
-  EXPECT_LT(solution.angles.closure, 1e-12 * perimeter(problem));
-  EXPECT_LT(worstConstraint(problem, solution.angles.theta), 1e-11);
-}
-
 namespace
 {
 struct Release
 {
   Indices released;
-  Status status;
   int solves = 0;
 };
 
-/// Key curves "key0", "key1", ... and what the search makes of a solver that succeeds where `works`
-/// says so of the released ones, with the objective that `cost` gives.
+/// What the search makes of a number of keys and a solver that succeeds where `works` says so of
+/// the released ones, with the objective that `cost` gives.
 template <class Works, class Cost>
 Release release(Index count, Works works, Cost cost)
 {
-  std::vector<FeatureCurve> curves;
-  Indices keys;
-  for (Index k = 0; k < count; ++k)
-  {
-    curves.push_back(curveOf(CurveType::Key, "key" + std::to_string(k), { k, k + 1 }));
-    keys.push_back(k);
-  }
+  Indices keys(count);
+  std::iota(keys.begin(), keys.end(), 0);
   Release result;
   std::set<Indices> asked;
-  const KeyRelease found = releaseKeys(keys, [&](const Indices& next) -> std::optional<double> {
+  const auto solve = [&](const Indices& next) -> std::optional<double> {
     EXPECT_TRUE(asked.insert(next).second) << "solved the same trial twice";
     const std::set<Index> released(next.begin(), next.end());
     ++result.solves;
     return works(released) ? std::optional<double>(cost(released)) : std::nullopt;
-  });
-  result.released = found.released;
-  result.status = describeRelease(curves, keys, found);
+  };
+  result.released = releaseKeys(keys, solve).released;
   return result;
 }
 
@@ -451,18 +341,6 @@ double one(const std::set<Index>&)
 {
   return 1.0;
 }
-}
-
-TEST(KeyRelease, ReleasesOneCurveWhereOneIsEnough)
-{
-  const Release result = release(
-    5, [](const std::set<Index>& r) { return r.count(3) > 0; }, one);
-  EXPECT_EQ(result.released, (Indices{ 3 }));
-  EXPECT_STREQ(statusName(result.status.code), "IncompatibleKeys");
-  EXPECT_EQ(result.status.ids, (ElementIds{ ElementKind::Curves, Indices{ 3 } }));
-  ASSERT_FALSE(result.status.remedies.empty());
-  EXPECT_EQ(result.status.remedies.front().remedy, Remedy::MakeAccessory);
-  EXPECT_EQ(result.status.remedies.front().subject, "\"key3\"");
 }
 
 TEST(KeyRelease, ReleasesTheFewestAndOfAsManyThoseOfTheLeastObjective)

@@ -196,28 +196,3 @@ TEST(ClothMaterial, PresetsAreSound)
     EXPECT_TRUE(checkMaterial(preset).ok()) << preset.name;
   }
 }
-
-TEST(ClothMaterial, NumbersWithoutMeaningAreRefused)
-{
-  const double nothing = std::numeric_limits<double>::quiet_NaN();
-  std::vector<ClothMaterial> wrong(12, plainSheet());
-  ASSERT_TRUE(checkMaterial(wrong[0]).ok());
-  wrong[0].warp = -1.0;
-  wrong[1].weft = 0.0;
-  wrong[2].shear = nothing;
-  wrong[3].shear = std::numeric_limits<double>::infinity();
-  wrong[4].shear = 1e-9;
-  wrong[5].cross = 100.0;
-  wrong[6].compression = 0.0;
-  wrong[7].compression = 2.0;
-  wrong[8].warpLimits = { 0.01, 0.02 };
-  wrong[9].weftLimits.greatest = -0.5;
-  wrong[10].weftLimits.greatest = nothing;
-  wrong[11].shearLimit = 0.0;
-  for (std::size_t k = 0; k < wrong.size(); ++k)
-  {
-    const Status status = checkMaterial(wrong[k]);
-    EXPECT_EQ(status.code, StatusCode::InvalidOption) << k;
-    EXPECT_FALSE(status.remedies.empty()) << k;
-  }
-}

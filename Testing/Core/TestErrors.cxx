@@ -3,7 +3,6 @@
 // Testing/Python/TestRemedies.py, of surfaces in TestSurfacePreparation, of curves in
 // TestCurveImprint.
 #include "Base/Status.h"
-#include "Cloth/ClothMaterial.h"
 #include "Flattened.h"
 #include "Imprint/CurveImprint.h"
 #include "StatusTesting.h"
@@ -143,29 +142,6 @@ TEST(Errors, OfTrianglesTooThinToBeSplit)
   }
   EXPECT_GE(failures, 10);
   EXPECT_GT(2 * helped, failures) << "a larger snap distance seldom is a way out";
-}
-
-TEST(Errors, OfOptions)
-{
-  std::vector<FlatteningOptions> wrong;
-  for (const double value : { -1.0, std::numeric_limits<double>::quiet_NaN() })
-  {
-    wrong.emplace_back().spacing = value;
-    wrong.emplace_back().angles.closureTolerance = value;
-    wrong.emplace_back().isometric.tolerance = value;
-  }
-  // Each curve of a grain needs a finite angle.
-  for (const std::vector<double>& angles : { std::vector<double>{}, std::vector<double>{ 0.0, 0.0 },
-         std::vector<double>{ std::numeric_limits<double>::quiet_NaN() },
-         std::vector<double>{ -HUGE_VAL } })
-  {
-    wrong.emplace_back().cloth =
-      ClothOptions{ *findPreset("twill"), GrainKind::Curve, { "hem" }, angles, 0.0 };
-  }
-  for (const FlatteningOptions& options : wrong)
-  {
-    EXPECT_EQ(codeOf(flatten(cushion(4, 4, 0.2), options).status), StatusCode::InvalidOption);
-  }
 }
 
 TEST(Status, TheWorstOfSeveralIsByHowLittleItsPieceIsOfUse)

@@ -147,39 +147,6 @@ TEST(InteriorEmbedding, SliversDoNotSpoilTheirNeighbours)
   }
 }
 
-TEST(InteriorEmbedding, RefusesOptionsOutOfRange)
-{
-  std::vector<InteriorOptions> wrong;
-  for (double factor : { 0.0, 2.0, -1.0, std::nan("") })
-  {
-    wrong.emplace_back(with(InteriorMethod::Relaxation)).relaxation = factor;
-  }
-  wrong.emplace_back(with(InteriorMethod::Relaxation)).minimumIterations = 200;
-  wrong.emplace_back(with(InteriorMethod::AsRigidAsPossible)).maximumRigidIterations = 0;
-  const WiredSurface wired(wiredCushion());
-  for (const InteriorOptions& options : wrong)
-  {
-    Points2 positions = pinnedBy(wired, shadow);
-    EXPECT_EQ(placeInterior(wired.piece, wired.network, options, {}, positions).status.code,
-      StatusCode::InvalidOption);
-  }
-}
-
-TEST(InteriorEmbedding, APieceWithoutInteriorVerticesIsLeftAsItIs)
-{
-  const TriangleMesh mesh({ Point3(0, 0, 0), Point3(3, 0, 0), Point3(0, 4, 0) }, { { 0, 1, 2 } });
-  const WiredSurface wired(mesh, {});
-  const Points2 before{ Point2(0, 0), Point2(3, 0), Point2(0, 4) };
-  for (InteriorMethod method : allMethods)
-  {
-    Points2 positions = before;
-    const auto result = placeInterior(wired.piece, wired.network, with(method), {}, positions);
-    EXPECT_TRUE(result.status.ok());
-    EXPECT_EQ(result.iterations, 0);
-    EXPECT_EQ(positions, before);
-  }
-}
-
 TEST(RigidEmbedding, EndsWhereTheLocalGlobalMethodEnds)
 {
   // The classic iteration, with dense matrices and to its bitter end, from positions that stretch
@@ -302,16 +269,6 @@ TEST(Untangling, ScatteredInteriorsInsideASimpleLoopEndWithoutFlips)
       }
     }
   }
-}
-
-TEST(Untangling, LeavesPatchesWithoutFlipsAsTheyAre)
-{
-  const Surface surface = flatPatch(6, 6);
-  const WiredSurface wired(surface);
-  Points2 positions = unrolled(wired, surface);
-  const Points2 before = positions;
-  EXPECT_TRUE(untangleInterior(wired.piece, wired.network, {}, positions).patches.empty());
-  EXPECT_EQ(positions, before);
 }
 
 TEST(Untangling, SaysWhichPatchCannotBeHelped)

@@ -346,26 +346,6 @@ TEST(NewtonKkt, UnknownsThatStartOnTheirBoundsAreHeldOrFreedAtOnce)
   }
 }
 
-TEST(NewtonKkt, SaysWhereIterationsRunOutOrTheRunIsCancelled)
-{
-  const Eigen::Vector2d goal(0.6, 0.8);
-  DenseModel model = onTheCircle(nearestTo(5.0 * goal));
-  NewtonKktOptions options;
-  options.maximumIterations = 1;
-  const NewtonKktState early = solved(model, Eigen::Vector2d(1.0, -0.5), options);
-  EXPECT_FALSE(early.converged());
-  EXPECT_FALSE(early.cancelled());
-  Execution execution;
-  execution.cancel = [] { return true; };
-  const NewtonKktState stopped =
-    minimize(model, { Eigen::Vector2d(1.0, -0.5), {} }, LinearSolver(), {}, execution);
-  EXPECT_FALSE(stopped.converged());
-  EXPECT_TRUE(stopped.cancelled());
-  const NewtonKktState end = solved(model, Eigen::Vector2d(1.0, -0.5));
-  EXPECT_TRUE(end.converged());
-  EXPECT_LT((end.x - goal).norm(), 1e-9);
-}
-
 TEST(NewtonKkt, StepsByAnEarlierMatrixEndWhereThoseByTheirOwnDoWithFewerMatrices)
 {
   // Least of a quartic on the circle, from near and from far.

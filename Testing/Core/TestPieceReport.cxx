@@ -212,6 +212,7 @@ TEST(PieceReport, TheSolverThatWasUsedIsNamedAndWhyItIsAnother)
 
 TEST(PieceReport, ARepairOfProgressiveAnglesIsTold)
 {
+  // A grid of wires on a strongly curved surface: patches in the middle inherit all their angles.
   Surface surface = cushion(6, 6, 0.4);
   EXPECT_FALSE(flatten(surface, withScheme(Scheme::Progressive)).pieces[0].repaired);
   for (Index k = 1; k < 6; ++k)
@@ -222,6 +223,9 @@ TEST(PieceReport, ARepairOfProgressiveAnglesIsTold)
   const PieceReport repaired = flatten(surface, withScheme(Scheme::Progressive)).pieces[0];
   EXPECT_TRUE(repaired.repaired);
   EXPECT_EQ(repaired.fallbacks.size(), 1u);
+  EXPECT_TRUE(repaired.status.ok()) << repaired.status.message;
+  EXPECT_EQ(repaired.warpingOrder.size(), 36u);
+  EXPECT_LT(repaired.quality.maximumEdgeLengthError, 1e-12);
   EXPECT_FALSE(flatten(surface, withScheme(Scheme::Global)).pieces[0].repaired);
 }
 

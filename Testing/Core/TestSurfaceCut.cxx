@@ -1,18 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cut/SurfaceCut.h"
+#include "Quality/FlatteningQuality.h"
 
 using namespace flattening;
 using namespace testmeshes;
-
-namespace
-{
-void expectRefusal(const CutSurface& cut, StatusCode code, ElementKind kind, const Indices& ids)
-{
-  EXPECT_STREQ(statusName(cut.status.code), statusName(code));
-  EXPECT_EQ(cut.status.ids, (ElementIds{ kind, ids }));
-  EXPECT_NE(cut.status.message.find("\"c\""), std::string::npos) << cut.status.message;
-}
-}
 
 TEST(SurfaceCut, ACurveThatEndsOnADartKeepsToItsSide)
 {
@@ -47,46 +38,6 @@ TEST(SurfaceCut, OfCurvesOnOneEdgeTheCutGoesFirst)
   EXPECT_EQ(cut.curveOfHalfedge[surface.mesh.find(2, 7)], 2);
   EXPECT_EQ(cut.curveOfHalfedge[surface.mesh.find(7, 2)], 2);
   EXPECT_EQ(cut.curveOfHalfedge[surface.mesh.find(12, 17)], 3);
-}
-
-TEST(SurfaceCut, PiecesPointBackToTheCutSurface)
-{
-  Surface surface = cushion(4, 4, 0.3);
-  const CutSurface cut =
-    cutSurface(surface.mesh, { columnCurve(4, 4, 1, CurveType::Seam), rowCurve(4, 2) });
-  Index triangles = 0;
-  for (const Piece& piece : extractPieces(cut))
-  {
-    triangles += piece.mesh.triangleCount();
-    for (Index t = 0; t < piece.mesh.triangleCount(); ++t)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        EXPECT_EQ(
-          piece.vertices[piece.mesh.triangle(t)[k]], cut.mesh.triangle(piece.triangles[t])[k]);
-        EXPECT_EQ(
-          piece.curveOfHalfedge[3 * t + k], cut.curveOfHalfedge[3 * piece.triangles[t] + k]);
-      }
-    }
-  }
-  EXPECT_EQ(triangles, surface.mesh.triangleCount());
-}
-
-TEST(SurfaceCut, NamesCurvesThatAreNoChainsOfEdges)
-{
-  const TriangleMesh mesh = cushion(4, 4, 0.3).mesh;
-  expectRefusal(cutSurface(mesh, { accessory("c", { 3 }) }), StatusCode::CurveTooShort,
-    ElementKind::Points, { 3 });
-  expectRefusal(
-    cutSurface(mesh, { accessory("c", {}) }), StatusCode::CurveTooShort, ElementKind::Points, {});
-  expectRefusal(cutSurface(mesh, { accessory("c", { 0, 1, 24 }) }), StatusCode::CurveNotOnEdges,
-    ElementKind::Edges, { 1, 24 });
-  expectRefusal(cutSurface(mesh, { accessory("c", { 0, 1, 1 }) }), StatusCode::CurveNotOnEdges,
-    ElementKind::Edges, { 1, 1 });
-  expectRefusal(cutSurface(mesh, { accessory("c", { 0, 25 }) }), StatusCode::InvalidPointId,
-    ElementKind::Points, { 25 });
-  expectRefusal(cutSurface(mesh, { accessory("c", { -1, 0 }) }), StatusCode::InvalidPointId,
-    ElementKind::Points, { -1 });
 }
 
 TEST(CutEnds, AreNamedWithTheVertexThatContinuesThemToTheBoundary)
@@ -126,4 +77,18 @@ TEST(CutEnds, AreNamedWithTheVertexThatContinuesThemToTheBoundary)
       EXPECT_EQ((std::array{ found[k].curve, found[k].vertex, found[k].boundary }), one.ends[k]);
     }
   }
+}
+
+TEST(CutLength, WhereThreeSheetsMeetTheLineCountsOnce)
+{
+  std::vector<Point3> points;
+  std::vector<Triangle> triangles;
+  for (const Point3& apex : { Point3(0, 1, 0), Point3(0, -1, 0), Point3(0, 0, 1) })
+  {
+    const Index first = static_cast<Index>(points.size());
+    // Zeros of either sign are one place.
+    points.insert(points.end(), { Point3(-0.0, 0, 0), Point3(2, 0, first > 0 ? -0.0 : 0.0), apex });
+    triangles.push_back({ first, first + 1, first + 2 });
+  }
+  EXPECT_EQ(cutLength(TriangleMesh(points, triangles)), 2.0);
 }
