@@ -598,32 +598,6 @@ TEST(CurveImprintRefusal, ASegmentBetweenSeparatePartsIsRefusedWithItsPointsAndT
   }
 }
 
-TEST(CurveImprintRefusal, ACancelledRunGivesNothing)
-{
-  Execution execution;
-  execution.cancel = [] { return true; };
-  const auto result = imprintCurves(
-    grid(4), { polyline({ Point3(0.3, 0.4, 0), Point3(1.2, 1.1, 0) }) }, {}, execution);
-  EXPECT_EQ(result.status.code, StatusCode::Cancelled);
-  EXPECT_EQ(result.mesh.triangleCount(), 0);
-}
-
-TEST(CurveImprintRefusal, AnOptionOutsideItsRangeAndAPlanarShapeOfOtherLengthAreRefused)
-{
-  const Polyline line = polyline({ Point3(0, 0, 0), Point3(1, 0, 0) });
-  std::array<ImprintOptions, 2> wrong;
-  wrong[0].snap = 0.6;
-  wrong[1].tolerance = -1.0;
-  for (const ImprintOptions& options : wrong)
-  {
-    EXPECT_EQ(imprintCurves(grid(2), { line }, options).status.code, StatusCode::InvalidOption);
-  }
-  Polyline key = line;
-  key.keyShape = KeyShape::Planar;
-  key.planarShape = { Point2(0, 0) };
-  EXPECT_EQ(imprintCurves(grid(2), { key }, {}).status.code, StatusCode::InvalidCurve);
-}
-
 namespace
 {
 using Random = std::mt19937_64;
