@@ -2,17 +2,10 @@
 // The thread that flattens for the window, asked again and again while it works.
 #include "Sheet.h"
 
-#include <vtkCellData.h>
-#include <vtkIntArray.h>
-#include <vtkMath.h>
-
 #include <gtest/gtest.h>
 
-#include <array>
 #include <chrono>
-#include <cmath>
 #include <memory>
-#include <random>
 
 using editor::Care;
 using editor::LiveFlattening;
@@ -39,92 +32,6 @@ figures::PolyData curveAlong(int squares, int row)
   figures::PolyData data = figures::PolyData::New();
   data->SetPoints(points);
   data->SetLines(line);
-  return data;
-}
-
-constexpr int around = 24;
-constexpr int along = 12;
-
-/// A closed helmet from pole to pole, symmetric by formula: half an ellipsoid of three different
-/// axes over a flatter half.
-std::array<double, 3> helmetPoint(int j, int i)
-{
-  const double polar = vtkMath::Pi() * j / along;
-  const double turn = 2.0 * vtkMath::Pi() * i / around;
-  const double height = std::cos(polar);
-  return { 9.0 * std::sin(polar) * std::cos(turn), 12.0 * std::sin(polar) * std::sin(turn),
-    height * (height > 0.0 ? 14.0 : 3.0) };
-}
-
-figures::PolyData helmet()
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->InsertNextPoint(helmetPoint(0, 0).data());
-  for (int j = 1; j < along; ++j)
-  {
-    for (int i = 0; i < around; ++i)
-    {
-      points->InsertNextPoint(helmetPoint(j, i).data());
-    }
-  }
-  points->InsertNextPoint(helmetPoint(along, 0).data());
-  const auto at = [](int j, int i) -> vtkIdType {
-    return j == 0 ? 0 : j == along ? 1 + (along - 1) * around : 1 + (j - 1) * around + i % around;
-  };
-  vtkNew<vtkCellArray> triangles;
-  for (int j = 0; j < along; ++j)
-  {
-    for (int i = 0; i < around; ++i)
-    {
-      if (j + 1 < along)
-      {
-        triangles->InsertNextCell({ at(j, i), at(j + 1, i), at(j + 1, i + 1) });
-      }
-      if (j > 0)
-      {
-        triangles->InsertNextCell({ at(j, i), at(j + 1, i + 1), at(j, i + 1) });
-      }
-    }
-  }
-  figures::PolyData data = figures::PolyData::New();
-  data->SetPoints(points);
-  data->SetPolys(triangles);
-  return data;
-}
-
-/// Cuts along meridians of the helmet, each from near the upper to near the lower pole or to where
-/// it is given: the first makes one deep piece, others slit it further, a ring divides it.
-figures::PolyData cutsOfHelmet(int meridians, bool ring)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIntArray> types;
-  types->SetName("CurveType");
-  for (int k = 0; k < meridians; ++k)
-  {
-    const int last = k == 0 ? along : along - 2;
-    lines->InsertNextCell(last + 1);
-    for (int j = 0; j <= last; ++j)
-    {
-      lines->InsertCellPoint(points->InsertNextPoint(helmetPoint(j, 5 * k).data()));
-    }
-    types->InsertNextValue(3);
-  }
-  if (ring)
-  {
-    lines->InsertNextCell(around + 1);
-    for (int i = 0; i <= around; ++i)
-    {
-      lines->InsertCellPoint(points->InsertNextPoint(helmetPoint(along / 2, i % around).data()));
-    }
-    types->InsertNextValue(3);
-  }
-  figures::PolyData data = figures::PolyData::New();
-  data->SetPoints(points);
-  data->SetLines(lines);
-  data->GetCellData()->AddArray(types);
   return data;
 }
 
@@ -207,43 +114,6 @@ TEST(LiveFlattening, OfAnEarlierSurfaceNothingIsFound)
   takeAll(live);
   ASSERT_TRUE(live.hasResult());
   EXPECT_EQ(live.result().flat->GetNumberOfCells(), other->GetNumberOfCells());
-}
-
-// As proposals of a helmet are taken and undone, all at once or one by one, while it works.
-TEST(LiveFlattening, CutsOfAClosedSurfaceMayComeAndGo)
-{
-  LiveFlattening live;
-  live.setSurface(helmet());
-  EXPECT_FALSE(sheets::run(live, cutsOfHelmet(0, false))); // closed
-  std::mt19937 random(5);
-  for (int turn = 0; turn < 24; ++turn)
-  {
-    const int last = static_cast<int>(random() % 4U);
-    const bool ring = last == 0 || random() % 2U == 0;
-    for (int k = 0; k <= last; ++k)
-    {
-      live.ask(cutsOfHelmet(k, false), k % 2 == 0 ? Care::Draft : Care::Full);
-      std::this_thread::sleep_for(std::chrono::milliseconds(random() % 60U)); // or overtaken
-      live.take();
-    }
-    live.ask(cutsOfHelmet(last, ring), turn % 3 == 0 ? Care::Draft : Care::Full);
-    takeAll(live);
-    ASSERT_FALSE(live.isRefused()) << live.message();
-    LiveFlattening alone;
-    alone.setSurface(helmet());
-    ASSERT_TRUE(sheets::run(alone, cutsOfHelmet(last, ring), live.care()));
-    EXPECT_EQ(placesOf(live), placesOf(alone)) << last << ring;
-    EXPECT_EQ(live.message(), alone.message());
-    for (const char* name : { "ForecastAreaLoss", "ForecastCutFrom", "ForecastCutTo" })
-    {
-      const vtkIdType pieces = live.result().pieces->GetNumberOfRows();
-      ASSERT_EQ(pieces, alone.result().pieces->GetNumberOfRows());
-      for (vtkIdType p = 0; p < pieces; ++p)
-      {
-        EXPECT_EQ(live.result().number(name, p), alone.result().number(name, p)) << name;
-      }
-    }
-  }
 }
 
 TEST(LiveFlattening, EndsWithARunUnderWay)

@@ -58,61 +58,6 @@ TEST_F(PatternEditor, TheTutorialsCurvesDrawnByMouseSavedAndLoadedGiveItsReport)
   EXPECT_TRUE(this->window->curves()->CanUndo());
 }
 
-TEST_F(PatternEditor, EditsAtRandomUndoneLeaveTheFirstState)
-{
-  this->drawTutorial();
-  const std::string path = this->file("first_curves.vtp");
-  ASSERT_TRUE(this->window->saveCurves(path));
-  ASSERT_TRUE(this->window->openCurves(path));
-  const auto state = [this] {
-    vtkNew<vtkPolyData> curves;
-    this->window->curves()->GetCurves(curves);
-    std::vector<double> values;
-    for (vtkIdType k = 0; k < curves->GetNumberOfPoints(); ++k)
-    {
-      values.insert(values.end(), curves->GetPoint(k), curves->GetPoint(k) + 3);
-    }
-    return values;
-  };
-  const std::vector<double> first = state();
-  std::mt19937 random(3);
-  const auto pick = [&random](int count) {
-    return static_cast<int>(random() % static_cast<unsigned>(count));
-  };
-  vtkFeatureCurveEditor* const curves = this->window->curves();
-  for (int k = 0; k < 40; ++k)
-  {
-    const int curve = curves->GetNumberOfCurves() > 0 ? pick(curves->GetNumberOfCurves()) : -1;
-    const QPoint place = this->vertex(pick(static_cast<int>(this->surface->GetNumberOfPoints())));
-    if (curve < 0 || pick(4) == 0)
-    {
-      this->push(Hand::NEW_CURVE);
-      this->click(place);
-      this->click(this->vertex(pick(400)));
-      this->click({ 5, 5 }, Qt::RightButton);
-    }
-    else if (pick(2) == 0)
-    {
-      this->drag(this->node(curve, pick(curves->GetNumberOfNodes(curve))), place, 2);
-    }
-    else
-    {
-      this->click(this->node(curve, pick(curves->GetNumberOfNodes(curve))));
-      const int actions[] = { Hand::REMOVE_NODE, Hand::CLOSE, Hand::TIGHTEN, Hand::SPLIT,
-        Hand::MIRROR, Hand::MAKE_DART, Hand::MAKE_KEY, Hand::GEODESIC, Hand::REMOVE_CURVE };
-      this->push(actions[pick(9)]);
-    }
-  }
-  EXPECT_NE(state(), first);
-  int undone = 0;
-  for (; this->window->action(Hand::UNDO)->isEnabled(); ++undone)
-  {
-    this->push(Hand::UNDO);
-  }
-  EXPECT_GT(undone, 20);
-  EXPECT_EQ(state(), first);
-}
-
 TEST_F(PatternEditor, NoKeyOfVTKsStylesEndsTheProgramOrDrawsOtherwise)
 {
   vtkRenderWindowInteractor* const interactor = this->window->spaceWidget()->interactor();
