@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Filters as parts of a pipeline: progress; blocks are surfaces of their own, each with a table of
+// Filters as parts of a pipeline: blocks are surfaces of their own, each with a table of
 // pieces; partitions are parts of one surface, and none is flattened for itself.
 #include "FlatteningTesting.h"
 #include "vtkDataObjectTreeIterator.h"
@@ -80,25 +80,6 @@ void compositeInputFlattensBlockByBlock(Checks& check)
     check.that(table && table->GetNumberOfRows() == 1, "rows of a block");
     check.equal(table ? text(table, "Status") : "", k == 2 ? "EmptySurface" : "Ok", "its status");
   }
-}
-
-void progressRises(Checks& check, vtkPolyData* piece)
-{
-  struct Log
-  {
-    vtkAlgorithm* algorithm;
-    std::vector<double> fractions;
-    void listen() { this->fractions.push_back(this->algorithm->GetProgress()); }
-  };
-  vtkNew<vtkWireWarpingFilter> filter;
-  filter->SetInputData(piece);
-  Log log{ filter, {} };
-  filter->AddObserver(vtkCommand::ProgressEvent, &log, &Log::listen);
-  filter->Update();
-  check.that(std::is_sorted(log.fractions.begin(), log.fractions.end()), "progress never falls");
-  check.that(
-    log.fractions.size() > 3 && log.fractions.front() >= 0.0 && log.fractions.back() == 1.0,
-    "progress ends at 1");
 }
 
 vtkSmartPointer<vtkPolyData> half(double sign)
@@ -192,7 +173,6 @@ int TestWireWarpingFilterPipeline(int, char*[])
 {
   Checks check;
   compositeInputFlattensBlockByBlock(check);
-  progressRises(check, makePieceWithCurves());
   refusesParts<vtkWireWarpingFilter, vtkPartitionedDataSet>(check, "vtkWireWarpingFilter");
   refusesParts<vtkWireWarpingFilter, vtkMultiPieceDataSet>(check, "pieces");
   refusesParts<vtkLeastSquaresConformalFilter, vtkPartitionedDataSet>(

@@ -23,45 +23,6 @@ double edgesOf(const Points2& corners, std::size_t count)
   return length;
 }
 
-/// Two pieces that are sewn along a border of ten edges from (0, 0) on: these turn to the left in
-/// one piece and to the right in the other, but for a straight beginning, so that both are as long.
-PatternSource sewnPieces()
-{
-  PatternSource source;
-  for (const double side : { 1.0, -1.0 })
-  {
-    const auto first = static_cast<Index>(source.positions.size());
-    Point2 at(100.0 * side, 0.0);
-    double angle = pi / 2.0;
-    SourceWire seam{ {}, WireType::Seam, 0, side > 0.0 ? 0 : 1, "seam" };
-    for (Index k = 0; k <= 10; ++k)
-    {
-      seam.points.push_back(first + k);
-      source.positions.push_back(at);
-      at += 17.0 * Point2(std::cos(angle), std::sin(angle));
-      angle += k < 2 ? 0.0 : 0.15 * side;
-    }
-    source.positions.emplace_back(100.0 * side - 150.0 * side, 70.0);
-    const Index tip = first + 11;
-    for (Index k = 0; k < 10; ++k)
-    {
-      const Points2& x = source.positions;
-      const bool left = cross(x[first + k + 1] - x[first + k], x[tip] - x[first + k]) > 0.0;
-      source.triangles.push_back(left ? Triangle{ first + k, first + k + 1, tip }
-                                      : Triangle{ first + k + 1, first + k, tip });
-      source.pieceOfTriangle.push_back(side > 0.0 ? 0 : 1);
-    }
-    source.wires.push_back(seam);
-    source.wires.push_back(
-      { { first + 10, tip, first }, WireType::Boundary, none, seam.piece, "boundary" });
-  }
-  for (Index k = 0; k < 10; ++k)
-  {
-    source.sewn.push_back({ { k, k + 1 }, { 12 + k, 13 + k } });
-  }
-  return source;
-}
-
 }
 
 TEST(FairBorders, ARoundPolygonBecomesARingOfItsLengthWithFewCurves)
@@ -84,22 +45,6 @@ TEST(FairBorders, ARoundPolygonBecomesARingOfItsLengthWithFewCurves)
   const Point2 in = curve.back().control[3] - curve.back().control[2];
   const Point2 out = curve.front().control[1] - curve.front().control[0];
   EXPECT_NEAR(in.normalized().dot(out.normalized()), 1.0, 1e-9);
-}
-
-TEST(FairBorders, NoPointIsFartherThanTheTolerance)
-{
-  for (const double tolerance : { 0.05, 0.2, 1.0 })
-  {
-    const Smoothed smoothed(sewnPieces(), tolerance, 40.0);
-    for (const SourceWire& wire : smoothed.source.wires)
-    {
-      const auto curve = smoothed.borders->curveOf(wire);
-      for (const Index v : wire.points)
-      {
-        EXPECT_LE(distanceFrom(curve, smoothed.source.positions[v]), tolerance + 1e-5);
-      }
-    }
-  }
 }
 
 TEST(FairBorders, SidesThatAreNearlyStraightBecomeStraightAndKeepTheirLengths)
