@@ -550,6 +550,33 @@ double worstOf(const TriangleMesh& mesh, const std::vector<SuggestedCurve>& cuts
   return DrawnPieces(cutSurface(surface.mesh, surface.curves), trials, budget, execution).worst();
 }
 
+/// Adds sets of cuts in different pieces, which may come too near to each other: as many at once as
+/// can be laid. False where none can.
+bool addSets(const TriangleMesh& mesh, const std::vector<std::vector<SuggestedCurve>>& sets,
+  std::size_t begin, std::size_t end, std::vector<SuggestedCurve>& cuts)
+{
+  std::vector<SuggestedCurve> more = cuts;
+  for (std::size_t s = begin; s < end; ++s)
+  {
+    const auto first = static_cast<Index>(more.size());
+    for (SuggestedCurve cut : sets[s])
+    {
+      cut.mirrorOf += cut.mirrorOf == none ? 0 : first;
+      more.push_back(std::move(cut));
+    }
+  }
+  openDividingDarts(mesh, {}, {}, more);
+  more = laidTogether(mesh, std::move(more));
+  if (!more.empty() || end - begin < 2)
+  {
+    cuts = more.empty() ? cuts : more;
+    return !more.empty();
+  }
+  const std::size_t middle = begin + (end - begin) / 2;
+  const bool first = addSets(mesh, sets, begin, middle, cuts);
+  return addSets(mesh, sets, middle, end, cuts) || first;
+}
+
 /// Adds cuts in the pieces that do not keep a bound yet. False where there are none.
 bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirror, bool straight,
   const ChartOptions& options, double bound, std::vector<SuggestedCurve>& cuts, ChartTrials& trials,
@@ -566,13 +593,13 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
   const Indices images =
     pieceImages(pieceSurfaces(surface, drawn.cut), mirror, std::sqrt(mesh.area() / pi), true);
   Execution unseen = execution;
-  unseen.preview = nullptr; // of single pieces
-  std::vector<SuggestedCurve> more = cuts;
+  unseen.preview = nullptr;                      // of single pieces
+  std::vector<std::vector<SuggestedCurve>> sets; // by piece that is parted
+  std::size_t count = cuts.size();
   std::vector<char> done(pieces.size(), 0);
   for (std::size_t p = 0; p < pieces.size() && !budget.spent(); ++p)
   {
-    const auto first = static_cast<Index>(more.size());
-    if (done[p] || drawn.results[p].keeps(bound) || static_cast<double>(first) > options.maxCuts)
+    if (done[p] || drawn.results[p].keeps(bound) || static_cast<double>(count) > options.maxCuts)
     {
       continue;
     }
@@ -610,29 +637,18 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
         break; // nor do more charts
       }
     }
-    for (SuggestedCurve& cut : found)
-    {
-      cut.mirrorOf += cut.mirrorOf == none ? 0 : first;
-      more.push_back(std::move(cut));
-    }
     if (!found.empty() && images[p] > static_cast<Index>(p))
     {
       done[images[p]] = addImages(
-        more, first, *mirror, pieces[p].mesh, pieces[images[p]].mesh, options, budget, execution);
+        found, 0, *mirror, pieces[p].mesh, pieces[images[p]].mesh, options, budget, execution);
+    }
+    if (!found.empty())
+    {
+      count += found.size();
+      sets.push_back(std::move(found));
     }
   }
-  if (more.size() == cuts.size())
-  {
-    return false;
-  }
-  openDividingDarts(mesh, {}, {}, more);
-  more = laidTogether(mesh, std::move(more)); // they may come too near
-  if (more.empty())
-  {
-    return false;
-  }
-  cuts = std::move(more);
-  return true;
+  return !sets.empty() && addSets(mesh, sets, 0, sets.size(), cuts);
 }
 }
 
