@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, List, Sequence, Tuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ._colors import IDEAL, PLAIN, POOR, WIRE_COLORS, homogeneity_colors
+from ._colors import HOMOGENEITY_COLORS, PLAIN, WIRE_COLORS
 
 if TYPE_CHECKING:
     from ._result import Flattening
@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 _WIDTH, _HEIGHT = 640.0, 400.0
 # Beyond, a notebook would carry megabytes: the pieces are drawn in one color.
 _MOST_COLORED = 6000
-_COLORS = 12
 _COLUMNS: Tuple[Tuple[str, str, str], ...] = (
     ("status", "status", ""), ("triangles", "triangles", "d"),
     ("E_len_max", "largest length error", ".1e"), ("E_ang", "E_ang", ".4f"), ("E_h", "E_h", ".3f"),
@@ -49,9 +48,9 @@ def _triangles(result: "Flattening", placed: NDArray[np.float64]) -> List[str]:
     if values is None or not colored:
         groups: Any = [(PLAIN, np.arange(len(result.triangles)))]
     else:
-        steps = np.clip(np.round((values - 0.5) / 0.5 * (_COLORS - 1)), 0, _COLORS - 1).astype(int)
-        colors = homogeneity_colors(_COLORS)
-        groups = [(colors[step], np.flatnonzero(steps == step)) for step in range(_COLORS)]
+        last = len(HOMOGENEITY_COLORS) - 1
+        steps = np.clip(np.round((values - 0.5) / 0.5 * last), 0, last).astype(int)
+        groups = [(color, np.flatnonzero(steps == step)) for step, color in enumerate(HOMOGENEITY_COLORS)]
     lines = []
     for color, rows in groups:
         if len(rows):
@@ -102,8 +101,8 @@ def _table(result: "Flattening") -> str:
 
 def to_html(result: "Flattening") -> str:
     """A picture and a table; where triangles are colored, yellow is ideal and dark half the area."""
-    legend = (f'Triangles: <span style="background:{IDEAL}">yellow</span>, the area kept, to '
-              f'<span style="color:{POOR}">dark</span>, half or twice of it. ' if len(result.triangles) <= _MOST_COLORED else "")
+    legend = (f'Triangles: <span style="background:{HOMOGENEITY_COLORS[-1]}">yellow</span>, the area kept, to '
+              f'<span style="color:{HOMOGENEITY_COLORS[0]}">dark</span>, half or twice of it. ' if len(result.triangles) <= _MOST_COLORED else "")
     kinds = sorted({wire.type for wire in result.wires})
     legend += "Wires: " + ", ".join(
         f'<span style="color:{WIRE_COLORS[kind]}">{kind}</span>' for kind in kinds) + "."
