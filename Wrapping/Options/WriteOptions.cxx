@@ -16,6 +16,7 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -42,16 +43,10 @@ const std::vector<const Option*>& allOptions()
   return all;
 }
 
-OptionOwner ownerNamed(const std::string& name)
+OptionOwner ownerOf(const std::string& name)
 {
-  for (const Option* const option : allOptions())
-  {
-    if (className(option->owner) == name)
-    {
-      return option->owner;
-    }
-  }
-  throw std::runtime_error("no class " + name + " has options");
+  const std::optional<OptionOwner> owner = ownerNamed(name);
+  return owner ? *owner : throw std::runtime_error("no class " + name + " has options");
 }
 
 std::vector<const Option*> ownOptions(OptionOwner owner)
@@ -451,9 +446,7 @@ constexpr const char* materialFile =
 
 std::vector<const Option*> withoutLists(std::vector<const Option*> options)
 {
-  options.erase(std::remove_if(options.begin(), options.end(),
-                  [](const Option* option) { return option->type == OptionType::List; }),
-    options.end());
+  eraseIf(options, [](const Option* option) { return option->type == OptionType::List; });
   return options;
 }
 
@@ -572,7 +565,7 @@ std::string filled(const std::string& text)
 {
   using Writer = std::function<void(const std::string&, std::ostream&)>;
   const auto of = [](const std::function<void(OptionOwner, std::ostream&)>& write) -> Writer {
-    return [write](const std::string& name, std::ostream& to) { write(ownerNamed(name), to); };
+    return [write](const std::string& name, std::ostream& to) { write(ownerOf(name), to); };
   };
   const std::map<std::string, Writer> writers{
     { "literals", of(writeLiterals) }, { "members", of(writeMembers) }, { "rows", of(writeRows) },
@@ -620,8 +613,7 @@ std::string withTables(const std::string& page)
     }
     if (line.compare(0, lead.size(), lead) == 0)
     {
-      writeTable(
-        ownerNamed(line.substr(lead.size(), line.find(' ', lead.size()) - lead.size())), out);
+      writeTable(ownerOf(line.substr(lead.size(), line.find(' ', lead.size()) - lead.size())), out);
       copies = false;
     }
   }

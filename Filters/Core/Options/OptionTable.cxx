@@ -21,6 +21,11 @@ namespace
 {
 constexpr double unlimited = std::numeric_limits<double>::max();
 
+/// By OptionOwner.
+constexpr std::array<const char*, 8> classNames{ "vtkFeatureCurveAlgorithm",
+  "vtkFlatPieceAlgorithm", "vtkWireWarpingFilter", "vtkFeatureCurveSuggestion",
+  "vtkMakeFlattenable", "vtkLeastSquaresConformalFilter", "vtkSewnShape", "vtkPatternWriter" };
+
 using Table = OptionRows<Option, OptionStructures, &Option::set>;
 using All = OptionStructures;
 
@@ -473,10 +478,15 @@ const std::vector<Option>& optionTable()
 
 const char* className(OptionOwner owner)
 {
-  static constexpr std::array<const char*, 8> names{ "vtkFeatureCurveAlgorithm",
-    "vtkFlatPieceAlgorithm", "vtkWireWarpingFilter", "vtkFeatureCurveSuggestion",
-    "vtkMakeFlattenable", "vtkLeastSquaresConformalFilter", "vtkSewnShape", "vtkPatternWriter" };
-  return names[static_cast<std::size_t>(owner)];
+  return classNames[static_cast<std::size_t>(owner)];
+}
+
+std::optional<OptionOwner> ownerNamed(const std::string& name)
+{
+  const auto* const found = std::find(classNames.begin(), classNames.end(), name);
+  return found == classNames.end()
+    ? std::nullopt
+    : std::make_optional(static_cast<OptionOwner>(found - classNames.begin()));
 }
 
 std::vector<const Option*> optionsOf(OptionOwner owner)

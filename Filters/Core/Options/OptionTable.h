@@ -5,6 +5,7 @@
 
 #include "Options/Option.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ const std::vector<Option>& optionTable();
 
 /// Name of the VTK class.
 const char* className(OptionOwner owner);
+
+/// The way back; none where no class of the name has options.
+std::optional<OptionOwner> ownerNamed(const std::string& name);
 
 /// The options of a filter: those of the classes that it derives from, and its own; with those of
 /// Warping also those of Conformal, which programs have as a scheme.

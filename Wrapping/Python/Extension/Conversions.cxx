@@ -41,18 +41,6 @@ OptionValue valueOf(const Option& option, const py::handle& value)
   }
 }
 
-OptionOwner ownerNamed(const std::string& name)
-{
-  for (const Option& option : optionTable())
-  {
-    if (className(option.owner) == name)
-    {
-      return option.owner;
-    }
-  }
-  throw py::value_error("no class " + name + " has options");
-}
-
 py::object textOf(const std::string& text)
 {
   PyObject* const decoded =
@@ -301,7 +289,7 @@ std::vector<std::tuple<Values...>> rowsOf(const py::dict& values, const char* pr
 Settings::Settings(const std::string& owner, const py::dict& values)
 {
   const auto has = [&values](const char* property) { return values.contains(property); };
-  const OptionOwner last = ownerNamed(owner);
+  const OptionOwner last = ownerNamed(owner).value();
   for (const Option* const option : optionsOf(last))
   {
     if (option->set && has(option->property.c_str()))

@@ -73,8 +73,6 @@ py::list textsOf(const std::vector<std::string>& texts);
 /// Code, name, defect, ids, their kind, and remedies with their subjects.
 py::tuple tupleOf(const Status& status);
 
-OptionOwner ownerNamed(const std::string& name);
-
 OptionValue valueOf(const Option& option, const py::handle& value);
 
 /// Core's options of a filter, and what it has beside them. \param values by property

@@ -225,7 +225,7 @@ py::dict makeFlattenable(const py::dict& surface, const py::list& curves,
 std::string describeIdle(
   const std::string& owner, const py::dict& options, const std::vector<std::string>& given)
 {
-  OptionValues values(ownerNamed(owner));
+  OptionValues values(ownerNamed(owner).value());
   for (const Option* const option : values.options())
   {
     if (option->type != OptionType::List && options.contains(option->property.c_str()))
@@ -244,7 +244,7 @@ std::string describeIdle(
 std::map<std::pair<std::string, std::string>, std::string> namesOfOptions(const std::string& owner)
 {
   std::map<std::pair<std::string, std::string>, std::string> names;
-  for (const Option* const option : optionsOf(ownerNamed(owner)))
+  for (const Option* const option : optionsOf(ownerNamed(owner).value()))
   {
     names[{ className(option->owner), option->property }] =
       spelled(*option, OptionSpelling::Command);
