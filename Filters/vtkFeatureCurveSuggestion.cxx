@@ -51,13 +51,10 @@ int vtkFeatureCurveSuggestion::RequestData(vtkInformation* vtkNotUsed(request),
   static_assert(static_cast<int>(flattening::SuggestedCuts::Gores) == GORES, "");
   namespace bridge = flattening::bridge;
   this->Begin(outputVector);
-  flattening::SuggestionOptions options;
   const auto source = this->LoadInput(inputVector);
   if (source)
   {
-    const flattening::OptionStructures all = this->OptionsForCore();
-    options.search = all.search;
-    options.imprint = all.imprint;
+    flattening::OptionStructures options = this->OptionsForCore();
     options.flattening = this->Settings();
     for (const auto& [curve, weight] : this->Preferences)
     {

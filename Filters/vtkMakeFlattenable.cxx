@@ -63,7 +63,7 @@ int vtkMakeFlattenable::RequestData(vtkInformation* vtkNotUsed(request),
   this->Begin(outputVector);
   this->Trials = vtkSmartPointer<vtkTable>::New(); // the caller may have kept that of the last run
   const auto output = [outputVector](int port) { return vtkPolyData::GetData(outputVector, port); };
-  flattening::FlattenableOptions options = this->OptionsForCore().reshaping;
+  flattening::OptionStructures options = this->OptionsForCore();
   options.flattening = this->Settings();
   const flattening::LoadedBody body = bridge::loadBody(vtkPolyData::GetData(inputVector[2]));
   if (const auto source = this->LoadInput(inputVector))

@@ -368,16 +368,15 @@ private:
   /// \return whether the surface can be used
   bool load(const flattening::Execution& execution)
   {
-    const bool loaded = this->Run.load(this->Source.triangles(), std::move(this->Source.curves),
-      this->Settings, tolerancesOf(this->Given), execution);
+    const bool loaded = this->Source.load(
+      this->Settings, tolerancesOf(this->Given), this->Given.values.text("WeightArray"), execution);
     const int blamed = this->Run.source.blamed;
     if (!loaded && blamed > 0 && this->Input.curves.size() > 1)
     {
       this->Run.status.message =
         "connection " + std::to_string(blamed - 1) + " of the curves: " + this->Run.status.message;
     }
-    return loaded &&
-      this->Run.weigh(this->Source.arrays.cells, this->Given.values.text("WeightArray"));
+    return loaded;
   }
 
   bool price(const flattening::Execution& execution)
@@ -392,16 +391,12 @@ private:
 
   void suggest(const flattening::Execution& watched)
   {
-    flattening::SuggestionOptions options;
-    options.search = this->Settings.search;
-    options.imprint = this->Settings.imprint;
-    options.flattening = this->Settings.flattening;
     const Interruption interruption;
     flattening::Execution execution = watched;
     execution.cancel = &Interruption::pressed;
     const std::vector<flattening::Polyline> given = this->Run.source.curves.polylines;
     flattening::CurveSuggestions found;
-    const auto result = this->Run.suggest(options, execution, &Interruption::forget, found);
+    const auto result = this->Run.suggest(this->Settings, execution, &Interruption::forget, found);
     if (!result)
     {
       return;
@@ -414,12 +409,11 @@ private:
 
   void reshape(const flattening::Execution& execution)
   {
-    flattening::FlattenableOptions options = this->Settings.reshaping;
-    options.flattening = this->Settings.flattening;
     const std::vector<std::string>& kept = this->Given.reshaping.list("KeptCurves");
     const flattening::LoadedBody body = loadedBody(this->Given.body);
     flattening::CurvedSurface& source = this->Run.source;
-    const auto moved = this->Run.reshape({ kept.begin(), kept.end() }, body, options, execution);
+    const auto moved =
+      this->Run.reshape({ kept.begin(), kept.end() }, body, this->Settings, execution);
     if (!moved)
     {
       return;
@@ -578,11 +572,8 @@ void scaleBy(double factor, DataSet& data)
 
 void dropNormals(DataSet& data)
 {
-  Columns& columns = data.pointArrays;
-  columns.erase(
-    std::remove_if(columns.begin(), columns.end(),
-      [](const Column& column) { return column.role == flattening::ArrayRole::Normals; }),
-    columns.end());
+  flattening::eraseIf(data.pointArrays,
+    [](const Column& column) { return column.role == flattening::ArrayRole::Normals; });
 }
 
 std::string unitTaken(const std::string& surface, const LikelyUnit& taken)

@@ -264,8 +264,7 @@ public:
     SurfaceRun source(this->Data, { curvesOf(curves) });
     const Execution execution = executionOf(progress);
     std::optional<FlatteningReport> report;
-    if (source.run.load(source.triangles(), std::move(source.curves), structures, {}, execution) &&
-      source.run.weigh(source.arrays.cells, weights))
+    if (source.load(structures, {}, weights, execution))
     {
       if (const auto done = source.run.flatten(structures.flattening, { -1, -1 }, execution))
       {
@@ -280,10 +279,6 @@ public:
   val suggest(const val& curves, const val& options, const val& progress, const val& preview) const
   {
     const auto [structures, weights] = optionsFrom(OptionOwner::Suggestion, options);
-    SuggestionOptions search;
-    search.search = structures.search;
-    search.imprint = structures.imprint;
-    search.flattening = structures.flattening;
     SurfaceRun source(this->Data, { curvesOf(curves) });
     Execution execution = executionOf(progress);
     if (!preview.isUndefined() && !preview.isNull())
@@ -299,13 +294,12 @@ public:
     }
     CurveSuggestions found;
     std::optional<FlatteningReport> report;
-    if (source.run.load(source.triangles(), std::move(source.curves), structures, {}, execution) &&
-      source.run.weigh(source.arrays.cells, weights))
+    if (source.load(structures, {}, weights, execution))
     {
       if (const auto done = source.run.suggest(
-            search, execution, [] {}, found))
+            structures, execution, [] {}, found))
       {
-        report = reportFlattening(source, *done, search.flattening);
+        report = reportFlattening(source, *done, structures.flattening);
       }
     }
     val cuts = val::array();

@@ -203,14 +203,15 @@ std::optional<KeyPrices> FlatteningRun::price(
     : std::nullopt;
 }
 
-std::optional<FlatteningResult> FlatteningRun::suggest(SuggestionOptions options,
+std::optional<FlatteningResult> FlatteningRun::suggest(const OptionStructures& options,
   const Execution& execution, const std::function<void()>& goOn, CurveSuggestions& found,
   FlatteningCache* kept)
 {
   const bool lines = options.search.cuts == SuggestedCuts::Lines;
-  options.weights = this->weights;
   found = (lines ? suggestLines : suggestCurves)(this->source.surface.prepared.mesh,
-    this->source.curves.polylines, options, execution.part(0.0, 0.9));
+    this->source.curves.polylines,
+    { options.search, this->weights, options.imprint, options.flattening },
+    execution.part(0.0, 0.9));
   if (!this->conclude(this->source.outcomeOfStage(found.status)))
   {
     return {};
@@ -240,10 +241,11 @@ std::optional<FlatteningResult> FlatteningRun::suggest(SuggestionOptions options
 }
 
 std::optional<FlattenableSurface> FlatteningRun::reshape(const std::set<std::string>& keptCurves,
-  const LoadedBody& body, FlattenableOptions options, const Execution& execution)
+  const LoadedBody& body, const OptionStructures& settings, const Execution& execution)
 {
+  FlattenableOptions options = settings.reshaping;
   options.body = body.get();
-  options.flattening = this->weighted(std::move(options.flattening));
+  options.flattening = this->weighted(settings.flattening);
   if (!this->conclude(body.outcome) ||
     !this->conclude(findCurves(keptCurves, this->source, options.kept)))
   {

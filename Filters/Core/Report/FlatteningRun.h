@@ -63,13 +63,14 @@ struct FlatteningRun
   /// Proposes curves, which the source has then behind its own. \param goOn called where the search
   /// was interrupted, before the surface is flattened with what it found
   /// \return none where the surface is refused
-  std::optional<FlatteningResult> suggest(SuggestionOptions options, const Execution& execution,
-    const std::function<void()>& goOn, CurveSuggestions& found, FlatteningCache* kept = nullptr);
+  std::optional<FlatteningResult> suggest(const OptionStructures& options,
+    const Execution& execution, const std::function<void()>& goOn, CurveSuggestions& found,
+    FlatteningCache* kept = nullptr);
 
   /// Moves the surface.
   /// \return none where the surface is refused
   std::optional<FlattenableSurface> reshape(const std::set<std::string>& keptCurves,
-    const LoadedBody& body, FlattenableOptions options, const Execution& execution);
+    const LoadedBody& body, const OptionStructures& settings, const Execution& execution);
 
 private:
   std::optional<FlatteningResult> flattened(

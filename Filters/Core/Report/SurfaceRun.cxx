@@ -22,11 +22,16 @@ SurfaceRun::SurfaceRun(DataSet given, const std::vector<DataSet>& lines, Status 
   }
 }
 
-SurfaceTriangles SurfaceRun::triangles() const
+bool SurfaceRun::load(const OptionStructures& options,
+  const std::map<std::string, double>& tolerances, const std::string& weightArray,
+  const Execution& execution)
 {
-  SurfaceTriangles refused;
-  refused.outcome = this->Defect;
-  return this->Defect.ok() ? readTriangles(this->surface) : refused;
+  SurfaceTriangles triangles;
+  triangles.outcome = this->Defect;
+  triangles = this->Defect.ok() ? readTriangles(this->surface) : triangles;
+  return this->run.load(
+           std::move(triangles), std::move(this->curves), options, tolerances, execution) &&
+    this->run.weigh(this->arrays.cells, weightArray);
 }
 
 void SurfaceRun::read(const DataSet& data, int number)

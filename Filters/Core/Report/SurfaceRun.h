@@ -6,6 +6,7 @@
 #include "Report/FlatteningRun.h"
 #include "Report/ReportRows.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,10 @@ struct SurfaceRun
   SurfaceRun(const SurfaceRun&) = delete; // the arrays are those of the surface
   SurfaceRun& operator=(const SurfaceRun&) = delete;
 
-  SurfaceTriangles triangles() const;
+  /// Loads the surface with its curves, and weighs its triangles. \param weightArray of the cells;
+  /// empty: none \return whether that could be done
+  bool load(const OptionStructures& options, const std::map<std::string, double>& tolerances,
+    const std::string& weightArray, const Execution& execution);
 
 private:
   Status Defect;

@@ -71,9 +71,7 @@ py::dict runWatched(SurfaceRun& source, const Settings& settings, py::object pro
   {
     const py::gil_scoped_release free;
     const Execution execution = watched.execution();
-    if (run.load(source.triangles(), std::move(source.curves), settings.structures,
-          settings.tolerances, execution) &&
-      run.weigh(source.arrays.cells, settings.weights))
+    if (source.load(settings.structures, settings.tolerances, settings.weights, execution))
     {
       work(execution, watched);
     }
@@ -148,11 +146,6 @@ py::dict suggest(const py::dict& surface, const py::list& curves, const std::str
 {
   const Settings settings(owner, options);
   const OptionStructures& all = settings.structures;
-  SuggestionOptions search;
-  search.search = all.search;
-  search.imprint = all.imprint;
-  search.flattening = all.flattening;
-  const bool lines = all.search.cuts == SuggestedCuts::Lines;
   SurfaceRun source = runOf(surface, curves);
   CurveSuggestions found;
   std::optional<FlatteningReport> flattened;
@@ -161,12 +154,12 @@ py::dict suggest(const py::dict& surface, const py::list& curves, const std::str
     [&](const Execution& execution, WatchedRun& watched) {
       // Interrupted, the surface is flattened with the cuts found so far.
       if (const auto done = source.run.suggest(
-            search, execution, [&watched] { watched.goOn(); }, found))
+            all, execution, [&watched] { watched.goOn(); }, found))
       {
-        flattened = reportFlattening(source, *done, search.flattening);
+        flattened = reportFlattening(source, *done, all.flattening);
       }
     },
-    !lines);
+    all.search.cuts != SuggestedCuts::Lines);
   if (flattened)
   {
     py::list places;
@@ -191,8 +184,6 @@ py::dict makeFlattenable(const py::dict& surface, const py::list& curves,
   py::object progress)
 {
   const Settings settings(owner, options);
-  FlattenableOptions reshaping = settings.structures.reshaping;
-  reshaping.flattening = settings.structures.flattening;
   const LoadedBody body = bodyOf(bodySurface);
   SurfaceRun source = runOf(surface, curves);
   CurvedSurface& shaped = source.run.source;
@@ -201,12 +192,12 @@ py::dict makeFlattenable(const py::dict& surface, const py::list& curves,
   ImprintData imprint;
   py::dict result =
     runWatched(source, settings, std::move(progress), [&](const Execution& execution, WatchedRun&) {
-      moved = source.run.reshape(settings.keptCurves, body, reshaping, execution);
+      moved = source.run.reshape(settings.keptCurves, body, settings.structures, execution);
       if (moved)
       {
         Columns arrays = shiftArrays(shaped.imprinted.mesh, *moved);
         shaped.imprinted.mesh = moved->mesh;
-        flattened = reportFlattening(source, moved->after, reshaping.flattening);
+        flattened = reportFlattening(source, moved->after, settings.structures.flattening);
         imprint = imprintData({}, shaped);
         imprint.surface.pointArrays = std::move(arrays);
       }
