@@ -116,6 +116,29 @@ double distanceTo(const SurfacePath& path, const SightMetric& sight, const Point
   }
   return least;
 }
+
+/// The curve and the part of it, a node or segment, at the least distance below a reach.
+template <class Part, class Distance>
+bool findNearest(const CurveEditor& editor, std::vector<Part> EditedCurve::*parts,
+  const Distance& distanceOf, double reach, int found[2])
+{
+  double least = reach;
+  for (std::size_t curve = 0; curve < editor.curveCount(); ++curve)
+  {
+    const std::vector<Part>& all = editor.curve(curve).*parts;
+    for (std::size_t k = 0; k < all.size(); ++k)
+    {
+      const double distance = distanceOf(all[k]);
+      if (distance < least)
+      {
+        least = distance;
+        found[0] = static_cast<int>(curve);
+        found[1] = static_cast<int>(k);
+      }
+    }
+  }
+  return least < reach;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -645,42 +668,20 @@ double vtkFeatureCurveEditor::GetDistance(int curve, const double point[3]) cons
 bool vtkFeatureCurveEditor::FindNode(const double point[3], double reach, int found[2]) const
 {
   const SightMetric sight(pointOf(this->ViewDirection));
-  double least = reach;
-  for (int curve = 0; curve < this->GetNumberOfCurves(); ++curve)
-  {
-    for (int node = 0; node < this->GetNumberOfNodes(curve); ++node)
-    {
-      const double distance = sight.distance(
-        curveOf(this->Drawn.get(), curve).nodes[idOf(node)].position, pointOf(point));
-      if (distance < least)
-      {
-        least = distance;
-        found[0] = curve;
-        found[1] = node;
-      }
-    }
-  }
-  return least < reach;
+  return this->Drawn &&
+    findNearest(
+      this->Drawn->editor, &EditedCurve::nodes,
+      [&](const SurfacePoint& node) { return sight.distance(node.position, pointOf(point)); },
+      reach, found);
 }
 
 //------------------------------------------------------------------------------
 bool vtkFeatureCurveEditor::FindSegment(const double point[3], double reach, int found[2]) const
 {
   const SightMetric sight(pointOf(this->ViewDirection));
-  double least = reach;
-  for (int curve = 0; curve < this->GetNumberOfCurves(); ++curve)
-  {
-    for (int segment = 0; segment < this->GetNumberOfSegments(curve); ++segment)
-    {
-      const double distance = distanceTo(
-        curveOf(this->Drawn.get(), curve).segments[idOf(segment)], sight, pointOf(point));
-      if (distance < least)
-      {
-        least = distance;
-        found[0] = curve;
-        found[1] = segment;
-      }
-    }
-  }
-  return least < reach;
+  return this->Drawn &&
+    findNearest(
+      this->Drawn->editor, &EditedCurve::segments,
+      [&](const SurfacePath& segment) { return distanceTo(segment, sight, pointOf(point)); }, reach,
+      found);
 }

@@ -7,6 +7,7 @@
 #include "Imprint/ImprintedSurface.h"
 #include "Input/Columns.h"
 #include "PolyDataSets.h"
+#include "Report/FlatteningData.h"
 #include "Surface/FeatureCurve.h"
 
 #include "vtkCellData.h"
@@ -17,9 +18,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
-#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace flattening::bridge
 {
@@ -61,18 +61,8 @@ const char* const controlKind = "ControlPointKind";
 const char* const mirrorPlane = "MirrorPlane";
 const char* const imageName = " (image)";
 
-/// A polyline over points of its own behind others.
-void addLine(const Points3& line, Points3& points, CellList& lines)
+void replace(vtkPolyData* data, const DataSet& set)
 {
-  std::vector<std::int64_t> ids(line.size());
-  std::iota(ids.begin(), ids.end(), static_cast<std::int64_t>(points.size()));
-  lines.add(ids);
-  points.insert(points.end(), line.begin(), line.end());
-}
-
-void give(Points3 points, DataSet set, vtkPolyData* data)
-{
-  set.points = std::make_shared<const Points3>(std::move(points));
   data->Initialize();
   fill(data, set);
 }
@@ -289,8 +279,7 @@ EditedCurve curveOf(const Polyline& line, const EditedCurve* nodes, const Drawin
 
 void writeCurveSet(const CurveSet& set, vtkPolyData* data)
 {
-  Points3 points;
-  DataSet drawn;
+  std::vector<Points3> lines;
   std::vector<CurveRow> rows;
   for (const auto& curve : set.curves)
   {
@@ -299,45 +288,41 @@ void writeCurveSet(const CurveSet& set, vtkPolyData* data)
     {
       continue;
     }
-    addLine(line, points, drawn.lines);
+    lines.push_back(line);
     const auto row = static_cast<vtkIdType>(rows.size());
     rows.push_back({ curve.get(), -1 });
     const Points3 image = pointsAlong(curve->image);
     if (image.size() > 1)
     {
-      addLine(image, points, drawn.lines);
+      lines.push_back(image);
       rows.push_back({ curve.get(), row });
     }
   }
+  DataSet drawn = lineData(lines);
   drawn.cellArrays = traitsOf(rows);
   drawn.fieldArrays = nodesOf(set, rows);
-  give(std::move(points), std::move(drawn), data);
+  replace(data, drawn);
 }
 
 void writeCurve(const EditedCurve& curve, vtkPolyData* data)
 {
-  Points3 points;
-  DataSet drawn;
+  std::vector<Points3> lines;
   for (const SurfacePath& segment : curve.segments)
   {
-    addLine(pointsAlong({ segment }), points, drawn.lines);
+    lines.push_back(pointsAlong({ segment }));
   }
   if (!curve.image.empty())
   {
-    addLine(pointsAlong(curve.image), points, drawn.lines);
+    lines.push_back(pointsAlong(curve.image));
   }
-  give(std::move(points), std::move(drawn), data);
+  replace(data, lineData(lines));
 }
 
 void writePath(const SurfacePath& path, vtkPolyData* data)
 {
-  Points3 points;
-  DataSet drawn;
-  if (path.points.size() > 1)
-  {
-    addLine(pointsAlong({ path }), points, drawn.lines);
-  }
-  give(std::move(points), std::move(drawn), data);
+  const bool any = path.points.size() > 1;
+  replace(
+    data, lineData(any ? std::vector<Points3>{ pointsAlong({ path }) } : std::vector<Points3>()));
 }
 
 CurveSetInput readCurveSet(vtkPolyData* data, const DrawingSurface& surface)
