@@ -325,14 +325,13 @@ struct Spline
 {
   std::size_t degree = 3;
   std::vector<double> knots;
-  std::vector<std::array<double, 4>> points; ///< times their weights, and the weights
+  std::vector<Eigen::Vector4d> points; ///< times their weights, and the weights
 
   /// De Boor's algorithm in the span of knots `span` to `span` + 1.
   Point3 at(double t, std::size_t span) const
   {
     const auto begin = this->points.begin() + static_cast<std::ptrdiff_t>(span - this->degree);
-    std::vector<std::array<double, 4>> work(
-      begin, begin + static_cast<std::ptrdiff_t>(this->degree + 1));
+    std::vector<Eigen::Vector4d> work(begin, begin + static_cast<std::ptrdiff_t>(this->degree + 1));
     for (std::size_t r = 1; r <= this->degree; ++r)
     {
       for (std::size_t j = this->degree; j >= r; --j)
@@ -340,14 +339,10 @@ struct Spline
         const double low = this->knots[span - this->degree + j];
         const double high = this->knots[span + 1 + j - r];
         const double part = (t - low) / (high - low);
-        for (std::size_t k = 0; k < 4; ++k)
-        {
-          work[j][k] = (1.0 - part) * work[j - 1][k] + part * work[j][k];
-        }
+        work[j] = (1.0 - part) * work[j - 1] + part * work[j];
       }
     }
-    const std::array<double, 4>& end = work.back();
-    return { end[0] / end[3], end[1] / end[3], end[2] / end[3] };
+    return work.back().head<3>() / work.back()[3];
   }
 };
 
@@ -381,8 +376,7 @@ DxfCourse spline(const DxfEntity& entity)
   for (std::size_t k = 0; k < controls.size(); ++k)
   {
     const double weight = weights.empty() ? 1.0 : weights[k];
-    const Point3& place = controls[k];
-    curve.points.push_back({ weight * place[0], weight * place[1], weight * place[2], weight });
+    curve.points.emplace_back(weight * controls[k].homogeneous());
   }
   Points3 places;
   for (std::size_t span = curve.degree; span < controls.size(); ++span)

@@ -233,24 +233,13 @@ private:
     return this->Line;
   }
 
-  std::string_view nextWord()
-  {
-    const std::string_view blanks(" \t\r\n\v\f");
-    const std::size_t begin = std::min(this->Data.find_first_not_of(blanks), this->Data.size());
-    this->Data.remove_prefix(begin);
-    const std::size_t end = std::min(this->Data.find_first_of(blanks), this->Data.size());
-    const std::string_view word = this->Data.substr(0, end);
-    this->Data.remove_prefix(end);
-    return word;
-  }
-
   double number(const PlyScalar& type, const PlyElement& element, long long index)
   {
     double value = 0.0;
     bool known = this->Data.size() >= type.size;
     if (this->Text)
     {
-      known = parseNumber(this->nextWord(), value);
+      known = parseNumber(takeWord(this->Data, " \t\r\n\v\f"), value);
     }
     else if (known)
     {

@@ -21,10 +21,6 @@ namespace
 /// A surface of so many bytes has tens of millions of triangles, more than memory is flattened in.
 constexpr std::uintmax_t largestFile = 4000000000;
 
-bool isBlank(char c)
-{
-  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
 }
 
 std::size_t checkedFileSize(const std::string& path)
@@ -205,20 +201,11 @@ std::shared_ptr<const flattening::Points3> FilePoints::share()
   return std::make_shared<const flattening::Points3>(std::move(this->Points));
 }
 
-std::string_view takeWord(std::string_view& text)
+std::string_view takeWord(std::string_view& text, std::string_view blanks)
 {
-  std::size_t begin = 0;
-  while (begin < text.size() && isBlank(text[begin]))
-  {
-    ++begin;
-  }
-  std::size_t end = begin;
-  while (end < text.size() && !isBlank(text[end]))
-  {
-    ++end;
-  }
-  const std::string_view word = text.substr(begin, end - begin);
-  text.remove_prefix(end);
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  const std::string_view word = text.substr(0, text.find_first_of(blanks));
+  text.remove_prefix(word.size());
   return word;
 }
 
@@ -269,8 +256,8 @@ bool parseNumber(std::string_view word, double& value)
   return result.ec == std::errc() && result.ptr == end;
 #else // libc++ before LLVM 20 has from_chars() of whole numbers alone
   const std::string text(word);
-  if (text.empty() || isBlank(text.front()) || text.front() == '+' ||
-    text.find_first_of("xX(\r\n") != std::string::npos)
+  if (text.empty() || wordBlanks.find(text.front()) != std::string_view::npos ||
+    text.front() == '+' || text.find_first_of("xX(\r\n") != std::string::npos)
   {
     return false;
   }

@@ -80,8 +80,11 @@ std::string_view trimmed(std::string_view text);
 /// A text in small letters.
 std::string lowered(std::string_view text);
 
+/// Of a line.
+inline constexpr std::string_view wordBlanks = " \t\v\f";
+
 /// Takes the next word, divided by blanks, off the front of a text; empty at its end.
-std::string_view takeWord(std::string_view& text);
+std::string_view takeWord(std::string_view& text, std::string_view blanks = wordBlanks);
 
 /// Takes a field in double quotes, which begin the text, off its front; two quotes in it stand for
 /// one. None where the quotes are not closed.

@@ -71,10 +71,8 @@ std::string unitOf(const DataSet& data)
 
 void setUnit(DataSet& data, const std::string& unit)
 {
-  data.fieldArrays.erase(
-    std::remove_if(data.fieldArrays.begin(), data.fieldArrays.end(),
-      [](const flattening::Column& column) { return column.name == "LengthUnit"; }),
-    data.fieldArrays.end());
+  flattening::eraseIf(
+    data.fieldArrays, [](const flattening::Column& column) { return column.name == "LengthUnit"; });
   const std::string name = unitNamed(unit);
   if (!name.empty())
   {
