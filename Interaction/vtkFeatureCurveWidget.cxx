@@ -589,9 +589,7 @@ void vtkFeatureCurveWidget::OnMove()
   }
   const Aim aim = this->AimAt(-1);
   this->Drawn()->HideMarker();
-  const bool placing = this->State == Mode::Drawing || this->State == Mode::Sketching ||
-    this->State == Mode::Offsetting;
-  if (aim.onSurface && placing)
+  if (aim.onSurface && this->IsPlacing())
   {
     this->Drawn()->DrawMarker(aim.point.data(), aim.snapped != 0);
   }
@@ -638,9 +636,7 @@ void vtkFeatureCurveWidget::OnClick()
 {
   const Aim aim = this->AimAt(-1);
   const int curve = aim.node.curve >= 0 ? aim.node.curve : aim.line.curve;
-  const bool placing = this->State == Mode::Drawing || this->State == Mode::Sketching ||
-    this->State == Mode::Offsetting;
-  if (placing && !aim.onSurface)
+  if (this->IsPlacing() && !aim.onSurface)
   {
     this->Refuse("there is no surface under the mouse; click on it, or end with Return");
   }
@@ -1003,15 +999,21 @@ bool vtkFeatureCurveWidget::SetKind(int kind)
   {
     return true;
   }
-  const int curve = this->Chosen.curve;
-  bool done = true;
   this->Editor->BeginGroup();
-  for (int k = 0; k < this->Editor->GetNumberOfSegments(curve) && done; ++k)
-  {
-    done = this->Editor->SetSegmentKind(curve, k, kind);
-  }
+  const bool done = this->SetKindOfSegments(kind);
   this->Editor->EndGroup();
   return this->Finished(done);
+}
+
+//------------------------------------------------------------------------------
+bool vtkFeatureCurveWidget::SetKindOfSegments(int kind)
+{
+  bool done = true;
+  for (int k = 0; k < this->Editor->GetNumberOfSegments(this->Chosen.curve) && done; ++k)
+  {
+    done = this->Editor->SetSegmentKind(this->Chosen.curve, k, kind);
+  }
+  return done;
 }
 
 //------------------------------------------------------------------------------
@@ -1065,14 +1067,9 @@ void vtkFeatureCurveWidget::OnChar()
 bool vtkFeatureCurveWidget::MakeGirth()
 {
   this->EndDrawing();
-  const int curve = this->Chosen.curve;
   this->Editor->BeginGroup();
-  bool done = true;
-  for (int k = 0; k < this->Editor->GetNumberOfSegments(curve) && done; ++k)
-  {
-    done = this->Editor->SetSegmentKind(curve, k, vtkFeatureCurveEditor::SECTION);
-  }
-  done = done && this->Editor->SetCurveClosed(curve, true);
+  const bool done = this->SetKindOfSegments(vtkFeatureCurveEditor::SECTION) &&
+    this->Editor->SetCurveClosed(this->Chosen.curve, true);
   this->Editor->EndGroup();
   return this->Finished(done);
 }

@@ -261,9 +261,17 @@ private:
 
   Aim AimAt(int exceptCurve) const;
   bool HasMoved() const;
+  /// Whether the next click or press is for a place on the surface.
+  bool IsPlacing() const
+  {
+    return this->State == Mode::Drawing || this->State == Mode::Sketching ||
+      this->State == Mode::Offsetting;
+  }
   bool AddNode(const Aim& aim);
   bool StepBack();
   bool SetKind(int kind);
+  /// Of the chosen curve.
+  bool SetKindOfSegments(int kind);
   bool ToggleMirror();
   bool MakeGirth();
   bool EndDrawing();
