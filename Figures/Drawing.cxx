@@ -265,7 +265,7 @@ void Drawing::addWires(const PolyData& wires, DartSides sides)
   }
 }
 
-void Drawing::addBoundary(const PolyData& surface)
+PolyData boundaryOf(const PolyData& surface)
 {
   vtkNew<vtkFeatureEdges> edges;
   edges->SetInputData(surface);
@@ -274,9 +274,15 @@ void Drawing::addBoundary(const PolyData& surface)
   edges->NonManifoldEdgesOff();
   edges->ColoringOff();
   edges->Update();
-  std::vector<vtkIdType> cells(edges->GetOutput()->GetNumberOfCells());
+  return edges->GetOutput();
+}
+
+void Drawing::addBoundary(const PolyData& surface)
+{
+  const PolyData edges = boundaryOf(surface);
+  std::vector<vtkIdType> cells(edges->GetNumberOfCells());
   std::iota(cells.begin(), cells.end(), 0);
-  this->addEdges(edges->GetOutput(), cells, boundaryColor, 3.0);
+  this->addEdges(edges, cells, boundaryColor, 3.0);
 }
 
 void Drawing::addEdges(

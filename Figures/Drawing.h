@@ -122,6 +122,9 @@ Vector upOf(const PolyData& surface);
 /// where that is nearly upright or the surface, as a box or a bottle, faces all sides.
 Vector facing(const PolyData& surface, const Vector& up = { 0.0, 1.0, 0.0 });
 
+/// The edges with one triangle, as lines.
+PolyData boundaryOf(const PolyData& surface);
+
 /// Blue to red, as in the figures of the paper.
 vtkSmartPointer<vtkLookupTable> makeColors(ColorRange range);
 

@@ -5,7 +5,6 @@
 
 #include <vtkCamera.h>
 #include <vtkCellData.h>
-#include <vtkFeatureEdges.h>
 #include <vtkMath.h>
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
@@ -54,15 +53,7 @@ void SpaceView::setSurface(const figures::PolyData& surface)
   this->Surface = surface;
   this->Mapper->SetInputData(surface);
   this->Mapper->ScalarVisibilityOff();
-  vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(surface);
-  edges->BoundaryEdgesOn();
-  edges->FeatureEdgesOff();
-  edges->NonManifoldEdgesOff();
-  edges->ManifoldEdgesOff();
-  edges->ColoringOff();
-  edges->Update();
-  this->EdgeMapper->SetInputData(edges->GetOutput());
+  this->EdgeMapper->SetInputData(figures::boundaryOf(surface));
   this->resetCamera();
 }
 
