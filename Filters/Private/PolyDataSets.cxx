@@ -2,10 +2,10 @@
 #include "PolyDataSets.h"
 
 #include "AttributeArrays.h"
-#include "SurfaceInput.h"
 
 #include "vtkBitArray.h"
 #include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -29,10 +29,15 @@ CellList cellsOf(vtkCellArray* cells)
   CellList list;
   list.offsets.reserve(static_cast<std::size_t>(cells->GetNumberOfCells()) + 1);
   list.ids.reserve(static_cast<std::size_t>(cells->GetNumberOfConnectivityIds()));
-  forEachCell(cells, [&list](vtkIdType, vtkIdType count, const vtkIdType* ids) {
+  const auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cell->GetCurrentCell(count, ids);
     list.ids.insert(list.ids.end(), ids, ids + count);
     list.offsets.push_back(static_cast<std::int64_t>(list.ids.size()));
-  });
+  }
   return list;
 }
 

@@ -4,10 +4,6 @@
 #include "Input/DataSet.h"
 #include "Input/MappedSurface.h"
 #include "Surface/SurfacePreparation.h"
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
-#include "vtkSmartPointer.h"
-#include "vtkType.h"
 
 class vtkPolyData;
 
@@ -27,18 +23,4 @@ LoadedBody loadBody(vtkPolyData* body);
 
 /// As the function of Core; data sets may be null.
 MappedSurface loadMappedSurface(vtkPolyData* surface, vtkPolyData* flat, vtkPolyData* edges);
-
-/// Calls visit(k, count, ids) for each cell of an array, k counting from 0.
-template <class Visit>
-void forEachCell(vtkCellArray* cells, Visit&& visit)
-{
-  const auto cell = vtk::TakeSmartPointer(cells->NewIterator());
-  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    cell->GetCurrentCell(count, ids);
-    visit(cell->GetCurrentCellId(), count, ids);
-  }
-}
 }
