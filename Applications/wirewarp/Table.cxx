@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Table.h"
 
+#include "Base/Status.h"
 #include "FlagWords.h"
 #include "PlainText.h"
 #include "Surface/FeatureCurve.h"
@@ -11,9 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <iomanip>
 #include <numeric>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -21,6 +20,7 @@ namespace wirewarp
 {
 namespace
 {
+using flattening::shortNumber;
 using Row = std::vector<std::string>;
 
 template <typename Value>
@@ -412,31 +412,26 @@ std::string mirrorLine(const Flattening& result)
   const std::vector<double> plane = mirrorNumbers(result, "MirrorPlane");
   const std::vector<double> axis = mirrorNumbers(result, "MirrorAxis");
   const auto triple = [](const double* numbers) {
-    std::ostringstream words;
-    words << std::setprecision(4) << '(' << numbers[0] << ", " << numbers[1] << ", " << numbers[2]
-          << ')';
-    return words.str();
+    return '(' + shortNumber(numbers[0]) + ", " + shortNumber(numbers[1]) + ", " +
+      shortNumber(numbers[2]) + ')';
   };
-  std::ostringstream line;
   if (!plane.empty())
   {
-    line << "mirrored across the plane with normal " << triple(plane.data()) << " and offset "
-         << std::setprecision(4) << plane[3] << '\n';
+    return "mirrored across the plane with normal " + triple(plane.data()) + " and offset " +
+      shortNumber(plane[3]) + '\n';
   }
-  else if (!axis.empty())
+  if (!axis.empty())
   {
-    line << "mirrored, by lengths and angles, across the axis from " << triple(axis.data())
-         << " to " << triple(axis.data() + 3) << '\n';
+    return "mirrored, by lengths and angles, across the axis from " + triple(axis.data()) + " to " +
+      triple(axis.data() + 3) + '\n';
   }
-  return line.str();
+  return "";
 }
 
 /// Nothing is known of a surface that cannot be flattened, as a closed one until it is cut.
 std::string known(double value)
 {
-  std::ostringstream text;
-  text << std::setprecision(4) << value;
-  return std::isnan(value) ? "-" : text.str();
+  return std::isnan(value) ? "-" : shortNumber(value);
 }
 
 /// Rows of proposals, or of lines that were left out, under a head.

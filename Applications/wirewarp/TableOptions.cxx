@@ -57,8 +57,10 @@ bool inMillimetres(std::string_view text, double& millimetres)
   return read;
 }
 
-/// Splits at the last sign, since names may hold one. \return whether there are a name and a value
-bool splitNameAndValue(const std::string& text, std::string& name, std::string_view& value)
+/// Splits at the last sign, since names may hold one. \param read the value, into a number
+/// \return whether there are a name and a value
+template <class Read>
+bool splitAtSign(const std::string& text, std::string& name, double& value, Read&& read)
 {
   const std::size_t sign = text.rfind('=');
   if (sign == std::string::npos || sign == 0)
@@ -66,20 +68,7 @@ bool splitNameAndValue(const std::string& text, std::string& name, std::string_v
     return false;
   }
   name = text.substr(0, sign);
-  value = std::string_view(text).substr(sign + 1);
-  return true;
-}
-
-bool splitNameAndNumber(const std::string& text, std::string& name, double& number)
-{
-  std::string_view value;
-  return splitNameAndValue(text, name, value) && parseNumber(value, number);
-}
-
-bool splitNameAndLength(const std::string& text, std::string& name, double& millimetres)
-{
-  std::string_view value;
-  return splitNameAndValue(text, name, value) && inMillimetres(value, millimetres);
+  return read(std::string_view(text).substr(sign + 1), value);
 }
 
 /// What sets an option to a value that was given.
@@ -206,7 +195,7 @@ private:
           {
             std::string curve;
             double value = 0.0;
-            const bool named = splitNameAndLength(entry, curve, value);
+            const bool named = splitAtSign(entry, curve, value, inMillimetres);
             if ((!named && !inMillimetres(entry, value)) || !isValid(option, value))
             {
               throw CLI::ValidationError(name,
@@ -366,9 +355,8 @@ std::pair<std::string, double> namedNumber(
   std::pair<std::string, double> named;
   const bool fraction = option.form == "NAME=FRACTION";
   const std::string range = rangeOf(option);
-  const bool split = option.form == "NAME=MM"
-    ? splitNameAndLength(entry, named.first, named.second)
-    : splitNameAndNumber(entry, named.first, named.second);
+  const bool split = splitAtSign(
+    entry, named.first, named.second, option.form == "NAME=MM" ? inMillimetres : parseNumber);
   if (!split || !std::isfinite(named.second) || named.second < 0.0 ||
     (fraction && named.second >= 1.0) || !isValid(option, named.second))
   {
