@@ -3,8 +3,6 @@
 
 #include "Cloth/ClothMaterial.h"
 #include "HostileSurface.h"
-#include "Options/OptionStructures.h"
-#include "Options/OptionTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -171,46 +169,47 @@ void makeCurves(Bytes& bytes, const Specimen& surface, HostileCase& result)
   }
 }
 
-/// Anywhere in its range, or near its least value, or none that is allowed; a tolerance is of any
-/// size up to 1.
-double numberFor(Bytes& bytes, const Option& option)
-{
-  if (option.type == OptionType::Integer)
-  {
-    return bytes.next() % 4;
-  }
-  if (bytes.oneIn(24))
-  {
-    const double values[] = { -1.0, 1e300, std::numeric_limits<double>::quiet_NaN(), 0.0 };
-    return values[bytes.next() % 4];
-  }
-  const double width = option.maximum > 1e9 ? 1.0 : option.sliderMaximum - option.minimum;
-  const double share = bytes.oneIn(2) ? bytes.unit() : std::pow(10.0, -16.0 * bytes.unit());
-  return option.minimum + width * share;
-}
-
 /// Mostly sensible; now and then a number that must be refused or starves the iteration.
 void makeOptions(Bytes& bytes, HostileCase& result)
 {
-  OptionStructures all;
-  FlatteningOptions& options = all.flattening;
+  FlatteningOptions& options = result.options;
   options.scheme = static_cast<Scheme>(bytes.next() % 4);
   options.angles.method = bytes.oneIn(3) ? AngleMethod::Sequential : AngleMethod::Newton;
   options.interior.method = bytes.oneIn(4) ? static_cast<InteriorMethod>(bytes.next() % 3)
                                            : InteriorMethod::AsRigidAsPossible;
-  options.isometric.energy.kind = bytes.oneIn(16) ? DistortionEnergyKind::SymmetricDirichlet
-                                                  : DistortionEnergyKind::AsRigidAsPossible;
   options.releaseKeys = bytes.oneIn(8);
   options.arrange = !bytes.oneIn(3);
-  all.imprint.split = !bytes.oneIn(18);
-  const bool others = bytes.oneIn(4);
-  for (const Option* const option : optionsOf(OptionOwner::Warping))
+  if (bytes.oneIn(8))
   {
-    const bool isNumber = option->type == OptionType::Integer || option->type == OptionType::Number;
-    if (others && isNumber && bytes.oneIn(3))
-    {
-      option->set(all, numberFor(bytes, *option));
-    }
+    options.angles.maximumIterations = static_cast<int>(bytes.next() % 4);
+    options.interior.maximumRigidIterations = static_cast<int>(bytes.next() % 4);
+    options.isometric.maximumIterations = static_cast<int>(bytes.next() % 4);
+  }
+  if (bytes.oneIn(8))
+  {
+    options.isometric.angleWeight = 100.0 * bytes.unit();
+    options.isometric.energy.kind = bytes.oneIn(2) ? DistortionEnergyKind::SymmetricDirichlet
+                                                   : DistortionEnergyKind::AsRigidAsPossible;
+    options.isometric.energy.bias = 1.98 * bytes.unit() - 0.99;
+    options.interior.relaxation = 2.0 * bytes.unit();
+    options.interior.energyTolerance = std::pow(10.0, -16.0 * bytes.unit());
+    options.angles.closureTolerance = std::pow(10.0, -16.0 * bytes.unit());
+    options.angles.optimalityTolerance = std::pow(10.0, -16.0 * bytes.unit());
+    options.spacing = bytes.unit();
+  }
+  if (bytes.oneIn(24))
+  {
+    const double values[] = { -1.0, 1e300, std::numeric_limits<double>::quiet_NaN(), 0.0 };
+    double* numbers[] = { &options.isometric.angleWeight, &options.interior.relaxation,
+      &options.interior.energyTolerance, &options.angles.closureTolerance, &options.spacing,
+      &result.imprint.tolerance, &result.imprint.snap, &options.interior.movement };
+    *numbers[bytes.next() % 8] = values[bytes.next() % 4];
+  }
+  if (bytes.oneIn(6))
+  {
+    result.imprint.split = !bytes.oneIn(3);
+    result.imprint.tolerance = std::pow(10.0, -1.0 - 8.0 * bytes.unit());
+    result.imprint.snap = 0.5 * bytes.unit();
   }
   if (bytes.oneIn(8))
   {
@@ -220,8 +219,6 @@ void makeOptions(Bytes& bytes, HostileCase& result)
   {
     result.cancelAt = bytes.below(64);
   }
-  result.options = options;
-  result.imprint = all.imprint;
 }
 
 /// A material by name, or one with numbers that no cloth has, laid by an angle or a curve that may

@@ -67,10 +67,9 @@ bool isSound(const PieceReport& piece)
 }
 
 /// The promise on lengths, edge by edge, from the points and positions alone.
-void checkLengths(const std::vector<FeatureCurve>& curves, const FlatteningOptions& options,
-  const FlatteningResult& result, Checks& checks)
+void checkLengths(
+  const std::vector<FeatureCurve>& curves, const FlatteningResult& result, Checks& checks)
 {
-  const double promise = std::max(lengthPromise, options.lengthTolerance);
   const TriangleMesh& mesh = result.cut->mesh;
   for (Index h = 0; h < mesh.halfedgeCount(); ++h)
   {
@@ -87,7 +86,7 @@ void checkLengths(const std::vector<FeatureCurve>& curves, const FlatteningOptio
       std::max(result.positions[mesh.from(h)].norm(), result.positions[mesh.to(h)].norm());
     const double rounding = std::numeric_limits<double>::epsilon() * farthest / mesh.length(h);
     const PieceReport& piece = result.pieces[result.cut->pieceOfTriangle[h / 3]];
-    if (isSound(piece) && !(error <= band + promise + rounding))
+    if (isSound(piece) && !(error <= band + lengthPromise + rounding))
     {
       std::ostringstream text;
       text << "half-edge " << h << " misses its length by " << error << " in a piece that is Ok";
@@ -266,7 +265,7 @@ void checkResult(const std::vector<FeatureCurve>& curves, const FlatteningOption
   checkNumbers(result, checks);
   if (options.scheme != Scheme::LeastSquaresConformal)
   {
-    checkLengths(curves, options, result, checks);
+    checkLengths(curves, result, checks);
   }
   checkThreads(options, result, checks);
   checkFlips(result, checks);
