@@ -145,8 +145,8 @@ SystemCase interiorSystem(const PreparedPiece& p)
 
 SystemCase isometricSystem(const PreparedPiece& p, const Execution& execution)
 {
-  constexpr double bending = 5.0; // of the wires, by default
-  IsometricModel model(p.piece, p.problem, IsometricOptions().energy, bending);
+  const IsometricOptions options;
+  IsometricModel model(p.piece, p.problem, options.energy, options.angleWeight);
   const Eigen::VectorXd x = model.unknowns(p.rigid, p.angles.stretch);
   model.linearize(x, Eigen::VectorXd::Zero(model.constraintCount()), Curvature::Convex,
     regularization, execution);

@@ -25,13 +25,6 @@ inline FlatteningOptions optionsOf(
   return options;
 }
 
-/// With wires that bend at this cost.
-inline FlatteningOptions withBending(double weight, FlatteningOptions options = {})
-{
-  options.isometric.angleWeight = weight;
-  return options;
-}
-
 /// A free boundary with the energy that is chosen by default for it.
 inline FlatteningOptions freeBoundary()
 {

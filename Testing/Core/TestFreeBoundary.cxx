@@ -159,7 +159,8 @@ TEST(FreeBoundary, HasTheLeastEnergyThatAnotherMinimizerFinds)
 {
   for (const bool curves : { false, true })
   {
-    const FlatteningOptions options = curves ? withBending(0.0, freeBoundary()) : freeBoundary();
+    FlatteningOptions options = freeBoundary();
+    options.isometric.angleWeight = curves ? 0.0 : options.isometric.angleWeight;
     for (const Surface& surface : formulas(curves))
     {
       const FlatteningResult result = flattenOk(surface, options);

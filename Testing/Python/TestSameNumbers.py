@@ -17,7 +17,7 @@ OPTIONS = (
     ({"energy": "dirichlet"}, "--energy dirichlet"),
     ({"boundary": "free"}, "--boundary free"),
     ({"boundary": "free", "energy": "rigid", "area_bias": 0.5}, "--boundary free --energy rigid --area-bias 0.5"),
-    ({"area_bias": 0.5}, "--area-bias 0.5"),
+    ({"area_bias": 0.5, "angle_weight": 20.0}, "--area-bias 0.5 --angle-weight 20"),
     ({"isometric_iterations": 2}, "--isometric-iterations 2"),
     ({"isometric_tolerance": 1.0}, "--isometric-tolerance 1"),
     ({"scheme": "global", "rigid_iterations": 2}, "--scheme global --rigid-iterations 2"),

@@ -81,12 +81,13 @@ class Isometric(unittest.TestCase):
             np.testing.assert_allclose(distances(one.positions), distances(other.positions), atol=1e-9)
             self.assertLess(max(piece_of(one)["energy_rigid"], piece_of(other)["energy_rigid"]), 1e-18)
 
-    def test_a_bias_lowers_the_error_of_areas_or_of_angles(self):
+    def test_a_bias_and_a_weight_of_the_wires_angles_lower_their_errors(self):
         def piece(**options):
             return piece_of(sf.flatten(*shell(8, 10, 0.3), self.CURVES, energy="rigid", **options))
 
         self.assertLess(piece(area_bias=0.8)["E_area"], piece()["E_area"])
         self.assertLess(piece(area_bias=-0.8)["E_ang"], piece()["E_ang"])
+        self.assertLess(piece(angle_weight=10)["energy_angles"] / 10, piece(angle_weight=1)["energy_angles"])
 
     def test_weights_take_distortion_elsewhere(self):
         points, triangles = shell(9, 8, 0.4)
