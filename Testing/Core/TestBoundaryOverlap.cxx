@@ -267,6 +267,25 @@ TEST(Orientation, IsExactWhereRoundingDecidesThePlainFormula)
   EXPECT_GT(wrong, 0) << "the case is too easy to tell anything";
 }
 
+TEST(Orientation, IsExactOnRandomNearlyCollinearPoints)
+{
+  std::mt19937 random(7);
+  std::uniform_int_distribution<std::int64_t> coordinate(1, std::int64_t(1) << 53);
+  std::uniform_int_distribution<int> nudge(-2, 2);
+  const auto real = [](std::int64_t k) { return std::ldexp(static_cast<double>(k), -53); };
+  for (int k = 0; k < 20000; ++k)
+  {
+    const Point2 a(real(coordinate(random)), real(coordinate(random)));
+    const Point2 b(real(coordinate(random)), real(coordinate(random)));
+    const double t = real(coordinate(random));
+    // back onto the grid of multiples of 2^-53
+    const Point2 between = a + t * (b - a);
+    const Point2 c(std::ldexp(std::round(std::ldexp(between.x(), 53)) + nudge(random), -53),
+      std::ldexp(std::round(std::ldexp(between.y(), 53)) + nudge(random), -53));
+    ASSERT_EQ(orientation(a, b, c), exactSign(a, b, c));
+  }
+}
+
 TEST(Orientation, SegmentsMeetWhenTheyCrossTouchOrLieOnEachOther)
 {
   const Point2 o(0, 0);

@@ -377,6 +377,13 @@ TEST(ChartCuts, OfSmallPartsAreLaidIntoTheWholeSurface)
     });
     const TriangleMesh mesh =
       together({ Surface{ ball(1.0, 10), {}, {} }, Surface{ cord, {}, {} } }).mesh;
+    Polyline edge;
+    edge.points = { mesh.point(mesh.from(60)), mesh.point(mesh.to(60)) }; // of the balloon
+    for (CurveType type : { CurveType::Accessory, CurveType::Dart })
+    {
+      edge.type = type;
+      EXPECT_TRUE(suggestCurves(mesh, { edge }, optionsOf(0.05, 0)).boundMet) << sides;
+    }
     EXPECT_TRUE(suggestCurves(mesh, {}, optionsOf(0.05, 0)).boundMet) << sides;
   }
 }

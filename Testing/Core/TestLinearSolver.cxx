@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/CompressedRows.h"
 #include "Reference/SuperLUFactorization.h"
 #include "Sparse/LinearSolver.h"
 #include "Sparse/MultifrontalFactorization.h"
@@ -153,6 +154,14 @@ TEST(LinearSolver, RefusesWhatItCannotFactor)
   {
     EXPECT_FALSE(SuperLUFactorization().factorize(*matrix));
   }
+}
+
+TEST(LinearSolver, SolvesTheEmptySystem)
+{
+  LinearSolver solver;
+  EXPECT_TRUE(solver.factorize(SparseMatrix(0, 0)));
+  EXPECT_EQ(solver.negative(), 0);
+  EXPECT_EQ(solver.solve(Eigen::MatrixXd(0, 2)).rows(), 0);
 }
 
 TEST(LinearSolver, ConstraintsBehindTheirUnknownsKeepTheirDigits)
@@ -410,4 +419,50 @@ TEST(MultifrontalFactorization, DissectionFillsInLessThanTheOrderOfTheMesh)
   EXPECT_EQ(sorted, given.order) << "an order names each column once";
   EXPECT_LT(SupernodalStructure(system.matrix, system.order).factorSize(),
     SupernodalStructure(system.matrix, given).factorSize() / 2);
+}
+
+TEST(NestedDissection, PutsASmallSeparatorThatDividesTheMeshLast)
+{
+  const Surface surface = flatPatch(40, 30);
+  const Triangles& triangles = surface.mesh.triangles();
+  const Index count = surface.mesh.vertexCount();
+  for (const Dissection& dissection :
+    { dissect(triangles, surface.mesh.points()), dissect(triangles, count) })
+  {
+    Indices sorted = dissection.order;
+    std::sort(sorted.begin(), sorted.end());
+    Indices all(count);
+    std::iota(all.begin(), all.end(), 0);
+    EXPECT_EQ(sorted, all) << "each vertex once";
+    ASSERT_GE(dissection.end.size(), 2U);
+    EXPECT_TRUE(std::is_sorted(dissection.end.begin(), dissection.end.end()));
+    EXPECT_EQ(
+      std::adjacent_find(dissection.end.begin(), dissection.end.end()), dissection.end.end());
+    EXPECT_EQ(dissection.end.back(), count);
+    const Index begin = dissection.end[dissection.end.size() - 2];
+    EXPECT_LT(count - begin, 100) << "of 1271 vertices";
+    // Without it no part that hangs together has many more than half of the others.
+    std::vector<char> separates(count, 0);
+    for (Index k = begin; k < count; ++k)
+    {
+      separates[dissection.order[k]] = 1;
+    }
+    JoinedSets parts(count);
+    for (const Triangle& t : triangles)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        if (!separates[t[k]] && !separates[t[(k + 1) % 3]])
+        {
+          parts.join(t[k], t[(k + 1) % 3]);
+        }
+      }
+    }
+    Indices size(count, 0);
+    for (Index v = 0; v < count; ++v)
+    {
+      size[parts.find(v)] += separates[v] ? 0 : 1;
+    }
+    EXPECT_LT(*std::max_element(size.begin(), size.end()), 0.65 * count);
+  }
 }

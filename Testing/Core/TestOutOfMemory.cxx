@@ -96,6 +96,30 @@ TEST(OutOfMemory, DoesNotEndTheProgramInTheLibraryOfThePapersSolver)
   EXPECT_EXIT(std::_Exit(runWithMoreAndMoreMemory(run, 64)), testing::ExitedWithCode(0), "");
 }
 
+TEST(OutOfMemory, OnAnotherThreadReachesTheCaller)
+{
+  const Execution execution = withThreads(3);
+  EXPECT_THROW(execution.parallelFor(30,
+                 [](Index begin, Index) {
+                   if (begin > 0)
+                   {
+                     throw OutOfMemory(77);
+                   }
+                 }),
+    OutOfMemory);
+}
+
+TEST(OutOfMemory, OfAVectorThatNoMachineHoldsIsToldAsWell)
+{
+  const Result result = withinMemory([]() -> Result {
+    std::vector<double> endless;
+    endless.reserve(endless.max_size());
+    endless.resize(endless.max_size() + 1);
+    return {};
+  });
+  EXPECT_EQ(result.status.code, StatusCode::OutOfMemory);
+}
+
 TEST(OutOfMemory, ThreadsThatAreNotGivenAreToldWithTheSystemsReason)
 {
   for (const char* reason : { "Resource temporarily unavailable", "Operation not permitted" })

@@ -30,6 +30,24 @@ TEST(PieceSewing, ThreadsChangeNoBit)
   EXPECT_EQ(one.shapes.front().measures.distanceMean, three.shapes.front().measures.distanceMean);
 }
 
+TEST(PieceSewing, RefusesWhatItCannotSew)
+{
+  const FlatteningResult pieces = flatten(cushion(12, 12, 0.2));
+  const auto code = [&pieces](const Points2& positions, const SewingOptions& options) {
+    return sewPieces(*pieces.cut, positions, options, {}).status.code;
+  };
+  EXPECT_EQ(code({}, panel()), StatusCode::InvalidOption);
+  EXPECT_EQ(code(Points2(pieces.positions.size(), Point2(1.0, 1.0)), panel()),
+    StatusCode::DegenerateTriangle);
+  EXPECT_EQ(sewPieces({}, {}, panel(), {}).status.code, StatusCode::EmptySurface);
+  SewingOptions options = panel();
+  options.material.emplace();
+  const SewingResult refused = sewn(cushion(12, 12, 0.2), options);
+  EXPECT_EQ(refused.status.code, StatusCode::InvalidOption);
+  EXPECT_NE(refused.status.message.find("stiffness"), std::string::npos);
+  EXPECT_TRUE(refused.points.empty());
+}
+
 TEST(PieceSewing, LeavesNothingWhenItIsCancelled)
 {
   Execution run;

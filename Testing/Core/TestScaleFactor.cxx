@@ -113,6 +113,20 @@ TEST(ScaleFactor, ForetellsTheFactorThatIsSolvedAnewWithTheCutFixed)
   EXPECT_EQ(anew.forecast(cut).gain, 0.0);
 }
 
+TEST(ScaleFactor, IsZeroOnDevelopableSurfaces)
+{
+  for (const Surface& surface : { flatPatch(9, 7), cone(16, 6), cylinder(16, 8) })
+  {
+    const ScaleFactor factor(surface.mesh, {}, {});
+    ASSERT_TRUE(factor.ok());
+    for (const double value : factor.values())
+    {
+      EXPECT_LT(std::abs(value), 1e-12);
+    }
+    EXPECT_LT(std::abs(factor.forecast({ 3, 12, 21 }).gain), 1e-24);
+  }
+}
+
 TEST(ScaleFactor, IsThatOfTheSpheresCap)
 {
   // - (sin t u')' / sin t = 1 and u(angle) = 0 have the solution 2 ln(cos(t / 2) / cos(angle / 2)).
@@ -176,6 +190,41 @@ TEST(ScaleFactor, ADartToTheApexOfAConeOpensByItsAngleDefect)
   EXPECT_NEAR(forecast.leastOpening(), 0.0, 1e-10);
 }
 
+TEST(ScaleFactor, ADartInsideIsClosedAtBothEndsAndOpensAtAWaist)
+{
+  const Index columns = 12;
+  const TriangleMesh mesh = patch(columns, 20, [](double i, double j) {
+    const double turn = 0.35 * pi * (i / 6.0 - 1.0);
+    const double y = j / 5.0 - 2.0;
+    const double radius = 1.0 - 0.25 * std::exp(-y * y / 0.36);
+    return Point3(radius * std::sin(turn), y, radius * std::cos(turn));
+  }).mesh;
+  const ScaleFactor factor(mesh, {}, {});
+  ASSERT_TRUE(factor.ok());
+  Indices meridian;
+  for (Index j = 6; j <= 14; ++j)
+  {
+    meridian.push_back(j * (columns + 1) + columns / 2);
+  }
+  const CutForecast dart = factor.forecastInside(meridian);
+  ASSERT_EQ(dart.arc.size(), meridian.size());
+  double turn = 0.0;
+  double most = 0.0;
+  for (double swallowed : dart.swallowed)
+  {
+    turn += swallowed;
+    most = std::max(most, std::abs(swallowed));
+  }
+  EXPECT_LT(std::abs(turn), 1e-9 * most);
+  EXPECT_LT(std::abs(dart.opening(0.0)), 1e-9 * dart.greatestOpening());
+  EXPECT_GE(dart.leastOpening(), -1e-9 * dart.greatestOpening());
+  EXPECT_LT(dart.swallowed[4], 0.0); // the saddle
+  EXPECT_GT(dart.swallowed.front(), 0.0);
+  EXPECT_GT(dart.swallowed.back(), 0.0);
+  EXPECT_GT(dart.gain, 0.3 * factor.energy());
+  EXPECT_NEAR(dart.opening(dart.arc[4]), dart.greatestOpening(), 1e-9);
+}
+
 TEST(ScaleFactor, ADartIntoASaddleIsToldToOverlap)
 {
   const auto saddle = [](double sign) {
@@ -210,6 +259,34 @@ TEST(ScaleFactor, FindsTheBestCutThroughFewClustersAsThroughAllVertices)
   {
     const auto best = std::max_element(some.begin(), some.end()) - some.begin();
     EXPECT_GT(gains[2][static_cast<std::size_t>(best)], 0.98 * most);
+  }
+}
+
+TEST(ScaleFactor, WeighsWhatMattersMore)
+{
+  const TriangleMesh mesh = cushion(20, 20, 0.2).mesh;
+  ScaleFactorOptions left;
+  for (const Point3& p : mesh.points())
+  {
+    left.weight.push_back(p.x() < 0.5 ? 1.0 : 0.0);
+  }
+  const Indices near = columnCurve(20, 10, 5).vertices;
+  const Indices far = columnCurve(20, 10, 15).vertices;
+  const ScaleFactor even(mesh, {}, {});
+  const ScaleFactor weighted(mesh, left, {});
+  EXPECT_NEAR(even.forecast(near).gain, even.forecast(far).gain, 0.05 * even.forecast(far).gain);
+  EXPECT_GT(weighted.forecast(near).gain, 2.0 * weighted.forecast(far).gain);
+}
+
+TEST(ScaleFactor, IsUndefinedWhereNothingFixesTheScale)
+{
+  ScaleFactorOptions one;
+  one.fixed = { 2 };
+  for (int halvings : { 0, 1, 2, 3 })
+  {
+    const TriangleMesh closed = sphere(halvings);
+    EXPECT_FALSE(ScaleFactor(closed, {}, {}).ok()) << halvings;
+    EXPECT_TRUE(ScaleFactor(closed, one, {}).ok()) << halvings;
   }
 }
 

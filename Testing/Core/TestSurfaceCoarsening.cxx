@@ -17,12 +17,79 @@ TriangleMesh dome()
   }).mesh;
 }
 
+double boundaryLength(const TriangleMesh& mesh)
+{
+  double length = 0.0;
+  for (const Indices& loop : mesh.boundaryLoops())
+  {
+    for (Index h : loop)
+    {
+      length += mesh.length(h);
+    }
+  }
+  return length;
+}
+
 double rigidEnergy(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves)
 {
   const FlatteningResult result = flattenSurface(mesh, curves, {}, {});
   EXPECT_TRUE(result.status.ok()) << result.status.message;
   return result.pieces.front().quality.rigidEnergy;
 }
+}
+
+TEST(SurfaceCoarsening, KeepsBoundaryAndEdgesBetweenKeptVertices)
+{
+  const TriangleMesh mesh = dome();
+  std::vector<char> kept(mesh.vertexCount(), 0);
+  for (Index j = 0; j <= 24; ++j)
+  {
+    kept[j * 25 + 12] = 1;
+  }
+  const CoarseSurface coarse = coarsened(mesh, kept, 400);
+  EXPECT_LE(coarse.mesh.triangleCount(), 400);
+  EXPECT_GE(coarse.mesh.triangleCount(), 390);
+  EXPECT_EQ(eulerCharacteristic(coarse.mesh), 1);
+  EXPECT_NEAR(boundaryLength(coarse.mesh), boundaryLength(mesh), 1e-12);
+  Indices number(mesh.vertexCount(), none);
+  for (std::size_t v = 0; v < coarse.vertices.size(); ++v)
+  {
+    number[coarse.vertices[v]] = static_cast<Index>(v);
+    EXPECT_EQ(coarse.mesh.point(static_cast<Index>(v)), mesh.point(coarse.vertices[v]));
+  }
+  for (Index j = 0; j < 24; ++j)
+  {
+    const Index a = number[j * 25 + 12];
+    const Index b = number[(j + 1) * 25 + 12];
+    ASSERT_NE(a, none);
+    ASSERT_NE(b, none);
+    EXPECT_NE(coarse.mesh.find(a, b), none) << j;
+  }
+}
+
+TEST(SurfaceCoarsening, LeavesAFlatSurfaceFlatAndOfTheSameArea)
+{
+  const Surface flat = flatPatch(20, 15);
+  const CoarseSurface coarse = coarsened(flat.mesh, std::vector<char>(flat.mesh.vertexCount()), 1);
+  EXPECT_LT(coarse.mesh.triangleCount(), flat.mesh.triangleCount() / 3);
+  EXPECT_NEAR(coarse.mesh.area(), flat.mesh.area(), 1e-9 * flat.mesh.area());
+}
+
+TEST(SurfaceCoarsening, ACylinderFlattensAsWellCoarse)
+{
+  // Where curvature moved about, coarse triangles of a cylinder would have no common plane.
+  const TriangleMesh mesh = cylinder(24, 16).mesh;
+  const CoarseSurface coarse = coarsened(mesh, std::vector<char>(mesh.vertexCount()), 300);
+  EXPECT_LT(coarse.mesh.triangleCount(), 320);
+  EXPECT_LT(rigidEnergy(coarse.mesh, {}), 1e-4);
+}
+
+TEST(SurfaceCoarsening, ACoarsePieceIsDistortedAlike)
+{
+  const TriangleMesh mesh = dome();
+  const CoarseSurface coarse = coarsened(mesh, std::vector<char>(mesh.vertexCount()), 500);
+  const double fine = rigidEnergy(mesh, {});
+  EXPECT_NEAR(rigidEnergy(coarse.mesh, {}), fine, 0.1 * fine);
 }
 
 TEST(SurfaceCoarsening, APairOfCutsMeetsInThePlaneWhenItIsMoved)

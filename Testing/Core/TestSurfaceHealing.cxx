@@ -160,6 +160,30 @@ TEST(SurfaceHealing, DividesWhatLiesBehindTrianglesWithoutArea)
   EXPECT_EQ(eulerCharacteristic(surface.mesh), 1);
 }
 
+TEST(SurfaceHealing, TakesOutDoubledTriangles)
+{
+  Sheet sheet;
+  const Triangle t = sheet.triangles[40];
+  const Triangle u = sheet.triangles[71];
+  sheet.triangles.push_back({ t[1], t[2], t[0] });
+  sheet.triangles.push_back({ u[0], u[2], u[1] });
+  sheet.triangles.push_back(u);
+  const Index count = 2 * sheetColumns * sheetRows;
+  const HealedSurface surface =
+    healed(sheet, SurfaceDefect::DoubledTriangles, { count, count + 1, count + 2 });
+  EXPECT_EQ(surface.mendings.size(), 1U);
+  EXPECT_EQ(surface.mesh.triangles(), Sheet().triangles);
+  // A sheet with both of its sides is a sheet.
+  Sheet sides;
+  for (Index k = 0; k < count; ++k)
+  {
+    const Triangle s = sides.triangles[k];
+    sides.triangles.push_back({ s[1], s[0], s[2] });
+  }
+  EXPECT_TRUE(healSurface(sides.points, sides.triangles)
+                .mesh.identical(prepareSurface(Sheet().points, Sheet().triangles).mesh));
+}
+
 TEST(SurfaceHealing, SeparatesWhatStandsOnASurface)
 {
   // A wall across the whole sheet: it comes off, since the sheet goes on evenly.
@@ -266,6 +290,27 @@ TEST(SurfaceHealing, SeparatesAnyTriangles)
   }
   EXPECT_GT(separated, 290);
   EXPECT_GT(kept / separated, 0.8); // single triangles below a tenth of the largest are fins
+}
+
+TEST(SurfaceHealing, DoublesPinchedPoints)
+{
+  Sheet sheet;
+  const Index pinched = Sheet::at(0, 4);
+  const Index a = sheet.add(Point3(-0.5, 0.2, 0.0));
+  const Index b = sheet.add(Point3(-0.5, 0.6, 0.0));
+  sheet.triangles.push_back({ pinched, b, a });
+  const HealedSurface surface = healed(sheet, SurfaceDefect::PinchedPoints, { pinched });
+  EXPECT_EQ(surface.mendings.size(), 1U);
+  EXPECT_EQ(surface.mesh.triangleCount(), sheet.size());
+  EXPECT_EQ(surface.mesh.vertexCount(), static_cast<Index>(sheet.points.size()) + 1);
+  EXPECT_EQ(std::count(surface.originalPoint.begin(), surface.originalPoint.end(), pinched), 2);
+  // It is not split where neighbors are oriented differently.
+  std::swap(sheet.triangles[77][0], sheet.triangles[77][1]);
+  EXPECT_EQ(healed(sheet, SurfaceDefect::PinchedPoints, { pinched }).mesh.vertexCount(),
+    surface.mesh.vertexCount());
+  // The point stays with the larger part.
+  EXPECT_EQ(surface.mesh.triangle(0)[0], surface.vertexOfPoint[0]);
+  EXPECT_NE(surface.mesh.triangles().back()[0], surface.vertexOfPoint[pinched]);
 }
 
 TEST(SurfaceHealing, LeavesOutSpecks)

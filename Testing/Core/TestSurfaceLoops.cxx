@@ -46,6 +46,31 @@ double worstBendOfLoop(const TriangleMesh& mesh, const SurfacePath& loop)
 }
 }
 
+TEST(PlaneSection, AllCurvesOfASectionAreFoundOnceAlsoWhereItGoesThroughVertices)
+{
+  // The plane y = 0 goes through vertices of both walls of the tube; that above the middle closes.
+  const TriangleMesh mesh = tube(12, 6, [](double) { return 1.0; });
+  const std::vector<PlaneSection> along =
+    planeSections(mesh, Point3::Zero(), Point3(0.0, 1.0, 0.0));
+  ASSERT_EQ(along.size(), 2u);
+  for (const PlaneSection& section : along)
+  {
+    EXPECT_FALSE(section.closed);
+    EXPECT_NEAR(section.length, 4.0, 1e-12);
+  }
+  const std::vector<PlaneSection> across =
+    planeSections(mesh, Point3(0.0, 0.0, 1.7), Point3(0.0, 0.0, 2.0));
+  ASSERT_EQ(across.size(), 1u);
+  EXPECT_TRUE(across[0].closed);
+  EXPECT_NEAR(across[0].length, perimeter(12, 1.0), 1e-12);
+  EXPECT_TRUE(planeSections(mesh, Point3(0.0, 0.0, 9.0), Point3(0.0, 0.0, 1.0)).empty());
+  const std::vector<PlaneSection> round =
+    planeSections(sphere(0), Point3::Zero(), Point3(0.0, 1.0, 0.0));
+  ASSERT_EQ(round.size(), 1u);
+  EXPECT_TRUE(round[0].closed);
+  EXPECT_NEAR(round[0].length, 4.0 * std::sqrt(2.0), 1e-12);
+}
+
 TEST(PlaneSection, IsRefusedWhereThePlaneOnlyTouches)
 {
   const TriangleMesh mesh = tube(

@@ -104,6 +104,16 @@ TEST(Tubes, AreKnownByTheTurnsOfTheirOpenings)
   }
 }
 
+TEST(Tubes, HaveHolesThatAreNoOpenings)
+{
+  const TriangleMesh whole = revolved(24, 16, 3.2);
+  Triangles triangles = whole.triangles();
+  triangles.erase(triangles.begin() + 350);
+  const TriangleMesh holed(whole.points(), triangles);
+  ASSERT_EQ(holed.boundaryLoops().size(), 3U);
+  EXPECT_EQ(forecastArea(holed, {}).openings.size(), 1U);
+}
+
 TEST(Tubes, KeepTheLengthsOfAllTheirOpenings)
 {
   // Along the longest arms a convex map falls below what rounding leaves of its largest triangles.

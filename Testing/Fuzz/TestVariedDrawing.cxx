@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paths, sections, girths, loops and splines over surfaces of every shape and unit.
+// Sections, girths, loops, splines and edited curves over surfaces of every shape and unit.
 #include "../Core/PathFacts.h"
-#include "Editing/DrawingSurface.h"
+#include "Editing/CurveEditor.h"
+#include "Editing/CurveSnapping.h"
 #include "HostileSurface.h"
 #include "Paths/PathDistance.h"
 #include "Paths/PathPoints.h"
@@ -40,10 +41,11 @@ public:
   }
 
   const std::string& name() const { return this->Name; }
-  const SurfaceLocator& locator() const { return this->Drawing->locator(); }
+  const std::shared_ptr<const DrawingSurface>& drawing() const { return this->Drawing; }
   const TriangleMesh& mesh() const { return this->Drawing->mesh(); }
   const PathGraph& graph() const { return this->Drawing->graph(); }
   double size() const { return this->Box.diagonal().norm() + this->Box.center().norm(); }
+  Point3 middle() const { return this->Box.center(); }
 
   std::size_t pick(std::size_t count) { return this->Random() % count; }
   /// Sometimes one of those before.
@@ -187,7 +189,8 @@ void expectSpline(Sheet& sheet)
 {
   const std::vector<SurfacePoint> points = sheet.points(2 + sheet.pick(5));
   const bool closed = sheet.pick(2) == 0;
-  const SurfaceSpline spline = surfaceSpline(sheet.graph(), sheet.locator(), points, closed);
+  const SurfaceSpline spline =
+    surfaceSpline(sheet.graph(), sheet.drawing()->locator(), points, closed);
   if (spline.status.refused())
   {
     EXPECT_TRUE(spline.status.code == StatusCode::CurveLeavesSurface ||
@@ -226,6 +229,68 @@ void expectPaths(Sheet& sheet)
     for (const SurfacePoint* end : { &from, &to })
     {
       EXPECT_LE(distance.way.length, straightPath(sheet.graph(), *end, other).length);
+    }
+  }
+}
+
+/// Segments from node to node on the surface, one a kind.
+void expectWhole(const Sheet& sheet, const EditedCurve& curve, bool mirror)
+{
+  const std::size_t count = segmentCount(curve.nodes.size(), curve.closed);
+  ASSERT_EQ(curve.kinds.size(), count);
+  ASSERT_EQ(curve.segments.size(), count);
+  EXPECT_EQ(curve.image.size(), curve.traits.mirrored && mirror ? count : 0U);
+  for (std::size_t s = 0; s < count; ++s)
+  {
+    const SurfacePath& segment = curve.segments[s];
+    ASSERT_TRUE(liesOn(sheet.mesh(), segment));
+    const auto gap = [&](const SurfacePoint& a, const SurfacePoint& b) {
+      return (a.position - b.position).norm();
+    };
+    EXPECT_LE(gap(segment.points.front(), curve.nodes[s]), 1e-12 * sheet.size());
+    EXPECT_LE(
+      gap(segment.points.back(), curve.nodes[(s + 1) % curve.nodes.size()]), 1e-12 * sheet.size());
+  }
+}
+
+Status editAtRandom(Sheet& sheet, CurveEditor& editor)
+{
+  const auto kind = [&] { return static_cast<SegmentKind>(sheet.pick(4)); };
+  const std::size_t c = editor.curveCount() == 0 ? 0 : sheet.pick(editor.curveCount());
+  const std::size_t nodes = editor.curveCount() == 0 ? 1 : editor.curve(c).nodes.size();
+  switch (sheet.pick(12))
+  {
+    case 0:
+      return editor.insertNode(c, sheet.pick(nodes + 1), sheet.point(), kind());
+    case 1:
+      return editor.moveNode(c, sheet.pick(nodes), sheet.point());
+    case 2:
+      return editor.removeNode(c, sheet.pick(nodes));
+    case 3:
+      return editor.setClosed(c, sheet.pick(3) != 0);
+    case 4:
+      return editor.split(c, sheet.pick(nodes));
+    case 5:
+      return editor.join(c, sheet.pick(editor.curveCount() + 1));
+    case 6:
+      return editor.setMirror(
+        MirrorPlane{ sheet.middle(), Point3::Unit(static_cast<Eigen::Index>(sheet.pick(3))) });
+    case 7:
+      return editor.tighten(c);
+    case 8:
+      return editor.addStroke(sheet.points(1 + sheet.pick(4)), 0.03 * sheet.size(), kind());
+    case 9:
+      return editor.setKind(c, sheet.pick(nodes), kind());
+    case 10:
+      return editor.addImage(c);
+    default:
+    {
+      EditedCurve curve;
+      curve.nodes = sheet.points(1 + sheet.pick(4));
+      curve.kinds.assign(curve.nodes.size(), kind());
+      curve.closed = sheet.pick(3) == 0;
+      curve.traits.mirrored = sheet.pick(2) == 0;
+      return editor.add(curve);
     }
   }
 }
@@ -271,4 +336,36 @@ TEST(VariedFewSheets, GirthsGoThroughTheirPointsAndSplinesAsWell)
     }
   }
   EXPECT_GT(girths, 200);
+}
+
+TEST(VariedFewSheets, EditsAreWholeOrRefusedAndUndone)
+{
+  int accepted = 0;
+  for (unsigned seed = 0; seed < 100; ++seed)
+  {
+    Sheet sheet(seed);
+    SCOPED_TRACE(sheet.name());
+    CurveEditor editor(sheet.drawing());
+    for (int k = 0; k < 40; ++k)
+    {
+      const CurveSet before = editor.state();
+      const bool refused = editAtRandom(sheet, editor).refused();
+      accepted += refused ? 0 : 1;
+      ASSERT_TRUE(!refused || identical(editor.state(), before));
+      for (std::size_t c = 0; c < editor.curveCount(); ++c)
+      {
+        expectWhole(sheet, editor.curve(c), editor.state().mirror.has_value());
+      }
+      SnapOptions options;
+      options.reach = 0.05 * sheet.size();
+      EXPECT_TRUE(liesOn(
+        sheet.mesh(), snapPoint(*sheet.drawing(), editor.state(), sheet.point(), options).point));
+    }
+    while (editor.canUndo())
+    {
+      editor.undo();
+    }
+    EXPECT_EQ(editor.curveCount(), 0U);
+  }
+  EXPECT_GT(accepted, 1500);
 }

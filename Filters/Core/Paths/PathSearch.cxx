@@ -4,6 +4,7 @@
 #include "Paths/StripUnfolding.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace flattening
 {
@@ -120,16 +121,18 @@ Index PathSearch::lastVertex(const SurfacePoint& target)
 
 Index PathSearch::crossedBetween(Index from, Index to) const
 {
-  const PathGraph::Arc* best = nullptr;
+  Index crossed = none;
+  double shortest = std::numeric_limits<double>::infinity();
   for (const PathGraph::Arc& arc : this->Graph.from(from))
   {
     if (arc.to == to && (this->Used == PathArcs::All || arc.crossed == none) &&
-      (!best || arc.length < best->length))
+      arc.length < shortest)
     {
-      best = &arc;
+      shortest = arc.length;
+      crossed = arc.crossed;
     }
   }
-  return best->crossed;
+  return crossed;
 }
 
 GeodesicPath PathSearch::geodesicTo(const SurfacePoint& target)

@@ -552,7 +552,7 @@ double worstOf(const TriangleMesh& mesh, const std::vector<SuggestedCurve>& cuts
 
 /// Adds sets of cuts in different pieces, which may come too near to each other: as many at once as
 /// can be laid. False where none can.
-bool addSets(const TriangleMesh& mesh, const std::vector<std::vector<SuggestedCurve>>& sets,
+bool layCuts(const TriangleMesh& mesh, const std::vector<std::vector<SuggestedCurve>>& sets,
   std::size_t begin, std::size_t end, std::vector<SuggestedCurve>& cuts)
 {
   std::vector<SuggestedCurve> more = cuts;
@@ -573,8 +573,8 @@ bool addSets(const TriangleMesh& mesh, const std::vector<std::vector<SuggestedCu
     return !more.empty();
   }
   const std::size_t middle = begin + (end - begin) / 2;
-  const bool first = addSets(mesh, sets, begin, middle, cuts);
-  return addSets(mesh, sets, middle, end, cuts) || first;
+  const bool first = layCuts(mesh, sets, begin, middle, cuts);
+  return layCuts(mesh, sets, middle, end, cuts) || first;
 }
 
 /// Adds cuts in the pieces that do not keep a bound yet. False where there are none.
@@ -648,7 +648,7 @@ bool addCuts(const TriangleMesh& mesh, const std::optional<SurfaceMirror>& mirro
       sets.push_back(std::move(found));
     }
   }
-  return !sets.empty() && addSets(mesh, sets, 0, sets.size(), cuts);
+  return !sets.empty() && layCuts(mesh, sets, 0, sets.size(), cuts);
 }
 }
 

@@ -471,10 +471,11 @@ private:
       TrialBudget budget(shareOfCharts * this->Budget.left(), this->Budget);
       set = {};
       set.cuts = this->chartsOf(uncut, bound, most, budget);
-      if (this->Curves.empty() && this->Pieces.size() > 1)
+      if (this->Pieces.size() > 1)
       {
         // What is near on the whole surface need not be on a small part.
-        set.cuts = laidTogether(this->Mesh, std::move(set.cuts));
+        set.cuts =
+          laidTogether(this->Mesh, std::move(set.cuts), this->Curves, this->Options.imprint);
       }
       set.cutsNeeded = static_cast<double>(set.cuts.size());
       many.cutsNeeded = k == 0 ? set.cutsNeeded : many.cutsNeeded;

@@ -61,27 +61,44 @@ std::vector<SuggestedCurve> without(const std::vector<SuggestedCurve>& cuts, Ind
   return withShare(cuts, cuts[gone].mirrorOf == none ? gone : cuts[gone].mirrorOf, 0.0);
 }
 
-/// Each cut in the parts that are left of it where it runs along one before it, which has that
-/// stretch, or along the boundary. Those in parts have no images.
+/// Each cut in the parts that are left of it where it runs along a curve or cut before it that
+/// opens that stretch, or along the boundary. Those in parts have no images.
+/// \param given curves of the surface before the cuts
 std::vector<SuggestedCurve> unshared(
-  const ImprintedSurface& surface, const std::vector<SuggestedCurve>& cuts)
+  const ImprintedSurface& surface, std::size_t given, const std::vector<SuggestedCurve>& cuts)
 {
-  std::vector<char> used(surface.mesh.halfedgeCount(), 0);
+  const TriangleMesh& mesh = surface.mesh;
+  std::vector<char> used(mesh.halfedgeCount(), 0);
+  for (std::size_t c = 0; c < given; ++c)
+  {
+    if (surface.curves[c].opens())
+    {
+      forEachEdge(surface.curves[c].vertices, [&](Index a, Index b) {
+        for (Index h : { mesh.find(a, b), mesh.find(b, a) })
+        {
+          if (h != none)
+          {
+            used[h] = 1;
+          }
+        }
+      });
+    }
+  }
   std::vector<std::vector<Points3>> parts(cuts.size());
   for (std::size_t c = 0; c < cuts.size(); ++c)
   {
     bool going = false;
-    forEachEdge(surface.curves[c].vertices, [&](Index a, Index b) {
-      const Index h = surface.mesh.find(a, b);
-      const Index twin = h == none ? none : surface.mesh.twin(h);
+    forEachEdge(surface.curves[given + c].vertices, [&](Index a, Index b) {
+      const Index h = mesh.find(a, b);
+      const Index twin = h == none ? none : mesh.twin(h);
       const bool own = twin != none && !used[h];
       if (own && !going)
       {
-        parts[c].push_back({ surface.mesh.point(a) });
+        parts[c].push_back({ mesh.point(a) });
       }
       if (own)
       {
-        parts[c].back().push_back(surface.mesh.point(b));
+        parts[c].back().push_back(mesh.point(b));
         used[h] = used[twin] = 1;
       }
       going = own;
@@ -90,7 +107,8 @@ std::vector<SuggestedCurve> unshared(
   std::vector<SuggestedCurve> left;
   Indices place(cuts.size(), none);
   const auto whole = [&](std::size_t c) {
-    return parts[c].size() == 1 && parts[c].front().size() == surface.curves[c].vertices.size();
+    return parts[c].size() == 1 &&
+      parts[c].front().size() == surface.curves[given + c].vertices.size();
   };
   for (std::size_t c = 0; c < cuts.size(); ++c)
   {
@@ -427,24 +445,27 @@ void openDividingDarts(const TriangleMesh& mesh, const std::vector<Polyline>& cu
   pairTypes(cuts);
 }
 
-std::vector<SuggestedCurve> laidTogether(const TriangleMesh& mesh, std::vector<SuggestedCurve> cuts)
+std::vector<SuggestedCurve> laidTogether(const TriangleMesh& mesh, std::vector<SuggestedCurve> cuts,
+  const std::vector<Polyline>& curves, const ImprintOptions& imprint)
 {
-  const CutTrials trials(mesh, {}, {}, {});
+  const CutTrials trials(mesh, curves, imprint, {});
+  const auto given = static_cast<Index>(curves.size());
   for (int k = 0; k < maxLayings; ++k)
   {
     if (cuts.empty() || !trials.paths(linesOf(cuts)).empty())
     {
       return cuts;
     }
-    const ImprintedSurface imprinted = imprintCurves(mesh, linesOf(cuts), {});
+    const ImprintedSurface imprinted =
+      imprintCurves(mesh, withLines(curves, linesOf(cuts)), imprint);
     if (imprinted.status.ok())
     {
-      cuts = unshared(imprinted, cuts);
-      openDividingDarts(mesh, {}, {}, cuts);
+      cuts = unshared(imprinted, curves.size(), cuts);
+      openDividingDarts(mesh, curves, imprint, cuts);
       continue;
     }
     const Index bad = imprinted.status.curve;
-    cuts = bad == none ? std::vector<SuggestedCurve>{} : without(cuts, bad);
+    cuts = bad < given ? std::vector<SuggestedCurve>{} : without(cuts, bad - given);
   }
   return {};
 }

@@ -98,10 +98,11 @@ struct SettledSeams
 void openDividingDarts(const TriangleMesh& mesh, const std::vector<Polyline>& curves,
   const ImprintOptions& imprint, std::vector<SuggestedCurve>& cuts);
 
-/// The cuts as they can be laid into the surface together: without what cannot be followed, and
-/// each stretch that two share once; cuts in parts have no images. None where that does not end.
-std::vector<SuggestedCurve> laidTogether(
-  const TriangleMesh& mesh, std::vector<SuggestedCurve> cuts);
+/// The cuts as they can be laid into the surface together, beside curves that it has: without what
+/// cannot be followed, and each stretch that two share once; cuts in parts have no images. None
+/// where that does not end.
+std::vector<SuggestedCurve> laidTogether(const TriangleMesh& mesh, std::vector<SuggestedCurve> cuts,
+  const std::vector<Polyline>& curves = {}, const ImprintOptions& imprint = {});
 
 /// Draws seams on a surface as straight as charts that keep the bound and cuts that do not meet
 /// allow: straight at first, nearer to their chains where something is wrong, and straight again
