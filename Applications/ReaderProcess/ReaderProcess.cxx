@@ -98,9 +98,29 @@ std::string readLegacy(const std::string& path)
   return runReader(path, reader.Get());
 }
 
+/// An extension that a glTF file requires for its meshes, as for compression: VTK's reader, which has
+/// none, crashes.
+std::string requiredOfMeshes(const std::string& content)
+{
+  const std::size_t begin = std::min(content.find("\"extensionsRequired\""), content.size());
+  const std::string names = content.substr(begin, content.find(']', begin) - begin);
+  const std::size_t place = names.find("mesh");
+  if (place == std::string::npos)
+  {
+    return "";
+  }
+  const std::size_t first = names.rfind('"', place) + 1;
+  return names.substr(first, names.find('"', place) - first);
+}
+
 /// The meshes of a scene in their places, as one.
 std::string readGltf(const std::string& path)
 {
+  if (const std::string extension = requiredOfMeshes(readWholeFile(path)); !extension.empty())
+  {
+    throw InputError("stores meshes by the extension " + extension +
+      ", which is not read; export it without, or as .obj or .ply");
+  }
   vtkNew<vtkGLTFReader> reader;
   const VtkMessages messages;
   reader->SetFileName(path.c_str());

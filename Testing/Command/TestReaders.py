@@ -126,6 +126,14 @@ class Readers(command.CommandTest):
         self.assertEqual(self.report("out")["warnings"],
                          ["9 points are joined with one that it lies on, as the format of the file doubles points"])
 
+    def test_gltf_with_compressed_meshes_is_refused_by_the_name_of_the_extension(self):
+        scene, data = self.gltf()
+        for extension in ("KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"):
+            for name in ("a.gltf", "a.glb"):
+                names = ["KHR_materials_unlit", extension]
+                path = self.write_gltf(name, {**scene, "extensionsUsed": names, "extensionsRequired": names}, data)
+                self.assert_stderr(f"by the extension {extension}, which is not read", path, "--output", "out")
+
     def test_what_is_no_gltf_is_refused(self):
         scene, data = self.gltf()
         for name, content in (("a.gltf", b"{}"), ("a.glb", b"glTF" + bytes(20)), ("a.gltf", b"v 0 0 0"),

@@ -342,34 +342,52 @@ TEST(CurveSuggestion, PartsWhatLiesOverItselfWithoutStrain)
 
 TEST(CutSets, SliversBetweenSeamsAreJoinedWithALargerNeighbor)
 {
-  // Across a flat sheet, and the same in two halves that mirror each other.
+  // Across a flat sheet, beside a straight seam another one: all along it, or bent across it twice,
+  // of which two stretches stay. The same in two halves that mirror each other.
   const TriangleMesh sheet = unitSquares(20, 10).mesh;
   const std::vector<Polyline> none;
   const SuggestionOptions options = optionsOf(0.05, 0);
+  const Points3 straight{ { 5, 0, 0 }, { 5, 10, 0 } };
+  const Points3 beside{ { 5.1, 0, 0 }, { 5.1, 10, 0 } };
+  const Points3 across{ { 7, 0, 0 }, { 4.9, 4, 0 }, { 4.9, 6, 0 }, { 7, 10, 0 } };
   for (bool mirrored : { false, true })
   {
-    CutSet set;
-    const auto add = [&](double x, Index mirrorOf) {
-      set.cuts.push_back(proposedCut({ { x, 0, 0 }, { x, 10, 0 } }, CurveType::Seam, mirrorOf));
-    };
-    add(5.0, flattening::none);
-    add(5.1, flattening::none);
-    if (mirrored)
+    for (bool crossed : { false, true })
     {
-      add(15.0, 0);
-      add(14.9, 1);
+      SCOPED_TRACE(crossed);
+      CutSet set;
+      const auto add = [&set](Points3 points, Index mirrorOf) {
+        for (Point3& p : points)
+        {
+          p.x() = mirrorOf == flattening::none ? p.x() : 20.0 - p.x();
+        }
+        set.cuts.push_back(proposedCut(std::move(points), CurveType::Seam, mirrorOf));
+      };
+      add(straight, flattening::none);
+      add(crossed ? across : beside, flattening::none);
+      if (mirrored)
+      {
+        add(straight, 0);
+        add(crossed ? across : beside, 1);
+      }
+      const std::size_t sides = mirrored ? 2 : 1;
+      const CutTrials trials(sheet, {}, {}, options.flattening);
+      TrialBudget budget(1e12);
+      set.outcome = trials.trial(linesOf(set.cuts), budget, {}).outcome;
+      ASSERT_EQ(set.outcome.pieceAreas.size(), 1 + (crossed ? 4 : 2) * sides);
+      const SearchSubject subject{ sheet, none, options.imprint, options.flattening, options.search,
+        std::nullopt, {} };
+      const CutSet fewer = withoutSmallPieces(set, subject, trials, budget, {});
+      ASSERT_EQ(fewer.cuts.size(), (crossed ? 3 : 1) * sides);
+      EXPECT_EQ(fewer.outcome.pieceAreas.size(), 1 + (crossed ? 3 : 1) * sides);
+      EXPECT_TRUE(fewer.outcome.keeps(0.05));
+      for (std::size_t k = fewer.cuts.size() / sides; k < fewer.cuts.size(); ++k)
+      {
+        const SuggestedCurve& image = fewer.cuts[k];
+        ASSERT_NE(image.mirrorOf, flattening::none) << k;
+        EXPECT_NEAR(image.length, fewer.cuts[image.mirrorOf].length, 1e-9);
+      }
     }
-    const CutTrials trials(sheet, {}, {}, options.flattening);
-    TrialBudget budget(1e12);
-    set.outcome = trials.trial(linesOf(set.cuts), budget, {}).outcome;
-    ASSERT_EQ(set.outcome.pieceAreas.size(), mirrored ? 5U : 3U);
-    const SearchSubject subject{ sheet, none, options.imprint, options.flattening, options.search,
-      std::nullopt, {} };
-    const CutSet fewer = withoutSmallPieces(set, subject, trials, budget, {});
-    ASSERT_EQ(fewer.cuts.size(), mirrored ? 2U : 1U);
-    EXPECT_EQ(fewer.outcome.pieceAreas.size(), fewer.cuts.size() + 1);
-    EXPECT_TRUE(fewer.outcome.keeps(0.05));
-    EXPECT_EQ(fewer.cuts.back().mirrorOf, mirrored ? 0 : flattening::none);
   }
 }
 

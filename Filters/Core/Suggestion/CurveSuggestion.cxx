@@ -246,8 +246,7 @@ private:
       : this->Budget.spent()                 ? SearchEnd::WorkUsedUp
                                              : found.end;
     this->Result.cutsNeeded = found.cutsNeeded;
-    set = withoutSmallPieces(
-      std::move(set), this->subject(wanted), this->Whole, this->Budget, this->Run);
+    set = this->joined(std::move(set));
     return wanted.maximumWidth > 0.0 ? this->withStrips(std::move(set)) : set;
   }
 
@@ -380,7 +379,7 @@ private:
     }
     if (!sides.cuts.empty() && sides.outcome.overlaps == 0)
     {
-      found.push_back(std::move(sides));
+      found.push_back(this->joined(std::move(sides)));
     }
     if (charts && !chartsFirst && found.front().end != SearchEnd::GivenUp &&
       std::none_of(
@@ -485,7 +484,7 @@ private:
       const double looser = bound * std::max(looserBound, excess * excess);
       if (excess > 1.0 && (looser > noise || k + 1 == maxLooser))
       {
-        return rejected(SearchEnd::GivenUp, many.cutsNeeded); // as far from flat as without
+        return { {}, {}, SearchEnd::GivenUp, many.cutsNeeded }; // as far from flat as without
       }
       if (excess <= 1.0)
       {
@@ -512,11 +511,11 @@ private:
       set.outcome.strainP95 >
         std::max(chartStrain * wanted.bound, noiseShare * uncut.outcome.strainP95))
     {
-      return rejected(SearchEnd::GivenUp, many.cutsNeeded); // noise is hardly nearer to flat
+      return { {}, {}, SearchEnd::GivenUp, many.cutsNeeded }; // noise is hardly nearer to flat
     }
     if (!set.outcome.valid || !keepsLimits(set, this->Options.search))
     {
-      return rejected(spent ? SearchEnd::WorkUsedUp : SearchEnd::CutsUsedUp, set.cutsNeeded);
+      return { {}, {}, spent ? SearchEnd::WorkUsedUp : SearchEnd::CutsUsedUp, set.cutsNeeded };
     }
     set.end = this->isFlat(set) ? SearchEnd::BoundMet
       : tooMany                 ? SearchEnd::CutsUsedUp
@@ -530,8 +529,13 @@ private:
       }
       set = this->parted(this->improved(std::move(set)));
     }
+    return this->joined(std::move(set));
+  }
+
+  CutSet joined(CutSet set)
+  {
     return withoutSmallPieces(
-      std::move(set), this->subject(wanted), this->Whole, this->Budget, this->Run);
+      std::move(set), this->subject(this->Options.search), this->Whole, this->Budget, this->Run);
   }
 
   /// With charts that miss the bound parted, where others than single cuts help.
@@ -574,15 +578,6 @@ private:
       set.outcome = this->flattened(set.cuts, goal, budget);
     }
     return searchCuts(this->subject(options, goal), std::move(set), budget, this->Run);
-  }
-
-  /// No cuts, and why.
-  static CutSet rejected(SearchEnd end, double needed)
-  {
-    CutSet set;
-    set.end = end;
-    set.cutsNeeded = needed;
-    return set;
   }
 
   ChartOptions chartOptions(double bound) const

@@ -36,11 +36,12 @@ public:
   {
   }
 
+  /// Empty where none can be joined.
   std::vector<SuggestedCurve> run()
   {
     if (!this->Surface.status.ok())
     {
-      return std::move(this->Cuts);
+      return {};
     }
     this->start();
     const double small = smallShare * this->Surface.mesh.area();
@@ -51,14 +52,7 @@ public:
         this->join(piece);
       }
     }
-    for (auto k = static_cast<Index>(this->Cuts.size()) - 1; k >= 0; --k)
-    {
-      if (this->Gone.count(k) > 0)
-      {
-        this->Cuts = withShare(this->Cuts, k, 0.0);
-      }
-    }
-    return std::move(this->Cuts);
+    return this->Gone.empty() ? std::vector<SuggestedCurve>() : this->left();
   }
 
 private:
@@ -66,7 +60,6 @@ private:
   {
     const CutSurface cut = cutSurface(this->Surface.mesh, this->Surface.curves);
     this->PieceOf = cut.pieceOfTriangle;
-    this->CutOf = cut.curveOfHalfedge;
     this->Open.assign(cut.mesh.halfedgeCount(), 0);
     this->Areas.assign(cut.pieceCount, 0.0);
     for (Index h = 0; h < cut.mesh.halfedgeCount(); ++h)
@@ -74,6 +67,66 @@ private:
       this->Open[h] = cut.mesh.twin(h) == none ? 1 : 0;
       this->Areas[this->PieceOf[h / 3]] += h % 3 == 0 ? cut.mesh.area(h / 3) : 0.0;
     }
+    const TriangleMesh& mesh = this->Surface.mesh;
+    this->StretchOf.assign(mesh.halfedgeCount(), none);
+    this->Stretches.resize(this->Cuts.size());
+    Index count = 0;
+    for (std::size_t c = 0; c < this->Cuts.size(); ++c)
+    {
+      std::pair<Index, Index> before(none, none);
+      forEachEdge(this->Surface.curves[c].vertices, [&](Index a, Index b) {
+        const Index h = mesh.find(a, b);
+        const Index twin = mesh.twin(h);
+        const auto beside = std::minmax({ this->PieceOf[h / 3], this->PieceOf[twin / 3] });
+        if (beside != before)
+        {
+          this->Stretches[c].push_back(count++);
+          before = beside;
+        }
+        this->StretchOf[h] = this->StretchOf[twin] = this->Stretches[c].back();
+      });
+    }
+  }
+
+  /// The cuts, and each run of stretches that is left of one.
+  std::vector<SuggestedCurve> left() const
+  {
+    const TriangleMesh& mesh = this->Surface.mesh;
+    std::vector<SuggestedCurve> left;
+    std::vector<std::pair<std::size_t, std::size_t>> placed; // from and to, by cut
+    for (std::size_t c = 0; c < this->Cuts.size(); ++c)
+    {
+      const std::size_t first = left.size();
+      const bool whole = std::none_of(this->Stretches[c].begin(), this->Stretches[c].end(),
+        [this](Index stretch) { return this->Gone.count(stretch) > 0; });
+      bool going = false;
+      forEachEdge(this->Surface.curves[c].vertices, [&](Index a, Index b) {
+        const bool kept = this->Gone.count(this->StretchOf[mesh.find(a, b)]) == 0;
+        if (kept && !going)
+        {
+          left.push_back(proposedCut({ mesh.point(a) }, this->Cuts[c].curve.type));
+        }
+        if (kept && !whole)
+        {
+          left.back().curve.points.push_back(mesh.point(b));
+          left.back().length += mesh.length(mesh.find(a, b));
+        }
+        going = kept;
+      });
+      if (whole)
+      {
+        left.back() = this->Cuts[c];
+      }
+      placed.emplace_back(first, left.size());
+      const Index image = this->Cuts[c].mirrorOf;
+      const bool alike =
+        image != none && placed[image].second - placed[image].first == left.size() - first;
+      for (std::size_t k = first; k < left.size(); ++k)
+      {
+        left[k].mirrorOf = alike ? static_cast<Index>(placed[image].first + (k - first)) : none;
+      }
+    }
+    return left;
   }
 
   /// The pieces smaller than that, the smallest first.
@@ -92,61 +145,61 @@ private:
     return order;
   }
 
-  /// Joins a piece with the neighbor along the longest seams with which it may be.
+  /// Joins a piece with the neighbor along the longest stretches of seams with which it may be.
   void join(Index piece)
   {
-    std::map<Index, std::map<Index, double>> lengths; // by neighbor and seam
-    std::map<Index, double> all;
+    std::map<Index, std::set<Index>> stretches; // by neighbor
+    std::map<Index, double> lengths;
     for (Index h = 0; h < this->Surface.mesh.halfedgeCount(); ++h)
     {
       const Index twin = this->Surface.mesh.twin(h);
       const Index other = twin == none ? piece : this->PieceOf[twin / 3];
-      if (this->PieceOf[h / 3] == piece && other != piece && this->CutOf[h] != none)
+      if (this->PieceOf[h / 3] == piece && other != piece && this->StretchOf[h] != none)
       {
-        lengths[other][this->CutOf[h]] += this->Surface.mesh.length(h);
-        all[other] += this->Surface.mesh.length(h);
+        stretches[other].insert(this->StretchOf[h]);
+        lengths[other] += this->Surface.mesh.length(h);
       }
     }
     Indices neighbors;
-    for (const auto& [neighbor, length] : all)
+    for (const auto& [neighbor, length] : lengths)
     {
       neighbors.push_back(neighbor);
     }
-    std::stable_sort(
-      neighbors.begin(), neighbors.end(), [&all](Index a, Index b) { return all[a] > all[b]; });
+    std::stable_sort(neighbors.begin(), neighbors.end(),
+      [&lengths](Index a, Index b) { return lengths[a] > lengths[b]; });
     for (Index neighbor : neighbors)
     {
-      std::set<Index> seams;
-      Index longest = none;
-      for (const auto& [seam, length] : lengths[neighbor])
-      {
-        seams.insert(seam);
-        longest = longest == none || length > lengths[neighbor][longest] ? seam : longest;
-      }
-      if (this->leaveOut(seams) || (seams.size() > 1 && this->leaveOut({ longest })))
+      if (this->leaveOut(this->withImages(stretches[neighbor])))
       {
         return;
       }
     }
   }
 
-  std::set<Index> withImages(std::set<Index> seams) const
+  std::set<Index> withImages(std::set<Index> stretches) const
   {
+    const std::set<Index> given = stretches;
     for (std::size_t k = 0; k < this->Cuts.size(); ++k)
     {
-      const Index first = this->Cuts[k].mirrorOf;
-      if (first != none && seams.count(first) + seams.count(static_cast<Index>(k)) == 1)
+      const Index image = this->Cuts[k].mirrorOf;
+      const std::size_t count = this->Stretches[k].size();
+      for (std::size_t s = 0; image != none && this->Stretches[image].size() == count && s < count;
+           ++s)
       {
-        seams.insert({ first, static_cast<Index>(k) });
+        const Index one = this->Stretches[k][s];
+        const Index other = this->Stretches[image][s];
+        if (given.count(one) + given.count(other) == 1)
+        {
+          stretches.insert({ one, other });
+        }
       }
     }
-    return seams;
+    return stretches;
   }
 
-  /// Leaves out seams and their images if what they part keeps the bound together.
-  bool leaveOut(std::set<Index> seams)
+  /// Leaves out stretches of seams if what they part keeps the bound together.
+  bool leaveOut(const std::set<Index>& stretches)
   {
-    seams = this->withImages(std::move(seams));
     if (this->Budget.spent() || this->Run.cancelled())
     {
       return false;
@@ -156,7 +209,7 @@ private:
     for (Index h = 0; h < this->Surface.mesh.halfedgeCount(); ++h)
     {
       const Index twin = this->Surface.mesh.twin(h);
-      if (twin != none && this->CutOf[h] != none && seams.count(this->CutOf[h]) > 0)
+      if (twin != none && stretches.count(this->StretchOf[h]) > 0)
       {
         open[h] = 0;
         sets.join(this->PieceOf[h / 3], this->PieceOf[twin / 3]);
@@ -186,7 +239,7 @@ private:
     {
       return false;
     }
-    this->Gone.insert(seams.begin(), seams.end());
+    this->Gone.insert(stretches.begin(), stretches.end());
     this->Open = std::move(open);
     this->Areas = std::move(areas);
     for (Index& piece : this->PieceOf)
@@ -202,11 +255,13 @@ private:
   TrialBudget& Budget;
   const Execution& Run;
   ChartTrials Trials;
-  Indices PieceOf;           ///< by triangle
-  Indices CutOf;             ///< by half-edge
+  Indices PieceOf; ///< by triangle
+  /// By cut those that it has, one after the other: each parts the same two pieces all along.
+  std::vector<Indices> Stretches;
+  Indices StretchOf;         ///< by half-edge
   std::vector<char> Open;    ///< by half-edge
   std::vector<double> Areas; ///< by piece; 0 where it was joined to another
-  std::set<Index> Gone;      ///< cuts
+  std::set<Index> Gone;      ///< stretches
 };
 }
 
@@ -222,7 +277,7 @@ CutSet withoutSmallPieces(CutSet set, const SearchSubject& subject, const CutTri
   TrialBudget joining(shareOfJoining * budget.left(), budget);
   CutSet fewer = set;
   fewer.cuts = Joining(subject.mesh, set.cuts, bound, subject.flattening, joining, execution).run();
-  if (fewer.cuts.size() == set.cuts.size())
+  if (fewer.cuts.empty())
   {
     return set;
   }
