@@ -143,9 +143,14 @@ void chooseUnit(const Options& options, const CurveFiles& curves, const SurfaceC
   result.unitNote = unitTaken(options.surface, taken);
 }
 
-DataSet mended(const Options& options, const SurfaceContents& contents, Flattening& result)
+/// Curves that were proposed lie on the surface as it was mended for that.
+DataSet mended(const Options& options, const SurfaceContents& contents, const CurveFiles& curves,
+  Flattening& result)
 {
-  MendedSurface mend = mendedSurface(options, contents, result.unit);
+  const bool proposed = std::any_of(curves.begin(), curves.end(), [](const auto& file) {
+    return findColumn(file.second.curves.cellArrays, "PredictedGain") != nullptr;
+  });
+  MendedSurface mend = mendedSurface(options, contents, result.unit, proposed);
   result.warnings.insert(result.warnings.end(), mend.notes.begin(), mend.notes.end());
   return std::move(mend.surface);
 }
@@ -235,7 +240,7 @@ RunInput readInput(const Options& options, const std::string& base, Flattening& 
   DataSet seams = readSeams(options.surface, contents, options, result);
   const CurveFiles saved = readSavedCurves(options);
   chooseUnit(options, saved, contents, result);
-  contents.surface = mended(options, contents, result);
+  contents.surface = mended(options, contents, saved, result);
   setUnit(contents.surface, result.unitStated ? result.unit : std::string());
   DataSet owner = contents.surface; // of the curves
   if (!base.empty())
@@ -244,7 +249,7 @@ RunInput readInput(const Options& options, const std::string& base, Flattening& 
     SurfaceContents model = readSurface(base);
     seams = readSeams(base, model, options, ignored);
     ignored.unit = result.unit;
-    model.surface = mended(options, model, ignored);
+    model.surface = mended(options, model, saved, ignored);
     checkConnectivity(model.surface, base, contents.surface, options.surface);
     owner = model.surface;
     contents.curves = model.curves;
@@ -517,8 +522,8 @@ void Flattening::conclude(const flattening::Status& outcome)
   this->exitCode = outcome.refused() ? InputRefused : outcome.ok() ? Done : Flawed;
 }
 
-MendedSurface mendedSurface(
-  const Options& options, const SurfaceContents& contents, const std::string& unit)
+MendedSurface mendedSurface(const Options& options, const SurfaceContents& contents,
+  const std::string& unit, bool proposed)
 {
   MendingRequest request;
   if (double distance = 0.0; parseNumber(options.weld, distance))
@@ -527,7 +532,7 @@ MendedSurface mendedSurface(
   }
   request.doubled = contents.doubled;
   const std::string format = lowerCaseExtension(options.surface);
-  const bool proposes = options.command == "cut" || options.command == "make";
+  const bool proposes = proposed || options.command == "cut" || options.command == "make";
   request.likely = options.weld.empty() && (format == ".obj" || format == ".ply") && proposes;
   request.fillHoles = options.fillHoles;
   request.millimetres = millimetresOf(unit);

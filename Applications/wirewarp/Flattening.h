@@ -107,8 +107,9 @@ struct Flattening
 };
 
 /// The surface of a file, mended as the options say. \param unit of the surface
-MendedSurface mendedSurface(
-  const Options& options, const SurfaceContents& contents, const std::string& unit);
+/// \param proposed whether its curves were, by an earlier run
+MendedSurface mendedSurface(const Options& options, const SurfaceContents& contents,
+  const std::string& unit, bool proposed = false);
 
 /// Whether the options ask for another size of the surface.
 bool isScaled(const Options& options);

@@ -253,6 +253,11 @@ class Mending(command.CommandTest):
         cut = ("cut", "bowl.obj", "--unit", "cm", "--max-work", "5", "--output", "cuts.vtp")
         words = (f"the {2 * SIZE * SIZE} of the outer side are kept, since the surface is a sheet", "mm thick; --no-outer-side")
         self.assert_words(words, self.run_command(*cut, code=(0, 4)).stderr)
+        self.run_command(*cut[:-1], "whole", code=(0, 4))
+        # Cuts that were proposed are laid into what they were proposed for.
+        strains = [[piece["strain_p95"] for piece in report["pieces"]]
+                   for report in (self.report("whole"), self.flatten("bowl.obj", "cuts.vtp", "--unit", "cm", code=(0, 4)))]
+        self.assertEqual(*strains)
         self.assertNotIn("outer side", self.run_command(*cut, "--no-outer-side", code=(0, 4)).stderr)
 
     def test_of_two_sided_faces_one_is_taken_where_cuts_are_proposed(self):
