@@ -482,8 +482,13 @@ private:
       // The number of cuts falls with the root of the bound, as the width of strips grows.
       const double excess = set.cutsNeeded / most;
       const double looser = bound * std::max(looserBound, excess * excess);
+      tooMany = tooMany || excess > 1.0;
       if (excess > 1.0 && (looser > noise || k + 1 == maxLooser))
       {
+        if (!uncut.outcome.valid && many.outcome.valid)
+        {
+          break;
+        }
         return { {}, {}, SearchEnd::GivenUp, many.cutsNeeded }; // as far from flat as without
       }
       if (excess <= 1.0)
@@ -500,7 +505,6 @@ private:
         many = withFolds( // better than what lies over itself
           set, this->Whole, this->Curves.size(), bound, this->Budget, this->Run);
       }
-      tooMany = tooMany || excess > 1.0;
       bound = looser;
     }
     if ((!set.outcome.valid || set.outcome.faults() > 0) && this->better(many, set))
