@@ -123,7 +123,7 @@ std::vector<Indices> curvesBeside(const ImprintedSurface& surface, const std::ve
 
 /// The mesh cut along straight lines from end to end of its arcs, or as straight as they do not
 /// meet and charts keep the bound.
-CutMesh straightened(const TriangleMesh& mesh, const std::vector<Charts::Arc>& arcs,
+CutMesh straightened(const TriangleMesh& mesh, const std::vector<CutArc>& arcs,
   const ChartOptions& options, double size, ChartTrials& trials, TrialBudget& budget,
   const Execution& execution)
 {
@@ -169,7 +169,7 @@ CutMesh straightened(const TriangleMesh& mesh, const std::vector<Charts::Arc>& a
   }
   best.mesh = mesh;
   best.cut.assign(mesh.halfedgeCount(), 0);
-  for (const Charts::Arc& arc : arcs)
+  for (const CutArc& arc : arcs)
   {
     for (Index h : arc.edges)
     {
@@ -390,7 +390,7 @@ private:
     const Charts charts(
       parted.mesh, parted.cut, parted.images, this->Options, this->Size, this->Trials);
     std::vector<Points3> lines;
-    for (const Charts::Arc& arc : charts.arcs())
+    for (const CutArc& arc : charts.arcs())
     {
       lines.emplace_back();
       for (Index v : arc.vertices)
@@ -471,7 +471,7 @@ private:
 
   /// The arcs as seams of the surface itself.
   std::vector<SuggestedCurve> settled(
-    const TriangleMesh& mesh, Index half, const std::vector<Charts::Arc>& arcs, double most)
+    const TriangleMesh& mesh, Index half, const std::vector<CutArc>& arcs, double most)
   {
     this->Settled =
       settleSeams(this->Given, this->Surface, this->Mirror, this->seams(mesh, half, arcs),
@@ -483,12 +483,12 @@ private:
 
   /// \param half how many vertices are on one side of the plane
   std::vector<ChartSeam> seams(
-    const TriangleMesh& mesh, Index half, const std::vector<Charts::Arc>& arcs) const
+    const TriangleMesh& mesh, Index half, const std::vector<CutArc>& arcs) const
   {
     std::vector<ChartSeam> seams;
     for (bool darts : { false, true })
     {
-      for (const Charts::Arc& arc : arcs)
+      for (const CutArc& arc : arcs)
       {
         ChartSeam seam;
         seam.dart = arc.dart;

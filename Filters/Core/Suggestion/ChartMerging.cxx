@@ -4,7 +4,6 @@
 #include "Suggestion/CurveSuggestions.h"
 #include "Suggestion/OpeningCuts.h"
 #include "Suggestion/SeamDrawing.h"
-#include "Surface/VertexFan.h"
 
 #include <algorithm>
 #include <array>
@@ -125,8 +124,8 @@ void Charts::merge(bool sharing, TrialBudget& budget, const Execution& execution
 {
   this->Together = 2;
   this->eliminate(
-    [this, sharing](const std::vector<Arc>& arcs, std::vector<Removal>& removals) {
-      for (const Arc& arc : arcs)
+    [this, sharing](const std::vector<CutArc>& arcs, std::vector<Removal>& removals) {
+      for (const CutArc& arc : arcs)
       {
         removals.push_back(this->removalOf(arc.edges, cutPrice));
       }
@@ -168,8 +167,8 @@ void Charts::shorten(TrialBudget& budget, const Execution& execution)
 {
   this->Together = 1; // parts of one cut may be others' as well
   this->eliminate(
-    [this](const std::vector<Arc>& arcs, std::vector<Removal>& removals) {
-      for (const Arc& arc : arcs)
+    [this](const std::vector<CutArc>& arcs, std::vector<Removal>& removals) {
+      for (const CutArc& arc : arcs)
       {
         const Index first = arc.edges.front();
         const bool two = this->ChartOf[first / 3] != this->ChartOf[this->Mesh.twin(first) / 3];
@@ -189,88 +188,6 @@ void Charts::shorten(TrialBudget& budget, const Execution& execution)
       }
     },
     budget, execution);
-}
-
-/// From an edge on to the next node, or round to its start.
-Charts::Arc Charts::follow(
-  Index first, const std::vector<char>& nodes, std::vector<char>& used) const
-{
-  Arc arc;
-  arc.vertices.push_back(this->Mesh.from(first));
-  for (Index h = first; h != none && !used[h];)
-  {
-    used[h] = used[this->Mesh.twin(h)] = 1;
-    arc.edges.push_back(h);
-    const Index end = this->Mesh.to(h);
-    arc.vertices.push_back(end);
-    h = none;
-    for (Index next : nodes[end] ? Indices{} : this->cutEdges(end))
-    {
-      h = used[next] ? h : next;
-    }
-  }
-  return arc;
-}
-
-std::vector<Charts::Arc> Charts::arcs(bool opened) const
-{
-  std::vector<Arc> all;
-  std::vector<char> used(this->Mesh.halfedgeCount(), 0);
-  Indices meeting(this->Mesh.vertexCount(), 0); // how many cut edges meet
-  std::map<Index, Index> atHole;
-  for (Index h = 0; h < this->Mesh.halfedgeCount(); ++h)
-  {
-    meeting[this->Mesh.from(h)] += this->Cut[h] ? 1 : 0;
-    atHole[this->HoleOf[this->Mesh.from(h)]] += this->Cut[h] ? 1 : 0;
-  }
-  std::vector<char> nodes;
-  std::vector<char> ends; // where a single one does
-  for (Index v = 0; v < this->Mesh.vertexCount(); ++v)
-  {
-    const bool inside = !this->Mesh.onBoundary(v);
-    const bool hole = !inside && this->HoleOf[v] != none;
-    nodes.push_back(!inside || meeting[v] != 2 ? 1 : 0);
-    ends.push_back((inside && meeting[v] == 1) || (hole && atHole[this->HoleOf[v]] == 1) ? 1 : 0);
-  }
-  for (bool closed : { false, true })
-  {
-    for (Index v = 0; v < this->Mesh.vertexCount(); ++v)
-    {
-      for (Index h : meeting[v] > 0 && (closed || nodes[v]) ? this->cutEdges(v) : Indices{})
-      {
-        if (!used[h])
-        {
-          all.push_back(this->follow(h, nodes, used));
-        }
-      }
-    }
-  }
-  std::vector<Arc> arcs;
-  for (Arc& arc : all)
-  {
-    const bool closed = arc.vertices.front() == arc.vertices.back();
-    if (closed && opened)
-    {
-      const auto half = static_cast<std::ptrdiff_t>(arc.edges.size() / 2);
-      arcs.push_back({ Indices(arc.edges.begin(), arc.edges.begin() + half),
-        Indices(arc.vertices.begin(), arc.vertices.begin() + half + 1) });
-      arcs.push_back({ Indices(arc.edges.begin() + half, arc.edges.end()),
-        Indices(arc.vertices.begin() + half, arc.vertices.end()) });
-      continue;
-    }
-    if (!closed && ends[arc.vertices.front()] && !ends[arc.vertices.back()])
-    {
-      std::reverse(arc.vertices.begin(), arc.vertices.end());
-      std::reverse(arc.edges.begin(), arc.edges.end());
-      std::transform(arc.edges.begin(), arc.edges.end(), arc.edges.begin(),
-        [this](Index h) { return this->Mesh.twin(h); });
-    }
-    arc.dart = !closed && !this->Mesh.onBoundary(arc.vertices.back()) && ends[arc.vertices.back()];
-    arc.frontFree = ends[arc.vertices.front()];
-    arc.backFree = ends[arc.vertices.back()];
-    arcs.push_back(std::move(arc));
-  }
-  return arcs;
 }
 
 /// Finds the charts. Those without a triangle that changed are as before.
@@ -308,10 +225,10 @@ void Charts::number(TrialBudget& budget, const Execution& execution)
   }
 }
 
-/// Takes one of the removals after which charts keep the bound, that first which saves most for
-/// what it is forecast to cost, again and again.
+/// Takes removals after which charts keep the bound, those first which save most for what they are
+/// forecast to cost, again and again.
 void Charts::eliminate(
-  const std::function<void(const std::vector<Arc>&, std::vector<Removal>&)>& list,
+  const std::function<void(const std::vector<CutArc>&, std::vector<Removal>&)>& list,
   TrialBudget& budget, const Execution& execution)
 {
   std::map<Indices, Candidate> known;
@@ -376,7 +293,7 @@ bool Charts::removeTogether(
     const ChartTrials::Result flat = this->tryWithout({ &all }, budget, execution).front();
     if (flat.keeps(this->Bound))
     {
-      this->remove(all, flat);
+      this->remove({ &all }, { 1 }, flat);
       this->Together = std::min(2 * count, mostTogether);
       return true;
     }
@@ -408,7 +325,8 @@ std::vector<ChartTrials::Result> Charts::tryWithout(
   return results;
 }
 
-/// The first of the candidates that keeps the bound. False where none does.
+/// The first of the candidates that keep the bound, and of those tried with it what changes other
+/// charts. False where none does.
 bool Charts::removeFirst(
   const std::vector<Candidate*>& order, TrialBudget& budget, const Execution& execution)
 {
@@ -431,16 +349,45 @@ bool Charts::removeFirst(
         this->Needed.insert(order[k]->removal.edges);
       }
     }
+    std::vector<const Removal*> kept;
+    std::vector<char> touched(this->All.size(), 0);
     for (std::size_t k = first; k < last; ++k)
     {
-      if (order[k]->keeps)
+      const Indices beside = this->chartsBeside(*removals[k - first]);
+      const bool apart = std::none_of(
+        beside.begin(), beside.end(), [&touched](Index chart) { return touched[chart] == 1; });
+      if (order[k]->keeps && apart && (kept.empty() || this->Options.pieces == 0))
       {
-        this->remove(order[k]->removal, results[k - first]);
-        return true;
+        kept.push_back(removals[k - first]);
+        for (Index chart : beside)
+        {
+          touched[chart] = 1;
+        }
       }
+    }
+    if (!kept.empty())
+    {
+      this->remove(kept, touched, results.front());
+      return true;
     }
   }
   return false;
+}
+
+/// Those that a removal changes.
+Indices Charts::chartsBeside(const Removal& removal) const
+{
+  Indices beside;
+  for (const Indices* edges : { &removal.edges, &removal.opened })
+  {
+    for (Index h : *edges)
+    {
+      beside.push_back(this->ChartOf[h / 3]);
+      beside.push_back(this->ChartOf[this->Mesh.twin(h) / 3]);
+    }
+  }
+  sortUnique(beside);
+  return beside;
 }
 
 /// Whether what is saved is more than the price of what the pieces waste more, where their number
@@ -476,24 +423,20 @@ std::vector<char> Charts::cutAfter(const Removal& removal) const
   return cut;
 }
 
-void Charts::remove(const Removal& removal, const ChartTrials::Result& flat)
+/// \param changed by chart
+void Charts::remove(const std::vector<const Removal*>& removals, const std::vector<char>& changed,
+  const ChartTrials::Result& flat)
 {
-  std::vector<char> cut = this->cutAfter(removal);
-  std::vector<char> touched(this->All.size(), 0);
-  for (const Indices* edges : { &removal.edges, &removal.opened })
+  for (const Removal* one : removals)
   {
-    for (Index h : *edges)
-    {
-      touched[this->ChartOf[h / 3]] = touched[this->ChartOf[this->Mesh.twin(h) / 3]] = 1;
-    }
+    this->Cut = this->cutAfter(*one);
   }
-  std::vector<char> changed;
+  std::vector<char> triangles;
   for (Index chart : this->ChartOf)
   {
-    changed.push_back(touched[chart]);
+    triangles.push_back(changed[chart]);
   }
-  this->Cut = std::move(cut);
-  this->group(changed);
+  this->group(triangles);
   this->Lying = this->All.size() == 1 ? flat.corners : std::vector<FlatCorners>();
 }
 
@@ -749,21 +692,8 @@ Indices Charts::keyOf(const Removal& removal) const
   return key;
 }
 
-Indices Charts::cutEdges(Index v) const
-{
-  Indices edges;
-  for (Index h : VertexFan(this->Mesh, v))
-  {
-    if (this->Cut[h])
-    {
-      edges.push_back(h);
-    }
-  }
-  return edges;
-}
-
 /// Whether an arc runs across the mirror plane.
-bool Charts::ownImage(const Arc& arc) const
+bool Charts::ownImage(const CutArc& arc) const
 {
   const Index image = this->Images[arc.edges.front()];
   return arc.edges.size() > 1 && std::any_of(arc.edges.begin() + 1, arc.edges.end(), [&](Index h) {
@@ -778,7 +708,7 @@ double Charts::priceOf(const Indices& edges) const
 }
 
 /// The edges of an arc from an end on, about a share of it. None where no dart is left.
-Indices Charts::partOf(const Arc& arc, bool front, double share) const
+Indices Charts::partOf(const CutArc& arc, bool front, double share) const
 {
   const double whole = std::accumulate(arc.edges.begin(), arc.edges.end(), 0.0,
     [this](double length, Index h) { return length + this->Mesh.length(h); });

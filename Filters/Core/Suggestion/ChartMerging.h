@@ -3,6 +3,7 @@
 
 #include "Suggestion/ChartClusters.h"
 #include "Suggestion/ChartTrials.h"
+#include "Suggestion/CutArcs.h"
 
 #include <functional>
 #include <limits>
@@ -31,17 +32,6 @@ struct ChartOptions
 class Charts
 {
 public:
-  /// A seam or dart, between places where cuts meet, or end, or reach the boundary.
-  struct Arc
-  {
-    Indices edges; ///< half-edges one after the other
-    Indices vertices;
-    bool dart = false; ///< the last vertex is a tip
-    /// Whether no other meets it at its end, or at the hole there. Not told of opened arcs.
-    bool frontFree = false;
-    bool backFree = false;
-  };
-
   /// All must outlive it. \param cut per half-edge \param images per half-edge that of the mirror
   /// image; its own id where there is no mirror \param size sqrt(area / pi) of the whole surface
   Charts(const TriangleMesh& mesh, std::vector<char> cut, Indices images,
@@ -62,8 +52,10 @@ public:
   /// Sews seams from an end on, and darts from their tips. \pre divide()
   void shorten(TrialBudget& budget, const Execution& execution);
 
-  /// \param opened a closed one is two of half its edges each
-  std::vector<Arc> arcs(bool opened = true) const;
+  std::vector<CutArc> arcs(bool opened = true) const
+  {
+    return cutArcs(this->Mesh, this->Cut, this->HoleOf, opened);
+  }
   /// By half-edge.
   const std::vector<char>& cut() const { return this->Cut; }
 
@@ -94,7 +86,7 @@ private:
   void group(const std::vector<char>& changed);
   void number(TrialBudget& budget, const Execution& execution);
   void divideOnce(double bound);
-  void eliminate(const std::function<void(const std::vector<Arc>&, std::vector<Removal>&)>& list,
+  void eliminate(const std::function<void(const std::vector<CutArc>&, std::vector<Removal>&)>& list,
     TrialBudget& budget, const Execution& execution);
   bool removeTogether(
     const std::vector<Candidate*>& order, TrialBudget& budget, const Execution& execution);
@@ -103,7 +95,9 @@ private:
   bool removeFirst(
     const std::vector<Candidate*>& order, TrialBudget& budget, const Execution& execution);
   std::vector<char> cutAfter(const Removal& removal) const;
-  void remove(const Removal& removal, const ChartTrials::Result& flat);
+  void remove(const std::vector<const Removal*>& removals, const std::vector<char>& changed,
+    const ChartTrials::Result& flat);
+  Indices chartsBeside(const Removal& removal) const;
   std::vector<OpenedPart> without(const Removal& removal) const;
   bool worthIt(
     const Removal& removal, double waste, TrialBudget& budget, const Execution& execution);
@@ -118,11 +112,9 @@ private:
     return this->ChartOf[this->imageOf(this->All[chart].triangles.front())];
   }
   Indices keyOf(const Removal& removal) const;
-  Indices cutEdges(Index v) const;
-  bool ownImage(const Arc& arc) const;
+  bool ownImage(const CutArc& arc) const;
   double priceOf(const Indices& edges) const;
-  Indices partOf(const Arc& arc, bool front, double share) const;
-  Arc follow(Index first, const std::vector<char>& nodes, std::vector<char>& used) const;
+  Indices partOf(const CutArc& arc, bool front, double share) const;
 
   const TriangleMesh& Mesh;
   std::vector<char> Cut;

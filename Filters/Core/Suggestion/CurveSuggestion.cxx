@@ -123,15 +123,13 @@ public:
       return refusal({ StatusCode::Cancelled, "cancelled before any cut was chosen" });
     }
     const Index most = this->Options.search.maximumCuts;
-    if (!best.outcome.valid && most > 0 && !this->Run.cancelled())
+    const bool unopened = !best.outcome.valid && most > 0 && !this->Run.cancelled();
+    const std::size_t needed = unopened ? this->neededCuts().size() : 0;
+    if (static_cast<Index>(needed) > most)
     {
-      const auto needed = static_cast<Index>(this->neededCuts().size());
-      if (needed > most)
-      {
-        return refusal("the greatest number of cuts is " + std::to_string(most) +
-            ", and to open the surface takes " + std::to_string(needed) + " seams",
-          "a number from " + std::to_string(needed));
-      }
+      return refusal("the greatest number of cuts is " + std::to_string(most) +
+          ", and to open the surface takes " + std::to_string(needed) + " seams",
+        "a number from " + std::to_string(needed));
     }
     if (this->Options.search.cuts == SuggestedCuts::Gores && best.cuts.empty() &&
       !this->isFlat(best))
@@ -538,8 +536,10 @@ private:
 
   CutSet joined(CutSet set)
   {
-    return withoutSmallPieces(
-      std::move(set), this->subject(this->Options.search), this->Whole, this->Budget, this->Run);
+    CutSet fewer = withoutSmallPieces(
+      set, this->subject(this->Options.search), this->Whole, this->Budget, this->Run);
+    fewer = this->isFlat(set) ? this->parted(std::move(fewer)) : std::move(fewer);
+    return this->isFlat(fewer) ? fewer : set;
   }
 
   /// With charts that miss the bound parted, where others than single cuts help.

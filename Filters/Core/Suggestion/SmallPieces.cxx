@@ -283,6 +283,6 @@ CutSet withoutSmallPieces(CutSet set, const SearchSubject& subject, const CutTri
   }
   fewer = withFolds(std::move(fewer), whole, 0, bound, budget, execution);
   fewer.cutsNeeded = static_cast<double>(fewer.cuts.size());
-  return fewer.outcome.keeps(bound) ? fewer : set;
+  return fewer;
 }
 }

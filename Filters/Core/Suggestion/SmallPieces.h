@@ -5,7 +5,7 @@
 
 namespace flattening
 {
-/// A set that meets the bound without stretches of seams between a small piece and a neighbor that
+/// A set that meets the bound, without stretches of seams between a small piece and a neighbor that
 /// keep it together, and without the images of such stretches, the smallest pieces first: where
 /// seams are drawn straight slivers are left between them, which are more work to sew than they
 /// save strain. The same set where there are none, where a surface has other curves or weights, or
