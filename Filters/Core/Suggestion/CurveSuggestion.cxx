@@ -536,10 +536,8 @@ private:
 
   CutSet joined(CutSet set)
   {
-    CutSet fewer = withoutSmallPieces(
-      set, this->subject(this->Options.search), this->Whole, this->Budget, this->Run);
-    fewer = this->isFlat(set) ? this->parted(std::move(fewer)) : std::move(fewer);
-    return this->isFlat(fewer) ? fewer : set;
+    return withoutSmallPieces(
+      std::move(set), this->subject(this->Options.search), this->Whole, this->Budget, this->Run);
   }
 
   /// With charts that miss the bound parted, where others than single cuts help.

@@ -8,6 +8,7 @@
 #include "Suggestion/ChartTrials.h"
 #include "Suggestion/CutThinning.h"
 #include "Suggestion/SeamSettling.h"
+#include "Surface/SurfaceLocator.h"
 
 #include <algorithm>
 #include <map>
@@ -21,13 +22,16 @@ namespace
 constexpr double smallShare = 0.01;
 /// Of the remaining work.
 constexpr double shareOfJoining = 0.5;
+/// How often joins are taken back where pieces miss the bound; the second time hardly any do.
+constexpr int maxRestorings = 3;
 
 class Joining
 {
 public:
   Joining(const TriangleMesh& mesh, std::vector<SuggestedCurve> cuts, double bound,
     const FlatteningOptions& flattening, TrialBudget& budget, const Execution& execution)
-    : Cuts(std::move(cuts))
+    : Given(mesh)
+    , Cuts(std::move(cuts))
     , Surface(imprintCurves(mesh, linesOf(this->Cuts), {}))
     , Bound(relaxedShare * bound)
     , Budget(budget)
@@ -51,6 +55,35 @@ public:
       {
         this->join(piece);
       }
+    }
+    return this->Gone.empty() ? std::vector<SuggestedCurve>() : this->left();
+  }
+
+  /// Without the joins in pieces that miss the bound after all: on the surface, which has no edges
+  /// along what is gone, they lie differently. Empty where none are left.
+  std::vector<SuggestedCurve> restored(
+    const std::vector<SuggestedCurve>& cuts, const TrialOutcome& outcome, double bound)
+  {
+    const ImprintedSurface surface = imprintCurves(this->Given, linesOf(cuts), {});
+    const CutSurface cut = cutSurface(surface.mesh, surface.curves);
+    const SurfaceLocator locator(surface.mesh);
+    std::set<Index> missed;
+    for (Index h = 0; h < this->Surface.mesh.halfedgeCount(); ++h)
+    {
+      if (this->Gone.count(this->StretchOf[h]) > 0 && missed.count(this->StretchOf[h]) == 0)
+      {
+        const TriangleMesh& mesh = this->Surface.mesh;
+        const Index at =
+          locator.closest(0.5 * (mesh.point(mesh.from(h)) + mesh.point(mesh.to(h)))).triangle;
+        if (!outcome.keeps(static_cast<std::size_t>(cut.pieceOfTriangle[at]), bound))
+        {
+          missed.insert(this->StretchOf[h]);
+        }
+      }
+    }
+    for (Index stretch : this->withImages(missed))
+    {
+      this->Gone.erase(stretch);
     }
     return this->Gone.empty() ? std::vector<SuggestedCurve>() : this->left();
   }
@@ -249,6 +282,7 @@ private:
     return true;
   }
 
+  const TriangleMesh& Given;
   std::vector<SuggestedCurve> Cuts;
   ImprintedSurface Surface;
   double Bound;
@@ -269,20 +303,32 @@ CutSet withoutSmallPieces(CutSet set, const SearchSubject& subject, const CutTri
   TrialBudget& budget, const Execution& execution)
 {
   const double bound = subject.search.bound;
-  if (!set.outcome.keeps(bound) || !subject.curves.empty() || !subject.weights.empty() ||
+  if (!set.outcome.valid || bound == 0.0 || !subject.curves.empty() || !subject.weights.empty() ||
     subject.search.pieces > 0)
   {
     return set;
   }
-  TrialBudget joining(shareOfJoining * budget.left(), budget);
-  CutSet fewer = set;
-  fewer.cuts = Joining(subject.mesh, set.cuts, bound, subject.flattening, joining, execution).run();
-  if (fewer.cuts.empty())
+  TrialBudget some(shareOfJoining * budget.left(), budget);
+  Joining joining(subject.mesh, set.cuts, bound, subject.flattening, some, execution);
+  std::vector<SuggestedCurve> left = joining.run();
+  for (int k = 0; k < maxRestorings && !left.empty(); ++k)
   {
-    return set;
+    CutSet fewer = set;
+    fewer.cuts = std::move(left);
+    fewer = withFolds(std::move(fewer), whole, 0, bound, budget, execution);
+    fewer.cutsNeeded = static_cast<double>(fewer.cuts.size());
+    const TrialOutcome& outcome = fewer.outcome;
+    if (outcome.valid && outcome.faults() <= set.outcome.faults() &&
+      outcome.strainP95 <= std::max(bound, set.outcome.strainP95))
+    {
+      return fewer;
+    }
+    if (!outcome.valid)
+    {
+      return set;
+    }
+    left = joining.restored(fewer.cuts, fewer.outcome, bound);
   }
-  fewer = withFolds(std::move(fewer), whole, 0, bound, budget, execution);
-  fewer.cutsNeeded = static_cast<double>(fewer.cuts.size());
-  return fewer;
+  return set;
 }
 }
