@@ -522,8 +522,8 @@ void Flattening::conclude(const flattening::Status& outcome)
   this->exitCode = outcome.refused() ? InputRefused : outcome.ok() ? Done : Flawed;
 }
 
-MendedSurface mendedSurface(const Options& options, const SurfaceContents& contents,
-  const std::string& unit, bool proposed)
+MendedSurface mendedSurface(
+  const Options& options, const SurfaceContents& contents, const std::string& unit, bool proposed)
 {
   MendingRequest request;
   if (double distance = 0.0; parseNumber(options.weld, distance))

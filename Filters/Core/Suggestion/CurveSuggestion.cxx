@@ -534,6 +534,7 @@ private:
     return this->joined(std::move(set));
   }
 
+  /// Without small pieces.
   CutSet joined(CutSet set)
   {
     return withoutSmallPieces(

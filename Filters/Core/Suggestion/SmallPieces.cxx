@@ -22,7 +22,8 @@ namespace
 constexpr double smallShare = 0.01;
 /// Of the remaining work.
 constexpr double shareOfJoining = 0.5;
-/// How often joins are taken back where pieces miss the bound; the second time hardly any do.
+/// How often the surface is flattened with joins at most, of which those that miss the bound are
+/// taken back: of four surfaces that missed it three kept it the second time.
 constexpr int maxRestorings = 3;
 
 class Joining
