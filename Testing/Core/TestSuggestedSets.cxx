@@ -346,7 +346,7 @@ TEST(CutSets, SliversBetweenSeamsAreJoinedWithALargerNeighbor)
   // of which two stretches stay. The same in two halves that mirror each other.
   const TriangleMesh sheet = unitSquares(20, 10).mesh;
   const std::vector<Polyline> none;
-  const SuggestionOptions options = optionsOf(0.05, 0);
+  SuggestionOptions options = optionsOf(0.05, 0);
   const Points3 straight{ { 5, 0, 0 }, { 5, 10, 0 } };
   const Points3 beside{ { 5.1, 0, 0 }, { 5.1, 10, 0 } };
   const Points3 across{ { 7, 0, 0 }, { 4.9, 4, 0 }, { 4.9, 6, 0 }, { 7, 10, 0 } };
@@ -381,6 +381,12 @@ TEST(CutSets, SliversBetweenSeamsAreJoinedWithALargerNeighbor)
       ASSERT_EQ(fewer.cuts.size(), (crossed ? 3 : 1) * sides);
       EXPECT_EQ(fewer.outcome.pieceAreas.size(), 1 + (crossed ? 3 : 1) * sides);
       EXPECT_TRUE(fewer.outcome.keeps(0.05));
+      options.search.maximumCuts = static_cast<Index>(2 * sides); // seams in parts are more
+      const SearchSubject limited{ sheet, none, options.imprint, options.flattening, options.search,
+        std::nullopt, {} };
+      EXPECT_EQ(withoutSmallPieces(set, limited, trials, budget, {}).cuts.size(),
+        (crossed ? 2 : 1) * sides);
+      options.search.maximumCuts = 0;
       for (std::size_t k = fewer.cuts.size() / sides; k < fewer.cuts.size(); ++k)
       {
         const SuggestedCurve& image = fewer.cuts[k];

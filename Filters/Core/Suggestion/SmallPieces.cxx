@@ -319,14 +319,14 @@ CutSet withoutSmallPieces(CutSet set, const SearchSubject& subject, const CutTri
     fewer = withFolds(std::move(fewer), whole, 0, bound, budget, execution);
     fewer.cutsNeeded = static_cast<double>(fewer.cuts.size());
     const TrialOutcome& outcome = fewer.outcome;
-    if (outcome.valid && outcome.faults() <= set.outcome.faults() &&
+    if (!outcome.valid || !keepsLimits(fewer, subject.search))
+    {
+      return set; // seams in parts may be more
+    }
+    if (outcome.faults() <= set.outcome.faults() &&
       outcome.strainP95 <= std::max(bound, set.outcome.strainP95))
     {
       return fewer;
-    }
-    if (!outcome.valid)
-    {
-      return set;
     }
     left = joining.restored(fewer.cuts, fewer.outcome, bound);
   }
