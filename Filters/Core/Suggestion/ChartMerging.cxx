@@ -350,6 +350,7 @@ bool Charts::removeFirst(
       }
     }
     std::vector<const Removal*> kept;
+    std::size_t firstKept = 0;
     std::vector<char> touched(this->All.size(), 0);
     for (std::size_t k = first; k < last; ++k)
     {
@@ -358,6 +359,7 @@ bool Charts::removeFirst(
         beside.begin(), beside.end(), [&touched](Index chart) { return touched[chart] == 1; });
       if (order[k]->keeps && apart && (kept.empty() || this->Options.pieces == 0))
       {
+        firstKept = kept.empty() ? k - first : firstKept;
         kept.push_back(removals[k - first]);
         for (Index chart : beside)
         {
@@ -367,7 +369,7 @@ bool Charts::removeFirst(
     }
     if (!kept.empty())
     {
-      this->remove(kept, touched, results.front());
+      this->remove(kept, touched, results[firstKept]);
       return true;
     }
   }
