@@ -98,8 +98,8 @@ std::string readLegacy(const std::string& path)
   return runReader(path, reader.Get());
 }
 
-/// An extension that a glTF file requires for its meshes, as for compression: VTK's reader, which
-/// has none, crashes.
+/// An extension that a glTF file requires for its meshes, as for compression: VTK's reader has
+/// none, and crashes on Draco's.
 std::string requiredOfMeshes(const std::string& content)
 {
   const std::size_t begin = std::min(content.find("\"extensionsRequired\""), content.size());

@@ -122,17 +122,29 @@ private:
     }
   }
 
-  /// The cuts, and each run of stretches that is left of one.
+  /// By stretch of a cut, whether it is gone; empty where none is.
+  std::vector<char> goneOf(std::size_t cut) const
+  {
+    std::vector<char> gone;
+    for (Index stretch : this->Stretches[cut])
+    {
+      gone.push_back(this->Gone.count(stretch) > 0 ? 1 : 0);
+    }
+    return std::count(gone.begin(), gone.end(), 1) > 0 ? gone : std::vector<char>();
+  }
+
+  /// The cuts, and each run of stretches that is left of one; images where the same is gone of
+  /// both.
   std::vector<SuggestedCurve> left() const
   {
     const TriangleMesh& mesh = this->Surface.mesh;
     std::vector<SuggestedCurve> left;
-    std::vector<std::pair<std::size_t, std::size_t>> placed; // from and to, by cut
+    std::vector<std::size_t> places; // of the first run, by cut
     for (std::size_t c = 0; c < this->Cuts.size(); ++c)
     {
       const std::size_t first = left.size();
-      const bool whole = std::none_of(this->Stretches[c].begin(), this->Stretches[c].end(),
-        [this](Index stretch) { return this->Gone.count(stretch) > 0; });
+      const std::vector<char> gone = this->goneOf(c);
+      const bool whole = gone.empty();
       bool going = false;
       forEachEdge(this->Surface.curves[c].vertices, [&](Index a, Index b) {
         const bool kept = this->Gone.count(this->StretchOf[mesh.find(a, b)]) == 0;
@@ -151,13 +163,12 @@ private:
       {
         left.back() = this->Cuts[c];
       }
-      placed.emplace_back(first, left.size());
+      places.push_back(first);
       const Index image = this->Cuts[c].mirrorOf;
-      const bool alike =
-        image != none && placed[image].second - placed[image].first == left.size() - first;
+      const bool alike = image != none && this->goneOf(image) == gone;
       for (std::size_t k = first; k < left.size(); ++k)
       {
-        left[k].mirrorOf = alike ? static_cast<Index>(placed[image].first + (k - first)) : none;
+        left[k].mirrorOf = alike ? static_cast<Index>(places[image] + (k - first)) : none;
       }
     }
     return left;
