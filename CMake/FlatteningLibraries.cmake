@@ -15,6 +15,7 @@ set(source_of_Pattern IO/Pattern)
 foreach (library IN LISTS flattening_libraries)
   set_target_properties(Flattening${library}Archive PROPERTIES
     EXPORT_NAME ${library}
+    LINKER_LANGUAGE CXX
     OUTPUT_NAME Flattening${library})
   target_include_directories(Flattening${library}Archive
     INTERFACE "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/SurfaceFlattening/${library}>")
@@ -31,3 +32,7 @@ install(EXPORT SurfaceFlatteningLibraries
   FILE SurfaceFlattening-libraries.cmake
   DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/SurfaceFlattening"
   COMPONENT development)
+# The objects of this tree, for SURFACEFLATTENING_OBJECTS_OF of another one.
+if (TARGET FlatteningPattern AND NOT SURFACEFLATTENING_OBJECTS_OF)
+  export(TARGETS FlatteningCore FlatteningPattern FILE "${CMAKE_BINARY_DIR}/SurfaceFlattening-objects.cmake")
+endif ()
