@@ -4,6 +4,7 @@
 import functools
 import hashlib
 import json
+import os
 import pathlib
 import re
 import shlex
@@ -34,6 +35,12 @@ def compiled(source, command, build):
     """What the compiler of a command finds in a source without making its object."""
     return subprocess.run([compiler_of(command), *options_of(command), "-fsyntax-only", str(source)], cwd=build,
                           capture_output=True, text=True, check=False)
+
+
+def reached(source, compiler, options, build):
+    """The source and the files that it includes, and those that these include."""
+    rule = subprocess.run([compiler, *options, "-M", str(source)], cwd=build, capture_output=True, text=True, check=True)
+    return {os.path.normpath(name) for name in rule.stdout.replace("\\\n", " ").split(":", 1)[1].split()}
 
 
 def sources_of(path):
