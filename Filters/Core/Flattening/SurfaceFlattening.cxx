@@ -13,7 +13,9 @@
 #include "Quality/FlatteningQuality.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numeric>
 
@@ -21,6 +23,79 @@ namespace flattening
 {
 namespace
 {
+/// Triangles. A larger piece has work for all threads by itself.
+constexpr std::size_t largePiece = 20000;
+/// Triangles of small pieces that are flattened at a time: half a second on two threads, since a
+/// caller that is none of these threads is asked only in between whether to go on.
+constexpr std::size_t trianglesTogether = 2 * largePiece;
+
+Status cancelled()
+{
+  return { StatusCode::Cancelled, "cancelled", {} };
+}
+
+/// One past the last of the pieces from a first one on that are flattened at a time.
+std::size_t endOfSmallPieces(const std::vector<WiredPiece>& pieces, std::size_t first)
+{
+  std::size_t sum = 0;
+  std::size_t last = first;
+  for (; last < pieces.size(); ++last)
+  {
+    const std::size_t triangles = pieces[last].piece.triangles.size();
+    sum += triangles;
+    if (triangles > largePiece || sum > trianglesTogether)
+    {
+      break;
+    }
+  }
+  return std::max(last, first + 1);
+}
+
+/// Calls body(p, execution) for each piece, small ones at a time on a thread each. The work that is
+/// counted is the same for any number of threads: of small ones each may do as much as is left
+/// for all at first, and where work is counted large ones run on one thread.
+/// \return the status of the first that is not Ok, after which no others are begun
+template <typename Body>
+Status forEachPiece(const std::vector<WiredPiece>& pieces, const Execution& execution,
+  const char* phase, const Body& body)
+{
+  const auto count = static_cast<double>(pieces.size());
+  Status status;
+  for (std::size_t first = 0, last = 0; first < pieces.size() && status.ok(); first = last)
+  {
+    last = endOfSmallPieces(pieces, first);
+    const double begin = static_cast<double>(first) / count;
+    execution.report(begin, phase);
+    if (execution.cancelled())
+    {
+      return cancelled();
+    }
+    if (last - first == 1)
+    {
+      const Execution part = execution.part(begin, static_cast<double>(last) / count);
+      status = body(first, execution.factorized ? part.onOneThread() : part);
+      continue;
+    }
+    std::vector<std::atomic<std::int64_t>> work(last - first);
+    std::vector<Status> outcomes(last - first);
+    const Execution inner = execution.nestedExecution();
+    execution.forEachTask(static_cast<Index>(outcomes.size()), [&](Index k) {
+      Execution own = inner;
+      own.factorized = &work[k];
+      own.mostWork -= execution.factorized ? static_cast<double>(*execution.factorized) : 0.0;
+      outcomes[k] = body(first + k, own);
+    });
+    if (execution.factorized)
+    {
+      *execution.factorized += std::accumulate(work.begin(), work.end(), std::int64_t{ 0 });
+    }
+    const auto bad = std::find_if(
+      outcomes.begin(), outcomes.end(), [](const Status& outcome) { return !outcome.ok(); });
+    status = bad == outcomes.end() ? Status() : *bad;
+  }
+  return status;
+}
+
 /// Half-edges of the piece's wires whose length is promised, one an edge.
 Indices rigidHalfedges(const WireNetwork& network, const std::vector<FeatureCurve>& curves,
   const FlatteningOptions& options)
@@ -170,8 +245,9 @@ void addToCurves(const PieceReport& report, FlatteningResult& result)
 
 /// Measures a result whose positions and wires are in place: triangles, developability, wires,
 /// curves and pieces, whose reports it takes out of the flat pieces and judges. The status becomes
-/// that of the worst piece. Measures of the surface stay with the pieces.
-void measureResult(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
+/// that of the worst piece. Measures of the surface stay with the pieces. \return whether the run
+/// was cancelled
+Status measureResult(const TriangleMesh& mesh, const std::vector<FeatureCurve>& curves,
   const FlatteningOptions& options, const Execution& execution, std::vector<WiredPiece>& pieces,
   std::vector<PieceSolution>& flat, FlatteningResult& result)
 {
@@ -191,28 +267,29 @@ void measureResult(const TriangleMesh& mesh, const std::vector<FeatureCurve>& cu
     measureWire(cut, result.positions, wire);
   }
   result.curves = summarizeCurves(mesh, cut, curves, result.wires);
-  for (std::size_t p = 0; p < pieces.size(); ++p)
+  const Status status =
+    forEachPiece(pieces, execution, "Measuring quality", [&](std::size_t p, const Execution& part) {
+      measurePiece(curves, options, part, only, pieces[p], flat[p], result);
+      return Status();
+    });
+  if (!status.ok())
   {
-    measurePiece(curves, options, execution, only, pieces[p], flat[p], result);
-    addToCurves(flat[p].report, result);
+    return status;
   }
   for (PieceSolution& piece : flat)
   {
+    addToCurves(piece.report, result);
     const auto p = static_cast<Index>(result.pieces.size());
     result.pieces.push_back(std::move(piece.report));
     judgePiece(cut, curves, options, p, result);
-    const Status& status = result.pieces[p].status;
-    if (severity(status.code) > severity(result.status.code))
+    const Status& outcome = result.pieces[p].status;
+    if (severity(outcome.code) > severity(result.status.code))
     {
-      result.status = status;
+      result.status = outcome;
     }
   }
   measureCuts(cut, result.pieces);
-}
-
-Status cancelled()
-{
-  return { StatusCode::Cancelled, "cancelled", {} };
+  return {};
 }
 
 /// Tolerances and eases of curves whose length is free.
@@ -312,11 +389,6 @@ Status flattenPieces(const PieceSettings& settings, const Execution& execution,
   }
   flat.resize(pieces.size());
   const auto flatten = [&](std::size_t p, CurveRules rules, const Execution& part) {
-    part.report(0.0, "Flattening pieces");
-    if (part.cancelled())
-    {
-      return cancelled();
-    }
     rules.freeBoundary = settings.options.boundary == BoundaryMode::Free;
     rules.boundaryTolerance = settings.options.boundaryTolerance;
     for (std::size_t c = 0; !eased.empty() && c < curves; ++c)
@@ -331,12 +403,8 @@ Status flattenPieces(const PieceSettings& settings, const Execution& execution,
     const Status& outcome = flat[p].report.status;
     return outcome.refused() ? outcome : Status();
   };
-  const double share = 0.8 / static_cast<double>(pieces.size());
-  for (std::size_t p = 0; p < pieces.size() && status.ok(); ++p)
-  {
-    const double begin = 0.05 + share * static_cast<double>(p);
-    status = flatten(p, {}, execution.part(begin, begin + share));
-  }
+  status = forEachPiece(pieces, execution.part(0.05, 0.85), "Flattening pieces",
+    [&flatten](std::size_t p, const Execution& part) { return flatten(p, {}, part); });
   if (!status.ok() || settings.options.scheme == Scheme::LeastSquaresConformal)
   {
     return status;
@@ -497,12 +565,12 @@ Status flattenStages(const TriangleMesh& mesh, const std::vector<FeatureCurve>& 
   result.wires = traceWires(mesh, *kept.cut, curves);
   placePieces(kept.pieces, options, flat, result);
   Stopwatch qualityWatch;
-  execution.report(0.9, "Measuring quality");
-  if (execution.cancelled())
+  status =
+    measureResult(mesh, curves, options, execution.part(0.9, 1.0), kept.pieces, flat, result);
+  if (!status.ok())
   {
-    return cancelled();
+    return status;
   }
-  measureResult(mesh, curves, options, execution, kept.pieces, flat, result);
   result.seconds.quality = qualityWatch.seconds();
   result.seconds.total = watch.seconds();
   execution.report(1.0, "Done");

@@ -217,7 +217,6 @@ CutTrials::CutTrials(const TriangleMesh& mesh, std::vector<Polyline> curves,
   this->Flattening.tryReleases = false;
 }
 
-/// The surface with its curves and the cuts; refused where a cut cannot be made.
 ImprintedSurface CutTrials::imprinted(const std::vector<Polyline>& cuts) const
 {
   ImprintedSurface surface =
@@ -243,12 +242,10 @@ CutTrials::Trial CutTrials::tried(
   Trial trial;
   const auto triangles = static_cast<double>(this->Mesh.triangleCount());
   std::atomic<std::int64_t> factorized = 0; // in attempts that were given up as well
-  double limit = most;
-  Execution counting = execution.nestedExecution();
+  Execution counting = execution;
+  counting.progress = nullptr;
+  counting.preview = nullptr;
   counting.factorized = &factorized;
-  counting.cancel = [&factorized, &execution, &limit] {
-    return static_cast<double>(factorized) > limit || execution.cancelled();
-  };
   trial.surface = this->imprinted(cuts);
   const bool starts = !this->Start.empty();
   for (bool fromStart : { true, false })
@@ -261,7 +258,8 @@ CutTrials::Trial CutTrials::tried(
     const double steps = cuts.empty() ? std::numeric_limits<double>::infinity()
       : fromStart                     ? startShare * this->MostSteps
                                       : this->MostSteps;
-    limit = std::min(most, static_cast<double>(factorized) + factorizationWork(triangles) * steps);
+    counting.mostWork =
+      std::min(most, static_cast<double>(factorized) + factorizationWork(triangles) * steps);
     FlatteningOptions options = this->Flattening;
     options.start = fromStart ? this->startOf(trial.surface) : std::vector<FlatCorners>();
     trial.flat = flattenSurface(trial.surface.mesh, trial.surface.curves, options, counting);
