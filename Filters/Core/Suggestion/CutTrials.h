@@ -177,6 +177,9 @@ public:
   /// From then on trials start from there. \param start by triangle of the mesh; empty: anew
   void startFrom(std::vector<FlatCorners> start) { this->Start = std::move(start); }
   bool foldsDarts() const { return this->Flattening.foldsDarts(); }
+  /// The surface with its curves and the cuts. Where these can be laid into it, but may not, as
+  /// they cross or part what darts may not, it is there and its status is StatusCode::InvalidCurve.
+  ImprintedSurface imprinted(const std::vector<Polyline>& cuts) const;
   /// By cut, the points where it crosses the edges of the surface; none where it cannot be made.
   std::vector<Points3> paths(const std::vector<Polyline>& cuts) const;
   /// Several, in parallel; an empty set of cuts is not tried, and none once the budget is spent.
@@ -187,7 +190,6 @@ private:
   Trial tried(const std::vector<Polyline>& cuts, double most, const Execution& execution) const;
   TrialOutcome measured(const ImprintedSurface& surface, const FlatteningResult& flat) const;
   std::vector<FlatCorners> startOf(const ImprintedSurface& surface) const;
-  ImprintedSurface imprinted(const std::vector<Polyline>& cuts) const;
 
   const TriangleMesh& Mesh;
   std::vector<Polyline> Curves;

@@ -433,6 +433,11 @@ private:
 void openDividingDarts(const TriangleMesh& mesh, const std::vector<Polyline>& curves,
   const ImprintOptions& imprint, std::vector<SuggestedCurve>& cuts)
 {
+  const auto isDart = [](const SuggestedCurve& cut) { return cut.curve.type == CurveType::Dart; };
+  if (std::none_of(cuts.begin(), cuts.end(), isDart))
+  {
+    return;
+  }
   const ImprintedSurface surface = imprintCurves(mesh, withLines(curves, linesOf(cuts)), imprint);
   if (surface.status.ok())
   {
@@ -450,15 +455,14 @@ std::vector<SuggestedCurve> laidTogether(const TriangleMesh& mesh, std::vector<S
 {
   const CutTrials trials(mesh, curves, imprint, {});
   const auto given = static_cast<Index>(curves.size());
-  for (int k = 0; k < maxLayings; ++k)
+  for (int k = 0; k < maxLayings && !cuts.empty(); ++k)
   {
-    if (cuts.empty() || !trials.paths(linesOf(cuts)).empty())
+    const ImprintedSurface imprinted = trials.imprinted(linesOf(cuts));
+    if (imprinted.status.ok())
     {
       return cuts;
     }
-    const ImprintedSurface imprinted =
-      imprintCurves(mesh, withLines(curves, linesOf(cuts)), imprint);
-    if (imprinted.status.ok())
+    if (imprinted.mesh.triangleCount() > 0)
     {
       cuts = unshared(imprinted, curves.size(), cuts);
       openDividingDarts(mesh, curves, imprint, cuts);
