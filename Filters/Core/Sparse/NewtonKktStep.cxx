@@ -176,10 +176,10 @@ bool NewtonKktStep::tryFactorize()
 }
 
 /// Adds a growing multiple of the identity to the Hessian, at most this often and this much.
-bool NewtonKktStep::shiftUntilConvex(double tau, int maxShifts, double largest)
+bool NewtonKktStep::shiftUntilConvex(double tau, int most, double largest)
 {
   bool done = false;
-  for (int k = 0; !done && k < maxShifts && tau <= largest && !this->cancelled();
+  for (int k = 0; !done && k < most && tau <= largest && !this->cancelled();
        ++k, tau *= shiftGrowth)
   {
     this->Model.shift(tau - this->Shift);

@@ -153,7 +153,7 @@ private:
   bool growActiveSet();
   bool tryFactorize();
   bool factorize();
-  bool shiftUntilConvex(double tau, int maxShifts, double largest);
+  bool shiftUntilConvex(double tau, int most, double largest);
   bool solveActive();
   bool solveChord();
   bool splitSolution(const Eigen::VectorXd& solution);

@@ -15,7 +15,7 @@ namespace
 /// Of the version on which cuts are tried: a flattening takes some milliseconds.
 constexpr Index coarseTriangles = 500;
 /// A trial on it is given up after these steps, several times what sound ones take.
-constexpr double maxSteps = 75.0;
+constexpr double roughSteps = 75.0;
 /// What the price of a cut is divided by that begins or ends on the leg of a dart: seams over a
 /// sewn dart are thick.
 constexpr double preferenceForLegs = 0.5;
@@ -220,7 +220,7 @@ PieceSearch::PieceSearch(const PieceSurface& piece, const VertexMarks& marks,
   , Options(options)
   , Coarse(coarsened(piece, coarseTriangles))
   , Trials(this->Coarse.mesh, this->Coarse.polylines(), subject.imprint,
-      roughly(subject.flattening), subject.goal, this->Coarse.weights, maxSteps)
+      roughly(subject.flattening), subject.goal, this->Coarse.weights, roughSteps)
 {
 }
 

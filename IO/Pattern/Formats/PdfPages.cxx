@@ -447,12 +447,12 @@ Point2 legendExtent(bool withMap)
 
 std::string tileName(const Tile& tile)
 {
-  std::string letters;
+  std::string rowName;
   for (int row = tile.row; row >= 0; row = row / 26 - 1)
   {
-    letters.insert(letters.begin(), static_cast<char>('A' + row % 26));
+    rowName.insert(rowName.begin(), static_cast<char>('A' + row % 26));
   }
-  return letters + std::to_string(tile.column + 1);
+  return rowName + std::to_string(tile.column + 1);
 }
 
 bool hasPage(const PagePlan& plan, const Tile& tile)
