@@ -267,7 +267,7 @@ Status measureResult(const TriangleMesh& mesh, const std::vector<FeatureCurve>& 
     measureWire(cut, result.positions, wire);
   }
   result.curves = summarizeCurves(mesh, cut, curves, result.wires);
-  const Status status =
+  Status status =
     forEachPiece(pieces, execution, "Measuring quality", [&](std::size_t p, const Execution& part) {
       measurePiece(curves, options, part, only, pieces[p], flat[p], result);
       return Status();
