@@ -72,34 +72,6 @@ TEST(Threads, GiveEverySchemeTheSameResultBitByBit)
   }
 }
 
-TEST(Threads, SpendWorkOnSeveralPiecesAlike)
-{
-  constexpr Index size = 18;
-  std::vector<FeatureCurve> seams;
-  for (Index column = 3; column < size; column += 3)
-  {
-    seams.push_back(columnCurve(size, size, column, CurveType::Seam));
-  }
-  const Surface surface = withCurves(cushion(size, size, 0.4), seams);
-  const auto spent = [&surface](double most, Execution execution) {
-    std::atomic<std::int64_t> work = 0;
-    execution.factorized = &work;
-    execution.mostWork = most;
-    const FlatteningResult result = flatten(surface, {}, execution);
-    return std::pair(result.status.code, work.load());
-  };
-  const auto [code, whole] = spent(std::numeric_limits<double>::infinity(), {});
-  EXPECT_NE(code, StatusCode::Cancelled);
-  ASSERT_GT(whole, 0);
-  for (int tenths = 0; tenths <= 10; ++tenths)
-  {
-    const double most = 0.1 * tenths * static_cast<double>(whole);
-    const auto alone = spent(most, {});
-    EXPECT_EQ(alone, spent(most, withThreads(4))) << tenths;
-    EXPECT_EQ(alone.first == StatusCode::Cancelled, tenths < 10) << tenths;
-  }
-}
-
 TEST(Threads, HearTheCallerOnItsOwnThreadOnly)
 {
   constexpr Index size = 12;

@@ -14,7 +14,6 @@ Execution Execution::nestedExecution() const
   Execution inner;
   inner.factorMemory = this->factorMemory;
   inner.factorized = this->factorized;
-  inner.mostWork = this->mostWork;
   if (this->cancel)
   {
     // A caller may hold a lock while it waits for the loop; whoever asked it from another thread

@@ -35,8 +35,6 @@ struct Execution
   /// Where given, the factorizationWork() of each linear system that is factorized is added: what a
   /// run takes, counted alike on all machines and for any number of threads.
   std::atomic<std::int64_t>* factorized = nullptr;
-  /// More work of this kind ends the run as if it were cancelled.
-  double mostWork = std::numeric_limits<double>::infinity();
 
   void report(double fraction, const char* phase) const
   {
@@ -58,11 +56,7 @@ struct Execution
     }
     return inner;
   }
-  bool cancelled() const
-  {
-    const bool spent = this->factorized && static_cast<double>(*this->factorized) > this->mostWork;
-    return spent || (this->cancel && this->cancel());
-  }
+  bool cancelled() const { return this->cancel && this->cancel(); }
   /// What the bodies of a parallel loop may hand on and ask: the calling thread asks the caller,
   /// the others hear what it was told. Reports nothing and runs loops on the thread that it is
   /// given to.

@@ -13,9 +13,7 @@
 #include "Quality/FlatteningQuality.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <numeric>
 
@@ -51,10 +49,8 @@ std::size_t endOfSmallPieces(const std::vector<WiredPiece>& pieces, std::size_t 
   return std::max(last, first + 1);
 }
 
-/// Calls body(p, execution) for each piece, small ones at a time on a thread each. The work that is
-/// counted is the same for any number of threads: of small ones each may do as much as is left
-/// for all at first, and where work is counted large ones run on one thread.
-/// \return the status of the first that is not Ok, after which no others are begun
+/// Calls body(p, execution) for each piece, small ones at a time where there are threads. \return
+/// the status of the first that is not Ok, after which no others are begun
 template <typename Body>
 Status forEachPiece(const std::vector<WiredPiece>& pieces, const Execution& execution,
   const char* phase, const Body& body)
@@ -63,7 +59,7 @@ Status forEachPiece(const std::vector<WiredPiece>& pieces, const Execution& exec
   Status status;
   for (std::size_t first = 0, last = 0; first < pieces.size() && status.ok(); first = last)
   {
-    last = endOfSmallPieces(pieces, first);
+    last = execution.parallel ? endOfSmallPieces(pieces, first) : first + 1;
     const double begin = static_cast<double>(first) / count;
     execution.report(begin, phase);
     if (execution.cancelled())
@@ -72,23 +68,13 @@ Status forEachPiece(const std::vector<WiredPiece>& pieces, const Execution& exec
     }
     if (last - first == 1)
     {
-      const Execution part = execution.part(begin, static_cast<double>(last) / count);
-      status = body(first, execution.factorized ? part.onOneThread() : part);
+      status = body(first, execution.part(begin, static_cast<double>(last) / count));
       continue;
     }
-    std::vector<std::atomic<std::int64_t>> work(last - first);
     std::vector<Status> outcomes(last - first);
     const Execution inner = execution.nestedExecution();
-    execution.forEachTask(static_cast<Index>(outcomes.size()), [&](Index k) {
-      Execution own = inner;
-      own.factorized = &work[k];
-      own.mostWork -= execution.factorized ? static_cast<double>(*execution.factorized) : 0.0;
-      outcomes[k] = body(first + k, own);
-    });
-    if (execution.factorized)
-    {
-      *execution.factorized += std::accumulate(work.begin(), work.end(), std::int64_t{ 0 });
-    }
+    execution.forEachTask(
+      static_cast<Index>(outcomes.size()), [&](Index k) { outcomes[k] = body(first + k, inner); });
     const auto bad = std::find_if(
       outcomes.begin(), outcomes.end(), [](const Status& outcome) { return !outcome.ok(); });
     status = bad == outcomes.end() ? Status() : *bad;

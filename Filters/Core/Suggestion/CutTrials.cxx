@@ -242,10 +242,12 @@ CutTrials::Trial CutTrials::tried(
   Trial trial;
   const auto triangles = static_cast<double>(this->Mesh.triangleCount());
   std::atomic<std::int64_t> factorized = 0; // in attempts that were given up as well
-  Execution counting = execution;
-  counting.progress = nullptr;
-  counting.preview = nullptr;
+  double limit = most;
+  Execution counting = execution.nestedExecution();
   counting.factorized = &factorized;
+  counting.cancel = [&factorized, &execution, &limit] {
+    return static_cast<double>(factorized) > limit || execution.cancelled();
+  };
   trial.surface = this->imprinted(cuts);
   const bool starts = !this->Start.empty();
   for (bool fromStart : { true, false })
@@ -258,8 +260,7 @@ CutTrials::Trial CutTrials::tried(
     const double steps = cuts.empty() ? std::numeric_limits<double>::infinity()
       : fromStart                     ? startShare * this->MostSteps
                                       : this->MostSteps;
-    counting.mostWork =
-      std::min(most, static_cast<double>(factorized) + factorizationWork(triangles) * steps);
+    limit = std::min(most, static_cast<double>(factorized) + factorizationWork(triangles) * steps);
     FlatteningOptions options = this->Flattening;
     options.start = fromStart ? this->startOf(trial.surface) : std::vector<FlatCorners>();
     trial.flat = flattenSurface(trial.surface.mesh, trial.surface.curves, options, counting);
