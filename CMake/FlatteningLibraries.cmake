@@ -5,6 +5,7 @@ find_package(superlu CONFIG)
 set(flattening_libraries Core)
 if (TARGET FlatteningPattern)
   add_library(FlatteningPatternArchive STATIC $<TARGET_OBJECTS:FlatteningPattern>)
+  set_target_properties(FlatteningPatternArchive PROPERTIES LINKER_LANGUAGE CXX)
   get_target_property(pattern_libraries FlatteningPattern INTERFACE_LINK_LIBRARIES)
   target_link_libraries(FlatteningPatternArchive INTERFACE FlatteningCoreArchive ${pattern_libraries})
   target_include_directories(FlatteningPatternArchive INTERFACE "$<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/IO/Pattern>")
@@ -15,7 +16,6 @@ set(source_of_Pattern IO/Pattern)
 foreach (library IN LISTS flattening_libraries)
   set_target_properties(Flattening${library}Archive PROPERTIES
     EXPORT_NAME ${library}
-    LINKER_LANGUAGE CXX
     OUTPUT_NAME Flattening${library})
   target_include_directories(Flattening${library}Archive
     INTERFACE "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/SurfaceFlattening/${library}>")

@@ -68,6 +68,11 @@ TEST(Threads, GiveEverySchemeTheSameResultBitByBit)
       ASSERT_EQ(alone.pieces.size(), 2U);
       EXPECT_EQ(alone.status.message, shared.status.message);
       EXPECT_EQ(alone.positions, shared.positions);
+      EXPECT_EQ(alone.developability, shared.developability);
+      for (std::size_t p = 0; p < 2; ++p)
+      {
+        EXPECT_EQ(alone.pieces[p].quality.areaError, shared.pieces[p].quality.areaError);
+      }
     }
   }
 }

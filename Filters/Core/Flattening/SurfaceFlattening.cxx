@@ -49,8 +49,9 @@ std::size_t endOfSmallPieces(const std::vector<WiredPiece>& pieces, std::size_t 
   return std::max(last, first + 1);
 }
 
-/// Calls body(p, execution) for each piece, small ones at a time where there are threads. \return
-/// the status of the first that is not Ok, after which no others are begun
+/// Calls body(p, execution) for each piece, small ones at a time where there are threads; a search
+/// that counts work gives none. \return the status of the first that is not Ok, after which no
+/// others are begun
 template <typename Body>
 Status forEachPiece(const std::vector<WiredPiece>& pieces, const Execution& execution,
   const char* phase, const Body& body)
