@@ -5,6 +5,7 @@
 #include "OutputFiles.h"
 #include "Patterns.h"
 #include "PlainText.h"
+#include "Progress.h"
 #include "Report.h"
 #include "Sizes.h"
 #include "WriteData.h"
@@ -148,10 +149,17 @@ void writeResult(const Options& options, FilesOfFlattening& written, OutputFiles
   add(std::filesystem::u8path(options.surfaceFile), result.flattenable);
   add(std::filesystem::u8path(options.sewnFile), result.sewn);
   const std::array<Data, 3> data{ result.flat, result.wires, result.cut };
-  const std::vector<std::filesystem::path> names = dataFiles(options);
-  for (std::size_t k = 0; k < names.size(); ++k)
+  std::vector<NamedData> named;
+  for (const std::filesystem::path& file : dataFiles(options))
   {
-    add(names[k], data[k]);
+    named.push_back({ file.string(), data[named.size()].get() });
+  }
+  flattening::eraseIf(named, [](const NamedData& file) { return !file.data; });
+  const std::vector<std::string> bytes = bytesOf(named, Progress(true).execution(options.threads));
+  for (std::size_t k = 0; k < named.size(); ++k)
+  {
+    files.add(named[k].file, bytes[k]);
+    written.files.push_back(named[k].file);
   }
   result.secondsWrite = std::chrono::duration<double>(Clock::now() - start).count();
   result.secondsTotal += result.secondsWrite;

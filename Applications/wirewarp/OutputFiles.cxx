@@ -95,7 +95,7 @@ std::filesystem::path OutputFiles::addEntry(const std::filesystem::path& file)
 
 void OutputFiles::add(const std::filesystem::path& file, const flattening::DataSet& data)
 {
-  this->add(file, bytesOf(file.string(), data));
+  this->add(file, bytesOf({ { file.string(), &data } }, {}).front());
 }
 
 void OutputFiles::add(const std::filesystem::path& file, const std::string& text)

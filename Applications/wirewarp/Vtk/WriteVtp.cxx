@@ -32,6 +32,21 @@ void demandMemory(const flattening::DataSet& data)
   }
   ::operator delete(::operator new(copies * sizeof(double) * values + slack));
 }
+
+/// Empty where VTK does not write it.
+std::string vtpOf(const flattening::DataSet& data)
+{
+  demandMemory(data);
+  // By way of memory: on a full disk VTK's writer of files crashes.
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  // With the Expat of Debian 12's security updates ParaView 5.11 refuses appended data.
+  writer->SetDataModeToBinary();
+  // Zlib takes three times as long to make files of seven tenths of the size.
+  writer->SetCompressorTypeToLZ4();
+  writer->WriteToOutputStringOn();
+  writer->SetInputData(polyDataOf(data));
+  return writer->Write() == 1 ? writer->GetOutputString() : std::string();
+}
 }
 
 const char* const dataExtension = ".vtp";
@@ -41,27 +56,23 @@ std::string vtkInWords()
   return std::string("VTK ") + vtkVersion::GetVTKVersion();
 }
 
-std::string bytesOf(const std::string& file, const flattening::DataSet& data)
+std::vector<std::string> bytesOf(
+  const std::vector<NamedData>& files, const flattening::Execution& execution)
 {
-  if (lowerCaseExtension(file) == ".obj")
-  {
-    return objOf(data);
-  }
-  demandMemory(data);
   vtkSMPTools::SetBackend("Sequential"); // where there can be no thread, TBB gives up
-  // By way of memory: on a full disk VTK's writer of files crashes.
   const VtkMessages messages;
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  // With the Expat of Debian 12's security updates ParaView 5.11 refuses appended data.
-  writer->SetDataModeToBinary();
-  // Zlib takes three times as long to make files of seven tenths of the size.
-  writer->SetCompressorTypeToLZ4();
-  writer->WriteToOutputStringOn();
-  writer->SetInputData(polyDataOf(data));
-  if (writer->Write() != 1 || !messages.errors().empty())
+  std::vector<std::string> bytes(files.size());
+  execution.forEachTask(static_cast<flattening::Index>(files.size()), [&](flattening::Index k) {
+    const auto& [file, data] = files[k];
+    bytes[k] = lowerCaseExtension(file) == ".obj" ? objOf(*data) : vtpOf(*data);
+  });
+  for (std::size_t k = 0; k < files.size(); ++k)
   {
-    throw InputError(file, "cannot be written (" + messages.firstError() + ")");
+    if (bytes[k].empty() || !messages.errors().empty())
+    {
+      throw InputError(files[k].file, "cannot be written (" + messages.firstError() + ")");
+    }
   }
-  return writer->GetOutputString();
+  return bytes;
 }
 }

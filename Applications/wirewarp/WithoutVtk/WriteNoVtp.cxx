@@ -13,13 +13,19 @@ std::string vtkInWords()
   return "without VTK";
 }
 
-std::string bytesOf(const std::string& file, const flattening::DataSet& data)
+std::vector<std::string> bytesOf(const std::vector<NamedData>& files, const flattening::Execution&)
 {
-  if (lowerCaseExtension(file) == ".vtp")
+  std::vector<std::string> bytes;
+  for (const auto& [file, data] : files)
   {
-    throw InputError(file,
-      "'.vtp' is written by builds with VTK alone, such as Debian's package; name a file in .obj");
+    if (lowerCaseExtension(file) == ".vtp")
+    {
+      throw InputError(file,
+        "'.vtp' is written by builds with VTK alone, such as Debian's package; name a file in "
+        ".obj");
+    }
+    bytes.push_back(objOf(*data));
   }
-  return objOf(data);
+  return bytes;
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/LargeArray.h"
 #include "Base/Types.h"
 
 #include <algorithm>
@@ -111,8 +112,8 @@ template <typename Result, typename Compute, typename Add>
 void computeAndAdd(Index count, const Execution& execution, const Compute& compute, const Add& add)
 {
   // Results at a time: few enough for the cache, many enough for threads.
-  constexpr Index together = 4096;
-  std::vector<Result> results(std::min(count, together));
+  const Index together = execution.parallel ? 4096 : 64;
+  LargeArray<Result> results(std::min(count, together));
   for (Index first = 0; first < count; first += together)
   {
     const Index here = std::min(together, count - first);

@@ -314,7 +314,7 @@ double excess(const ThreadStrain& strain, const ClothMaterial& material)
 }
 
 std::vector<ThreadStrain> measureThreads(
-  const std::vector<TriangleFrame>& frames, const Triangles& triangles, const Points2& positions)
+  const TriangleFrames& frames, const Triangles& triangles, const Points2& positions)
 {
   std::vector<ThreadStrain> strains(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -338,7 +338,7 @@ std::vector<ThreadStrain> measureThreads(
   return strains;
 }
 
-ClothSummary summarizeThreads(const std::vector<TriangleFrame>& frames,
+ClothSummary summarizeThreads(const TriangleFrames& frames,
   const std::vector<ThreadStrain>& strains, const ClothMaterial& material)
 {
   ClothSummary summary;

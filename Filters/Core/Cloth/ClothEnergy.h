@@ -154,8 +154,8 @@ struct ClothSummary
 
 /// \param outline planar positions of the corners, per triangle, weft along x and warp along y.
 std::vector<ThreadStrain> measureThreads(
-  const std::vector<TriangleFrame>& frames, const Triangles& triangles, const Points2& positions);
+  const TriangleFrames& frames, const Triangles& triangles, const Points2& positions);
 
-ClothSummary summarizeThreads(const std::vector<TriangleFrame>& frames,
+ClothSummary summarizeThreads(const TriangleFrames& frames,
   const std::vector<ThreadStrain>& strains, const ClothMaterial& material);
 }

@@ -241,8 +241,11 @@ std::vector<Piece> extractPieces(const CutSurface& cut)
   {
     ++sizes[p];
   }
+  const Index only = cut.pieceCount == 1 ? cut.mesh.vertexCount() : 0;
   for (Index p = 0; p < cut.pieceCount; ++p)
   {
+    points[p].reserve(only);
+    pieces[p].vertices.reserve(only);
     triangles[p].reserve(sizes[p]);
     pieces[p].triangles.reserve(sizes[p]);
     pieces[p].curveOfHalfedge.reserve(3 * std::size_t(sizes[p]));

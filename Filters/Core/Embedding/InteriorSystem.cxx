@@ -175,7 +175,7 @@ void InteriorSystem::update(InteriorPatch patch, const TriangleMesh& mesh)
   }
 }
 
-const std::vector<TriangleFrame>& InteriorSystem::frames()
+const TriangleFrames& InteriorSystem::frames()
 {
   if (this->Frames.empty())
   {

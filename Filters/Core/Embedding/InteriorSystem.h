@@ -53,7 +53,7 @@ public:
   void update(InteriorPatch patch, const TriangleMesh& mesh);
 
   const InteriorPatch& patch() const { return this->Patch; }
-  const std::vector<TriangleFrame>& frames();
+  const TriangleFrames& frames();
 
   /// The factored matrix; null where it is not definite, or the run is cancelled.
   const LinearSolver* factor(InteriorWeights weights, const Execution& execution);
@@ -77,7 +77,7 @@ private:
 
   InteriorPatch Patch;
   Points3 Points;                                ///< of the patch's vertices on the surface
-  std::vector<TriangleFrame> Frames;             ///< empty until they are asked for
+  TriangleFrames Frames;                         ///< empty until they are asked for
   std::unique_ptr<SymmetricAssembler> Assembler; ///< null until a matrix is asked for
   std::array<Factor, 2> Factors;                 ///< by weights
 

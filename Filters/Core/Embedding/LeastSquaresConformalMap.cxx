@@ -127,7 +127,7 @@ public:
 
 private:
   const TriangleMesh& Mesh;
-  std::vector<TriangleFrame> Frames;
+  TriangleFrames Frames;
   std::vector<double> Weights;
 };
 

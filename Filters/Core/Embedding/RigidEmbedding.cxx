@@ -88,9 +88,9 @@ RigidEmbedding::RigidEmbedding(InteriorSystem& system, const LinearSolver* preco
   }
 }
 
-std::vector<RigidEmbedding::Linearized> RigidEmbedding::linearize() const
+LargeArray<RigidEmbedding::Linearized> RigidEmbedding::linearize() const
 {
-  std::vector<Linearized> state(this->Frames->size());
+  LargeArray<Linearized> state(this->Frames->size());
   for (std::size_t t = 0; t < this->Frames->size(); ++t)
   {
     Linearized& s = state[t];
@@ -114,7 +114,7 @@ double RigidEmbedding::energy(const Eigen::MatrixXd& positions) const
   return sum;
 }
 
-Eigen::MatrixXd RigidEmbedding::gradient(const std::vector<Linearized>& state) const
+Eigen::MatrixXd RigidEmbedding::gradient(const LargeArray<Linearized>& state) const
 {
   Eigen::MatrixXd sum =
     Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(this->Patch->vertices.size()), 2);
@@ -130,7 +130,7 @@ Eigen::MatrixXd RigidEmbedding::gradient(const std::vector<Linearized>& state) c
 }
 
 Eigen::MatrixXd RigidEmbedding::curvature(
-  const std::vector<Linearized>& state, const Eigen::MatrixXd& direction) const
+  const LargeArray<Linearized>& state, const Eigen::MatrixXd& direction) const
 {
   const auto all = static_cast<Eigen::Index>(this->Patch->vertices.size());
   Eigen::MatrixXd along = Eigen::MatrixXd::Zero(all, 2);
@@ -152,7 +152,7 @@ Eigen::MatrixXd RigidEmbedding::curvature(
 }
 
 RigidEmbedding::Direction RigidEmbedding::newtonDirection(
-  const std::vector<Linearized>& state, const Eigen::MatrixXd& descent, double enough) const
+  const LargeArray<Linearized>& state, const Eigen::MatrixXd& descent, double enough) const
 {
   Eigen::MatrixXd step = Eigen::MatrixXd::Zero(descent.rows(), 2);
   Eigen::MatrixXd residual = descent;
@@ -194,7 +194,7 @@ RigidEmbedding::Direction RigidEmbedding::newtonDirection(
 
 RigidEmbedding::State RigidEmbedding::iterate(double energyTolerance)
 {
-  const std::vector<Linearized> state = this->linearize();
+  const LargeArray<Linearized> state = this->linearize();
   const double before = this->energy(this->Positions);
   if (before <= nothing * this->Area)
   {

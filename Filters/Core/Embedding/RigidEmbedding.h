@@ -41,23 +41,23 @@ public:
 private:
   struct Linearized;
 
-  std::vector<Linearized> linearize() const;
+  LargeArray<Linearized> linearize() const;
   /// Half of the sum of A_t |J_t - R_t|^2.
   double energy(const Eigen::MatrixXd& positions) const;
   /// Its gradient by the interior positions, and its second derivative along a direction of them.
-  Eigen::MatrixXd gradient(const std::vector<Linearized>& state) const;
+  Eigen::MatrixXd gradient(const LargeArray<Linearized>& state) const;
   Eigen::MatrixXd curvature(
-    const std::vector<Linearized>& state, const Eigen::MatrixXd& direction) const;
+    const LargeArray<Linearized>& state, const Eigen::MatrixXd& direction) const;
   struct Direction
   {
     Eigen::MatrixXd step;
     bool last = false; ///< the energy cannot fall by more than what was enough
   };
   Direction newtonDirection(
-    const std::vector<Linearized>& state, const Eigen::MatrixXd& descent, double enough) const;
+    const LargeArray<Linearized>& state, const Eigen::MatrixXd& descent, double enough) const;
 
   const InteriorPatch* Patch;
-  const std::vector<TriangleFrame>* Frames;
+  const TriangleFrames* Frames;
   const LinearSolver* Preconditioner;
   Execution Run;
   double Area = 0.0;

@@ -278,7 +278,7 @@ private:
   const InteriorPatch& Patch;
   Eigen::VectorXd X;
   Points3 Space; ///< on the surface
-  std::vector<TriangleFrame> Frames;
+  TriangleFrames Frames;
   SymmetricAssembler Assembler;
   std::vector<SymmetricBlock<6>> Blocks; ///< of the triangles, without what is pinned
   LinearSolver Solver;

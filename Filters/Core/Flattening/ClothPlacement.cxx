@@ -327,7 +327,7 @@ double leastStrainedAngle(
 {
   double least = std::numeric_limits<double>::infinity();
   double chosen = 0.0;
-  std::vector<TriangleFrame> frames;
+  TriangleFrames frames;
   const TriangleMesh& mesh = context.piece.mesh;
   for (const Triangle& c : mesh.triangles())
   {

@@ -123,7 +123,7 @@ BoundaryOverlaps overlapsOf(const Piece& piece, const Points2& positions)
 }
 
 /// Which triangles are out of limit, and the wire along which most of their area lies.
-void noteLimits(const Piece& piece, const std::vector<TriangleFrame>& frames, ClothReport& report)
+void noteLimits(const Piece& piece, const TriangleFrames& frames, ClothReport& report)
 {
   std::map<Index, double> along; // by curve, none: the boundary
   for (std::size_t t = 0; t < piece.triangles.size(); ++t)

@@ -130,7 +130,7 @@ private:
 
   Triangles Cells; ///< those of the filling last
   SheetEnergy Energy;
-  std::vector<TriangleFrame> Frames; ///< in units, areas with their weights
-  Index FirstEntry = none;           ///< of the first triangle; those of the others follow
+  TriangleFrames Frames;   ///< in units, areas with their weights
+  Index FirstEntry = none; ///< of the first triangle; those of the others follow
 };
 }

@@ -86,8 +86,8 @@ double homogeneityOf(double smallestArea, double largestArea)
   return scale > 0.0 ? smallestArea / scale : 0.0;
 }
 
-void summarizeTriangles(const std::vector<TriangleFrame>& frames,
-  const std::vector<TriangleQuality>& triangles, QualitySummary& summary)
+void summarizeTriangles(const TriangleFrames& frames, const std::vector<TriangleQuality>& triangles,
+  QualitySummary& summary)
 {
   double smallestArea = std::numeric_limits<double>::max();
   double largestArea = std::numeric_limits<double>::lowest();
@@ -199,7 +199,7 @@ FlatteningQuality measureFlattening(const TriangleMesh& mesh, const SurfaceMeasu
 MapDistortion measureDistortion(
   const TriangleMesh& mesh, const Points2& positions, const Execution& execution)
 {
-  std::vector<TriangleFrame> frames(mesh.triangleCount());
+  TriangleFrames frames(mesh.triangleCount());
   std::vector<TriangleQuality> triangles(mesh.triangleCount());
   execution.forEach(mesh.triangleCount(), [&](Index t) {
     frames[t] = TriangleFrame(mesh.points(), mesh.triangle(t));

@@ -48,8 +48,8 @@ EdgeLengthError edgeLengthError(
 /// What a flattening is measured by: the surface's own angles and areas.
 struct SurfaceMeasures
 {
-  std::vector<double> angles;        ///< TriangleMesh::angle() of each half-edge
-  std::vector<TriangleFrame> frames; ///< by triangle
+  std::vector<double> angles; ///< TriangleMesh::angle() of each half-edge
+  TriangleFrames frames;      ///< by triangle
 };
 
 SurfaceMeasures measureSurface(const TriangleMesh& mesh, const Execution& execution);

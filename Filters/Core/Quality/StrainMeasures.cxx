@@ -69,7 +69,7 @@ double stretchRatio(const TriangleQuality& quality, double largest)
 }
 
 double measureRigidEnergy(
-  const std::vector<TriangleFrame>& frames, const std::vector<TriangleQuality>& triangles)
+  const TriangleFrames& frames, const std::vector<TriangleQuality>& triangles)
 {
   const double largest = std::exp(largestStrain);
   double energy = 0.0;
@@ -91,7 +91,7 @@ double measureRigidEnergy(
 }
 
 StrainMeasures measureStrain(
-  const std::vector<TriangleFrame>& frames, const std::vector<TriangleQuality>& triangles)
+  const TriangleFrames& frames, const std::vector<TriangleQuality>& triangles)
 {
   StrainMeasures measures;
   measures.rigidEnergy = measureRigidEnergy(frames, triangles);

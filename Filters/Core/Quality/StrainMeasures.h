@@ -51,8 +51,8 @@ struct StrainMeasures
 
 /// rigidEnergy alone.
 double measureRigidEnergy(
-  const std::vector<TriangleFrame>& frames, const std::vector<TriangleQuality>& triangles);
+  const TriangleFrames& frames, const std::vector<TriangleQuality>& triangles);
 
 StrainMeasures measureStrain(
-  const std::vector<TriangleFrame>& frames, const std::vector<TriangleQuality>& triangles);
+  const TriangleFrames& frames, const std::vector<TriangleQuality>& triangles);
 }

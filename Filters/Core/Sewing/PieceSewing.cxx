@@ -399,7 +399,7 @@ Eigen::Vector3d metricAt(const TriangleFrame& rest, const Triangle& c, const Poi
 
 void measureTriangles(const SewnCloth& cloth, const Points3& points, SewnMeasures& measures)
 {
-  std::vector<TriangleFrame> rest;
+  TriangleFrames rest;
   std::vector<TriangleQuality> qualities;
   double area = 0.0;
   double designArea = 0.0;
@@ -458,7 +458,7 @@ SewnThreads measureSewnThreads(
   const SewnCloth& cloth, const Points3& points, const ClothMaterial& material)
 {
   SewnThreads threads;
-  std::vector<TriangleFrame> rest;
+  TriangleFrames rest;
   for (std::size_t t = 0; t < cloth.triangles.size(); ++t)
   {
     rest.push_back(restFrame(cloth.flat[t]));

@@ -43,9 +43,9 @@ SpaceUnknowns unknownsOf(const SewnCloth& cloth, const Point3& center, double un
   return unknowns;
 }
 
-std::vector<TriangleFrame> restOf(const SewnCloth& cloth, double unit)
+TriangleFrames restOf(const SewnCloth& cloth, double unit)
 {
-  std::vector<TriangleFrame> rest;
+  TriangleFrames rest;
   rest.reserve(cloth.flat.size());
   for (const std::array<Point2, 3>& corner : cloth.flat)
   {

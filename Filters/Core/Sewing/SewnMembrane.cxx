@@ -58,8 +58,8 @@ std::array<double, 2> stretchesOf(const Eigen::Vector3d& metric)
   return { large, large > 0.0 ? std::min(large, det / large) : 0.0 };
 }
 
-SewnMembrane::SewnMembrane(const SpaceUnknowns& unknowns, Triangles triangles,
-  std::vector<TriangleFrame> rest, const SheetDensity& density)
+SewnMembrane::SewnMembrane(const SpaceUnknowns& unknowns, Triangles triangles, TriangleFrames rest,
+  const SheetDensity& density)
   : Unknowns(unknowns)
   , Cells(std::move(triangles))
   , Frames(std::move(rest))

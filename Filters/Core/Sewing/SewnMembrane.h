@@ -75,11 +75,11 @@ class SewnMembrane
 {
 public:
   /// \param rest of each triangle, in a unit in which the mean area is 1.
-  SewnMembrane(const SpaceUnknowns& unknowns, Triangles triangles, std::vector<TriangleFrame> rest,
+  SewnMembrane(const SpaceUnknowns& unknowns, Triangles triangles, TriangleFrames rest,
     const SheetDensity& density);
 
   const Triangles& triangles() const { return this->Cells; }
-  const std::vector<TriangleFrame>& rest() const { return this->Frames; }
+  const TriangleFrames& rest() const { return this->Frames; }
   /// Per vertex a third of the triangles around it, at rest.
   std::vector<double> vertexAreas() const;
 
@@ -102,7 +102,7 @@ private:
 
   const SpaceUnknowns& Unknowns;
   Triangles Cells;
-  std::vector<TriangleFrame> Frames;
+  TriangleFrames Frames;
   SheetDensity Density;
   std::vector<SymmetricBlock<9>> Blocks; ///< of the triangles
 };

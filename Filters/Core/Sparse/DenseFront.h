@@ -2,12 +2,11 @@
 #pragma once
 
 #include "Base/Execution.h"
+#include "Base/LargeArray.h"
 #include "Base/Types.h"
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <memory>
-#include <vector>
 
 namespace flattening
 {
@@ -73,7 +72,7 @@ private:
   }
 
   Index Rows = 0;
-  std::vector<double> Values;
+  LargeArray<double> Values;
 };
 
 /// The columns of one supernode, one after the other, of which the lower triangle counts.
@@ -96,18 +95,16 @@ public:
   /// What was there before is lost where it grows.
   double* atLeast(std::size_t count)
   {
-    if (count > this->Count)
+    if (count > this->Values.size())
     {
-      this->Values.reset();
-      this->Values.reset(new double[count]);
-      this->Count = count;
+      this->Values = {};
+      this->Values.resize(count);
     }
-    return this->Values.get();
+    return this->Values.data();
   }
 
 private:
-  std::unique_ptr<double[]> Values; // NOLINT(modernize-avoid-c-arrays)
-  std::size_t Count = 0;
+  LargeArray<double> Values;
 };
 
 /// L D L^T of the columns of a front in place, D on the diagonal, and what they do to the rows

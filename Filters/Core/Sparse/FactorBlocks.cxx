@@ -97,22 +97,21 @@ Round widestRound()
 
 void FactorBlocks::allocate(std::size_t count)
 {
-  if (count == this->Count)
-  {
-    return;
-  }
-  this->Doubles.reset();
-  this->Singles.reset();
-  this->Count = 0;
+  const auto renew = [count](auto& values) {
+    if (values.size() != count)
+    {
+      values = {}; // first, so that there are never two
+      values.resize(count);
+    }
+  };
   if (this->Precision == FactorPrecision::Single)
   {
-    this->Singles.reset(new float[count]);
+    renew(this->Singles);
   }
   else
   {
-    this->Doubles.reset(new double[count]);
+    renew(this->Doubles);
   }
-  this->Count = count;
 }
 
 bool FactorBlocks::keep(const DenseFront& front, std::size_t place)
@@ -128,11 +127,11 @@ bool FactorBlocks::keep(const DenseFront& front, std::size_t place)
     count = std::size_t(front.size - first);
     if (this->Precision == FactorPrecision::Single)
     {
-      kept = round(values, this->Singles.get() + to, count) && kept;
+      kept = round(values, this->Singles.data() + to, count) && kept;
     }
     else
     {
-      std::copy_n(values, count, this->Doubles.get() + to);
+      std::copy_n(values, count, this->Doubles.data() + to);
     }
   }
   return kept;

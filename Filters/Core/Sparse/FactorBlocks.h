@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/LargeArray.h"
 #include "Base/Types.h"
 #include "Sparse/DenseFront.h"
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <memory>
 
 namespace flattening
 {
@@ -68,20 +68,18 @@ public:
   {
     if (this->Precision == FactorPrecision::Single)
     {
-      visit(FactorColumns<const float>{ this->Singles.get() + place, size, columns });
+      visit(FactorColumns<const float>{ this->Singles.data() + place, size, columns });
     }
     else
     {
-      visit(FactorColumns<const double>{ this->Doubles.get() + place, size, columns });
+      visit(FactorColumns<const double>{ this->Doubles.data() + place, size, columns });
     }
   }
 
 private:
   FactorPrecision Precision;
-  std::size_t Count = 0;
-  // Arrays, since vectors would write zeros first.
-  std::unique_ptr<double[]> Doubles; // NOLINT(modernize-avoid-c-arrays)
-  std::unique_ptr<float[]> Singles;  // NOLINT(modernize-avoid-c-arrays)
+  LargeArray<double> Doubles;
+  LargeArray<float> Singles;
 };
 
 /// Right-hand sides that are solved together, so that L is read once; each as long as the front.

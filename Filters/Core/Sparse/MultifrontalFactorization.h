@@ -66,7 +66,7 @@ public:
   Index rowsSize() const { return static_cast<Index>(this->Rows.size()); }
   Index largestFront() const { return this->LargestFront; }
   /// Those of all supernodes.
-  const std::vector<Entry>& entries() const { return this->Entries; }
+  const LargeArray<Entry>& entries() const { return this->Entries; }
   /// How many the matrix has, those above the diagonal included.
   Eigen::Index storedCount() const { return this->StoredCount; }
   /// How many numbers the columns of L of all supernodes are.
@@ -76,8 +76,8 @@ private:
   struct ColumnEntries
   {
     Indices begin;
-    Indices row;
-    Indices stored; ///< into the matrix's values
+    LargeArray<Index> row;
+    LargeArray<Index> stored; ///< into the matrix's values
   };
 
   ColumnEntries entriesByColumn(const Eigen::SparseMatrix<double>& matrix) const;
@@ -89,7 +89,7 @@ private:
   Indices NodeOfColumn;
   Indices Rows;
   Indices Places;
-  std::vector<Entry> Entries;
+  LargeArray<Entry> Entries;
   Eigen::Index StoredCount = 0;
   std::size_t FactorSize = 0;
   Index LargestFront = 0;

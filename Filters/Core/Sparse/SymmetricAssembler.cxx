@@ -29,7 +29,7 @@ void SymmetricAssembler::finish()
     Index rows; ///< as in Rows
     Index entry;
   };
-  std::vector<Declared> byColumn(count);
+  LargeArray<Declared> byColumn(count);
   for (Index entry = 0; entry < count; ++entry)
   {
     byColumn[begin[this->Columns[entry]]++] = { this->Rows[entry], entry };
@@ -42,7 +42,7 @@ void SymmetricAssembler::finish()
   // Each row of a column once, ascending: many entries share a place, and few places are left to
   // sort.
   this->Slots.resize(count);
-  Indices rows;
+  LargeArray<Index> rows;
   rows.reserve(count / 2);
   Indices columnBegin(this->Size + 1, 0);
   Indices slotOfRow(this->Size, none);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/LargeArray.h"
 #include "Base/Types.h"
 
 #include <Eigen/Core>
@@ -59,9 +60,9 @@ private:
   }
 
   Index Size;
-  Indices Rows; ///< twice the first, and 1 where a second one follows
-  Indices Columns;
-  Indices Slots;
+  LargeArray<Index> Rows; ///< twice the first, and 1 where a second one follows
+  LargeArray<Index> Columns;
+  LargeArray<Index> Slots;
   Eigen::SparseMatrix<double> Matrix;
 };
 

@@ -99,7 +99,7 @@ bool touchesKey(const ImprintedSurface& surface, std::size_t first)
 std::vector<StrainMeasures> strainMeasures(
   const FlatteningResult& flat, const std::vector<double>& counted)
 {
-  std::vector<std::vector<TriangleFrame>> frames(flat.pieces.size());
+  std::vector<TriangleFrames> frames(flat.pieces.size());
   std::vector<std::vector<TriangleQuality>> qualities(flat.pieces.size());
   for (Index t = 0; t < flat.cut->mesh.triangleCount(); ++t)
   {

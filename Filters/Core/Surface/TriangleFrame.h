@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/LargeArray.h"
 #include "Base/Types.h"
 
 #include <algorithm>
@@ -81,4 +82,5 @@ struct TriangleFrame
     return (u[1] - u[0]) * this->gradient[1] + (u[2] - u[0]) * this->gradient[2];
   }
 };
+using TriangleFrames = LargeArray<TriangleFrame>; ///< by triangle
 }
