@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Memory that runs out is a status of its own, whatever wanted it.
+#include "Base/LargeArray.h"
 #include "Base/Memory.h"
 #include "Flattened.h"
 #include "Reference/SuperLUFactorization.h"
@@ -7,8 +8,10 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <numeric>
 
 using namespace flattening;
 using namespace testmeshes;
@@ -118,6 +121,28 @@ TEST(OutOfMemory, OfAVectorThatNoMachineHoldsIsToldAsWell)
     return {};
   });
   EXPECT_EQ(result.status.code, StatusCode::OutOfMemory);
+  const Result large = withinMemory([]() -> Result {
+    LargeArray<double> endless;
+    endless.resize(endless.max_size());
+    return {};
+  });
+  EXPECT_EQ(large.status.code, StatusCode::OutOfMemory);
+}
+
+TEST(LargeArray, HoldsItsValuesAtLengthsAroundThoseOfPages)
+{
+  for (const std::size_t bytes : { 0U, 1U << 16U, 1U << 19U, 1U << 21U, 5U << 19U, 7U << 20U })
+  {
+    for (const std::size_t count : { bytes / sizeof(double), bytes / sizeof(double) + 1 })
+    {
+      LargeArray<double> values(count);
+      std::iota(values.begin(), values.end(), 1.0);
+      const LargeArray<double> copy = values;
+      values.resize(3 * count, -1.0);
+      EXPECT_TRUE(std::equal(copy.begin(), copy.end(), values.begin()));
+      EXPECT_EQ(std::count(values.begin(), values.end(), -1.0), std::ptrdiff_t(2 * count));
+    }
+  }
 }
 
 TEST(OutOfMemory, ThreadsThatAreNotGivenAreToldWithTheSystemsReason)

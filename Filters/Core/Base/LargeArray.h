@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <new>
 #include <utility>
 #include <vector>
@@ -29,10 +28,7 @@ struct LargeAllocator
   }
   Value* allocate(std::size_t count)
   {
-    if (count > std::numeric_limits<std::size_t>::max() / sizeof(Value))
-    {
-      throw std::bad_alloc();
-    }
+    // No vector asks for more than a size can say.
     return static_cast<Value*>(allocateLarge(count * sizeof(Value)));
   }
   void deallocate(Value* memory, std::size_t count) noexcept
