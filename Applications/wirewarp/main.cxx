@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The command, and how this process takes memory. Half the time of a surface of two million
 // triangles went into first touches of small pages: what is freed is kept for what comes next, and
-// much of it is asked for in large pages, VTK's and the standard library's arrays included.
+// much of it comes in large pages, VTK's and the standard library's arrays included.
 #include "Command.h"
+
+#include "Base/LargeArray.h"
 
 #include <cstddef>
 #include <cstdlib>
@@ -15,10 +17,9 @@
 // NOLINTBEGIN(cppcoreguidelines-no-malloc): what operator new stands on
 void* operator new(std::size_t bytes)
 {
-  constexpr std::size_t largePage = std::size_t(1) << 21;
-  constexpr std::size_t worthIt = largePage / 4;
+  using flattening::largePage;
   const std::size_t whole = (bytes + largePage - 1) / largePage * largePage;
-  const bool large = bytes >= worthIt && whole >= bytes;
+  const bool large = bytes >= flattening::worthLargePages && whole >= bytes;
   void* const memory =
     large ? std::aligned_alloc(largePage, whole) : std::malloc(bytes > 0 ? bytes : 1);
   if (memory == nullptr)

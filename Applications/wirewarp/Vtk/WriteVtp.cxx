@@ -17,17 +17,27 @@ namespace wirewarp
 {
 namespace
 {
+bool isObj(const NamedData& file)
+{
+  return lowerCaseExtension(file.file) == ".obj";
+}
+
 /// Where VTK's writer finds no memory it crashes, so that it is asked for here first.
-void demandMemory(const flattening::DataSet& data)
+void demandMemory(const std::vector<NamedData>& files)
 {
   constexpr std::size_t slack = std::size_t{ 1 } << 24U;
   constexpr std::size_t copies = 4; // the data set, its blocks as they are, packed and as text
-  std::size_t values = 3 * data.points->size() + data.lines.ids.size() + data.faces.ids.size();
-  for (const flattening::Columns* const columns : { &data.pointArrays, &data.cellArrays })
+  std::size_t values = 0;
+  for (const NamedData& file : files)
   {
-    for (const flattening::Column& column : *columns)
+    const flattening::DataSet& data = *file.data;
+    values += 3 * data.points->size() + data.lines.ids.size() + data.faces.ids.size();
+    for (const flattening::Columns* const columns : { &data.pointArrays, &data.cellArrays })
     {
-      values += column.rows() * static_cast<std::size_t>(column.components);
+      for (const flattening::Column& column : *columns)
+      {
+        values += column.rows() * static_cast<std::size_t>(column.components);
+      }
     }
   }
   ::operator delete(::operator new(copies * sizeof(double) * values + slack));
@@ -36,7 +46,6 @@ void demandMemory(const flattening::DataSet& data)
 /// Empty where VTK does not write it.
 std::string vtpOf(const flattening::DataSet& data)
 {
-  demandMemory(data);
   // By way of memory: on a full disk VTK's writer of files crashes.
   vtkNew<vtkXMLPolyDataWriter> writer;
   // With the Expat of Debian 12's security updates ParaView 5.11 refuses appended data.
@@ -61,14 +70,14 @@ std::vector<std::string> bytesOf(
 {
   vtkSMPTools::SetBackend("Sequential"); // where there can be no thread, TBB gives up
   const VtkMessages messages;
+  demandMemory(files);
   std::vector<std::string> bytes(files.size());
   execution.forEachTask(static_cast<flattening::Index>(files.size()), [&](flattening::Index k) {
-    const auto& [file, data] = files[k];
-    bytes[k] = lowerCaseExtension(file) == ".obj" ? objOf(*data) : vtpOf(*data);
+    bytes[k] = isObj(files[k]) ? objOf(*files[k].data) : vtpOf(*files[k].data);
   });
   for (std::size_t k = 0; k < files.size(); ++k)
   {
-    if (bytes[k].empty() || !messages.errors().empty())
+    if ((bytes[k].empty() && !isObj(files[k])) || !messages.errors().empty())
     {
       throw InputError(files[k].file, "cannot be written (" + messages.firstError() + ")");
     }

@@ -8,6 +8,10 @@
 
 namespace flattening
 {
+inline constexpr std::size_t largePage = std::size_t(1) << 21; ///< of x86, and of most of ARM
+/// From here on one large page is sooner there than the small ones.
+inline constexpr std::size_t worthLargePages = largePage / 4;
+
 /// Memory for this number of bytes. Much of it comes in large pages where the system has them,
 /// since a first touch of a small one costs as much as some thousand operations, and goes back to
 /// the system at once. Throws std::bad_alloc.

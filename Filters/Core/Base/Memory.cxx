@@ -6,19 +6,16 @@
 #include <memory>
 #include <string>
 
-#if defined(__linux__)
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) // it watches what operator new gives
+#define FLATTENING_LARGE_PAGES
 #include <sys/mman.h>
 #endif
 
 namespace flattening
 {
-#if defined(__linux__)
+#ifdef FLATTENING_LARGE_PAGES
 namespace
 {
-constexpr std::size_t largePage = std::size_t(1) << 21; // of x86, and of ARM with pages of 4 kB
-/// From here on one large page is sooner there than the small ones.
-constexpr std::size_t worthLargePages = largePage / 4;
-
 /// What is mapped for them: large pages, and small ones for a rest that is not worth one.
 std::size_t mappedBytes(std::size_t bytes)
 {
@@ -57,7 +54,7 @@ void* mapLarge(std::size_t bytes)
 
 void* allocateLarge(std::size_t bytes)
 {
-#if defined(__linux__)
+#ifdef FLATTENING_LARGE_PAGES
   if (bytes >= worthLargePages)
   {
     return mapLarge(bytes);
@@ -68,7 +65,7 @@ void* allocateLarge(std::size_t bytes)
 
 void releaseLarge(void* memory, std::size_t bytes) noexcept
 {
-#if defined(__linux__)
+#ifdef FLATTENING_LARGE_PAGES
   if (bytes >= worthLargePages)
   {
     munmap(memory, mappedBytes(bytes));
