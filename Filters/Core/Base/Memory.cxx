@@ -63,7 +63,7 @@ void* allocateLarge(std::size_t bytes)
   return ::operator new(bytes);
 }
 
-void releaseLarge(void* memory, std::size_t bytes) noexcept
+void releaseLarge(void* memory, [[maybe_unused]] std::size_t bytes) noexcept
 {
 #ifdef FLATTENING_LARGE_PAGES
   if (bytes >= worthLargePages)
