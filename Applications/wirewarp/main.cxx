@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The command, and how this process takes memory. Half the time of a surface of two million
-// triangles went into first touches of small pages: what is freed is kept for what comes next, and
+// triangles went into first touches of small pages. What is freed is kept for what comes next, and
 // much of it comes in large pages, VTK's and the standard library's arrays included.
 #include "Command.h"
 

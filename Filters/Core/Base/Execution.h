@@ -111,7 +111,8 @@ struct Execution
 template <typename Result, typename Compute, typename Add>
 void computeAndAdd(Index count, const Execution& execution, const Compute& compute, const Add& add)
 {
-  // Results at a time: few enough for the cache, many enough for threads.
+  // Results at a time: few enough for the cache, and for threads so many that starting them counts
+  // little.
   const Index together = execution.parallel ? 4096 : 64;
   LargeArray<Result> results(std::min(count, together));
   for (Index first = 0; first < count; first += together)

@@ -32,7 +32,7 @@ struct LargeAllocator
   }
   Value* allocate(std::size_t count)
   {
-    // No vector asks for more than a size can say.
+    // std::vector has compared the count with its max_size(): the product does not overflow.
     return static_cast<Value*>(allocateLarge(count * sizeof(Value)));
   }
   void deallocate(Value* memory, std::size_t count) noexcept
